@@ -1,0 +1,64 @@
+// A TOML text as plain values, each of which knows its place. The only file that knows the TOML library is its
+// .cpp.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "job/faults.hpp"
+
+namespace peterka::job {
+
+struct Value;
+struct Entry;
+
+struct Table {
+    std::vector<Entry> entries;
+    [[nodiscard]] const Value* find(std::string_view name) const;
+    [[nodiscard]] Entry& entry(std::string_view name, const Location& where);  // the one there is, or a new one
+};
+
+struct Array {
+    std::vector<Value> values;
+};
+
+struct BareWord {  // of an override: no TOML value, taken as text where text is expected
+    std::string text;
+};
+
+struct DateOrTime {
+    std::string text;
+};
+
+struct Value {
+    Location where;
+    std::variant<Table, Array, std::string, BareWord, std::int64_t, double, bool, DateOrTime> content;
+
+    template <typename Content>
+    [[nodiscard]] const Content* as() const {
+        return std::get_if<Content>(&content);
+    }
+    [[nodiscard]] std::string text() const;                // shortened, as it would stand in a file
+    [[nodiscard]] std::string_view type_in_words() const;  // "text", "an integer", ...
+};
+
+struct Entry {
+    std::string name;
+    Location where;  // of the key
+    Value value;
+};
+
+// Longer lines are no job, and deeply nested ones would exhaust the stack of a recursive parser.
+inline constexpr std::size_t longest_line = 4096;
+
+// Throws JobFaults with the one fault of the syntax: nothing behind it can be read.
+[[nodiscard]] Value parse_document(std::string_view text, const std::string& file);
+
+// The right-hand side of an override; a text that is no TOML value becomes a BareWord. Throws
+// std::invalid_argument with the complaint where it is neither.
+[[nodiscard]] Value parse_value(std::string_view text, const Location& where);
+
+}  // namespace peterka::job

@@ -1,0 +1,42 @@
+// Faults of a job: where each is, what is wrong, why, and what to do; all of them end the program together.
+//
+// A fault of the file reads `file:line:column: what; why; what to do`, one of an override `--set 2: what; ...`.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/errors.hpp"
+
+namespace peterka::job {
+
+// A place in the job file, or the override that gave the value. Ordered as a reader meets them.
+struct Location {
+    std::size_t override_number = 0;  // 0: the file itself
+    std::uint32_t line = 1;           // from 1, of the file
+    std::uint32_t column = 1;         // from 1, in characters
+    friend auto operator<=>(const Location&, const Location&) = default;
+};
+
+struct Fault {
+    Location where;
+    std::string text;  // what; why; what to do
+};
+
+class JobFaults : public Failure {
+  public:
+    // `file` as the user named it. The message lists the faults one per line, in the order of their places.
+    JobFaults(const std::string& file, std::vector<Fault> faults);
+    // The file as a whole cannot be read as a job.
+    JobFaults(const std::string& file, const std::string& text);
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+  private:
+    std::size_t count_;
+};
+
+}  // namespace peterka::job

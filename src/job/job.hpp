@@ -1,0 +1,124 @@
+// The job file as plain structs, in SI units and ratios as the file gives them.
+//
+// Each struct is one table of the file and each member one key; a default here is the default of the key. The
+// names, units and meanings are those of the job file; nothing is scaled or derived in place (see
+// scene/scales.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace peterka::job {
+
+enum class Kind { map, basin };
+enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
+enum class Spacing { linear, log };
+enum class EngineChoice { automatic, exact };
+
+// The hammer on its beam springs: m x'' + c (x' - y') + k (x - y) + k3 (x - y)^3 = -F.
+// Exactly one of natural_frequency_hz and stiffness_n_per_m, and one of damping_ns_per_m and damping_ratio, is
+// given.
+struct Hammer {
+    double mass_kg = 0;
+    std::optional<double> natural_frequency_hz = {};  // sqrt(k/m) / (2 pi)
+    std::optional<double> stiffness_n_per_m = {};
+    std::optional<double> damping_ns_per_m = {};
+    std::optional<double> damping_ratio = {};  // c / (2 sqrt(k m))
+    double cubic_stiffness_n_per_m3 = 0;
+    CubicForm cubic = CubicForm::relative;
+
+    [[nodiscard]] double stiffness() const;  // [N/m], whichever key gave it
+    [[nodiscard]] double damping() const;    // [Ns/m], whichever key gave it
+    friend bool operator==(const Hammer&, const Hammer&) = default;
+};
+
+struct Cart {
+    double amplitude_m = 0;  // A0 of y = A0 sin(Omega t)
+    friend bool operator==(const Cart&, const Cart&) = default;
+};
+
+// Spring-dashpot stop: F = ki delta + ci delta' while it presses, 0 otherwise (law = "kelvin_voigt").
+struct Contact {
+    double stiffness_n_per_m = 0;
+    double damping_ns_per_m = 0;
+    friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+// `points` values from `from` to `to`, both included, evenly spaced (or evenly in the logarithm).
+struct Axis {
+    double from = 0;
+    double to = 0;
+    std::int64_t points = 0;
+    Spacing scale = Spacing::linear;
+    friend bool operator==(const Axis&, const Axis&) = default;
+};
+
+// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn.
+struct OperatingPoint {
+    double frequency_ratio = 0;
+    double gap_ratio = 0;
+    friend bool operator==(const OperatingPoint&, const OperatingPoint&) = default;
+};
+
+// Hammer x(0)/A0 and x'(0)/(A0 omega), absolute (not relative to the cart).
+struct Start {
+    double displacement_ratio = 0;
+    double velocity_ratio = 0;
+    friend bool operator==(const Start&, const Start&) = default;
+};
+
+struct SteadyState {
+    std::int64_t max_cycles = 3000;    // budget per cell [forcing cycles]
+    std::int64_t max_period = 64;      // largest q looked for [forcing cycles]
+    std::int64_t chaos_cycles = 1000;  // cycles before a cell may be called chaotic
+    friend bool operator==(const SteadyState&, const SteadyState&) = default;
+};
+
+struct Solver {
+    EngineChoice engine = EngineChoice::automatic;
+    double tolerance = 1e-9;  // relative error asked for in peak force
+    double omit_tolerance =
+        1e-3;  // what leaving a term out may change in peak force, relative; 0 keeps every term
+    friend bool operator==(const Solver&, const Solver&) = default;
+};
+
+// Fields of a map that are computed only on request.
+enum class OptionalField {
+    multiplier,   // largest |Floquet multiplier| of the proved orbit
+    lyapunov,     // largest Lyapunov exponent per forcing cycle
+    sensitivity,  // ln G: the largest growth of a start perturbation during the run
+    orbit,        // stroboscopic state of the steady orbit: orbit_displacement, orbit_velocity
+};
+
+struct Output {
+    std::vector<OptionalField> fields;  // sorted, each at most once
+    [[nodiscard]] bool has(OptionalField field) const;
+    friend bool operator==(const Output&, const Output&) = default;
+};
+
+struct Limits {
+    std::int64_t failed_cells = 0;  // more failed cells than this end the run with exit code 4
+    friend bool operator==(const Limits&, const Limits&) = default;
+};
+
+struct Job {
+    Kind kind = Kind::map;
+    std::string title;
+    Hammer hammer;
+    Cart cart;
+    Contact contact;
+    Axis columns;                    // map: frequency_ratio; basin: displacement_ratio
+    Axis rows;                       // map: gap_ratio; basin: velocity_ratio
+    OperatingPoint operating_point;  // basin only
+    Start start;                     // map only
+    SteadyState steady_state;
+    Solver solver;
+    Output output;
+    Limits limits;
+    [[nodiscard]] std::int64_t cells() const { return columns.points * rows.points; }
+    friend bool operator==(const Job&, const Job&) = default;
+};
+
+}  // namespace peterka::job

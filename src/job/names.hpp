@@ -1,0 +1,94 @@
+// The words of the job file for each choice: those this version has, and those that later versions will have.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "job/job.hpp"
+
+namespace peterka::job {
+
+enum class ContactLaw { kelvin_voigt };
+
+template <typename Choice>
+struct Named {
+    Choice value;
+    std::string_view name;
+};
+template <typename Choice>
+Named(Choice, std::string_view) -> Named<Choice>;
+
+using LaterNames = std::vector<std::string_view>;
+
+// One specialisation per choice: `all` of this version, and `later()` for names that are planned but not here.
+template <typename Choice>
+struct Names;
+
+template <>
+struct Names<Kind> {
+    static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"}};
+    static LaterNames later() { return {"sweep", "trace", "study"}; }
+};
+
+template <>
+struct Names<ContactLaw> {
+    static constexpr std::array all{Named{ContactLaw::kelvin_voigt, "kelvin_voigt"}};
+    static LaterNames later() { return {"restitution"}; }
+};
+
+template <>
+struct Names<EngineChoice> {
+    static constexpr std::array all{Named{EngineChoice::automatic, "auto"},
+                                    Named{EngineChoice::exact, "exact"}};
+    static LaterNames later() { return {"split", "cvode", "arkode"}; }
+};
+
+template <>
+struct Names<CubicForm> {
+    static constexpr std::array all{Named{CubicForm::relative, "relative"},
+                                    Named{CubicForm::absolute, "absolute"}};
+    static LaterNames later() { return {}; }
+};
+
+template <>
+struct Names<Spacing> {
+    static constexpr std::array all{Named{Spacing::linear, "linear"}, Named{Spacing::log, "log"}};
+    static LaterNames later() { return {}; }
+};
+
+template <>
+struct Names<OptionalField> {
+    static constexpr std::array all{
+        Named{OptionalField::multiplier, "multiplier"}, Named{OptionalField::lyapunov, "lyapunov"},
+        Named{OptionalField::sensitivity, "sensitivity"}, Named{OptionalField::orbit, "orbit"}};
+    static LaterNames later() { return {}; }
+};
+
+template <typename Choice>
+[[nodiscard]] constexpr std::string_view name(Choice value) {
+    for (const auto& named : Names<Choice>::all) {
+        if (named.value == value) return named.name;
+    }
+    return "?";
+}
+
+template <typename Choice>
+[[nodiscard]] std::vector<std::string_view> all_names() {
+    std::vector<std::string_view> names;
+    for (const auto& named : Names<Choice>::all) names.push_back(named.name);
+    return names;
+}
+
+struct AxisNames {
+    std::string_view columns;
+    std::string_view rows;
+};
+
+[[nodiscard]] constexpr AxisNames axis_names(Kind kind) {
+    if (kind == Kind::map) return {"frequency_ratio", "gap_ratio"};
+    return {"displacement_ratio", "velocity_ratio"};
+}
+
+}  // namespace peterka::job

@@ -1,0 +1,57 @@
+// The values a number may take, and the reason in the words of physics.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "job/toml_text.hpp"
+
+namespace peterka::job {
+
+template <typename Number>
+struct Range {
+    Number low;
+    Number high;
+    bool with_ends;
+    std::string_view reason;
+
+    [[nodiscard]] bool contains(Number value) const {
+        return with_ends ? low <= value && value <= high : low < value && value < high;
+    }
+    [[nodiscard]] std::string text() const {
+        const std::string first = toml_text(low);
+        const std::string last = toml_text(high);
+        if (low == high) return "the value " + first;
+        if (high == std::numeric_limits<Number>::max()) return fmt::format("a value of {} or more", first);
+        return with_ends ? fmt::format("a value from {} to {}", first, last)
+                         : fmt::format("a value above {} and below {}", first, last);
+    }
+};
+
+template <typename Number>
+[[nodiscard]] constexpr Range<Number> from_to(Number low, Number high, std::string_view reason) {
+    return {low, high, true, reason};
+}
+
+template <typename Number>
+[[nodiscard]] constexpr Range<Number> between(Number low, Number high, std::string_view reason) {
+    return {low, high, false, reason};
+}
+
+// Magnitudes in SI units. Far beyond any hammer, and narrow enough that every number derived from them is
+// finite.
+inline constexpr double smallest_magnitude = 1e-30;
+inline constexpr double largest_magnitude = 1e30;
+
+[[nodiscard]] constexpr Range<double> positive(std::string_view reason) {
+    return from_to(smallest_magnitude, largest_magnitude, reason);
+}
+
+[[nodiscard]] constexpr Range<double> not_negative(std::string_view reason) {
+    return from_to(0.0, largest_magnitude, reason);
+}
+
+}  // namespace peterka::job

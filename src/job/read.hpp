@@ -1,0 +1,21 @@
+// Reads a job file, strictly: every fault is listed at once, and a job that comes back is sound.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "job/faults.hpp"
+#include "job/job.hpp"
+
+namespace peterka::job {
+
+// `overrides` are texts of the form table.key=value, later ones over earlier ones. Throws JobFaults.
+[[nodiscard]] Job read_job_file(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+// The same for a text in memory; `name` stands for the file in messages.
+[[nodiscard]] Job read_job_text(std::string_view text, const std::string& name,
+                                std::span<const std::string> overrides = {});
+
+}  // namespace peterka::job

@@ -1,0 +1,56 @@
+#include "job/rules.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "job/axis.hpp"
+#include "job/toml_text.hpp"
+
+namespace peterka::job {
+
+std::string rule_of_direction(std::string_view axis_name, const Axis& axis) {
+    if (axis.from < axis.to) return {};
+    const bool is_empty = axis.from == axis.to;
+    return fmt::format("axes.{} runs from {} to {}; an axis {}; {}", axis_name, toml_text(axis.from),
+                       toml_text(axis.to), is_empty ? "must have a length" : "runs upwards",
+                       is_empty ? "give a larger to" : "swap from and to");
+}
+
+std::string rule_of_logarithm(std::string_view axis_name, const Axis& axis) {
+    if (axis.scale != Spacing::log || axis.from > 0) return {};
+    return fmt::format(
+        "axes.{} is logarithmic from {}; only positive numbers have a logarithm; give a from above 0 "
+        "or scale = \"linear\"",
+        axis_name, toml_text(axis.from));
+}
+
+std::string rule_of_resolution(std::string_view axis_name, const Axis& axis) {
+    if (resolves_its_points(axis)) return {};
+    return fmt::format(
+        "axes.{} has {} points from {} to {}; double precision cannot tell neighbours apart; give "
+        "fewer points or a longer axis",
+        axis_name, axis.points, toml_text(axis.from), toml_text(axis.to));
+}
+
+std::string rule_of_linear_spring(const Hammer& hammer) {
+    if (hammer.cubic_stiffness_n_per_m3 == 0) return {};
+    return fmt::format(
+        "hammer.cubic_stiffness_n_per_m3 = {} cannot be solved; this version has the exact engine "
+        "only, whose closed form needs a linear spring; leave the key out or set it to 0",
+        toml_text(hammer.cubic_stiffness_n_per_m3));
+}
+
+std::string rule_of_title(std::string_view title) {
+    constexpr std::size_t longest = 1000;  // [bytes]
+    if (title.size() > longest) {
+        return fmt::format("title has {} bytes; it heads every picture and has at most {}; shorten it",
+                           title.size(), longest);
+    }
+    const bool has_control = std::any_of(
+        title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+    if (has_control) return "title has a line break or control character; it is one line of text; remove it";
+    return {};
+}
+
+}  // namespace peterka::job

@@ -1,0 +1,226 @@
+// The job file, once: every table, key, range, default and rule of it.
+//
+// `describe` walks a job with a reader (table_reader.hpp), which fills it from a file, or with a writer
+// (table_writer.hpp), which prints it. Defaults are those of the structs in job.hpp.
+#pragma once
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "job/derived.hpp"
+#include "job/job.hpp"
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/rules.hpp"
+
+namespace peterka::job {
+
+inline constexpr std::int64_t schema_version = 1;
+
+// Quantities that stand on an axis, at an operating point or in a start.
+struct Quantity {
+    std::string_view name;
+    std::string_view meaning;
+    Range<double> range;
+    std::string_view from;  // examples
+    std::string_view to;
+};
+
+inline constexpr Quantity frequency_ratio{
+    "frequency_ratio", "excitation frequency over natural frequency, Omega/omega [1]",
+    from_to(1e-6, 1e6, "the cart must vibrate, and a cycle may last at most a million times the hammer's own"),
+    "0.5", "4.5"};
+inline constexpr Quantity gap_ratio{
+    "gap_ratio", "gap over cart amplitude, gap/A0 [1]",
+    from_to(-1e6, 1e6,
+            "the stop stands within reach of the hammer, in front of it or (negative) pressed into it"),
+    "0.0", "5.0"};
+inline constexpr Quantity displacement_ratio{
+    "displacement_ratio", "start of the hammer, x(0)/A0 [1]",
+    from_to(-1e9, 1e9, "a start further away loses the cart's motion in rounding"), "-6.0", "6.0"};
+inline constexpr Quantity velocity_ratio{
+    "velocity_ratio", "start of the hammer, x'(0)/(A0 omega) [1]",
+    from_to(-1e9, 1e9, "a faster start loses the cart's motion in rounding"), "-6.0", "6.0"};
+
+template <typename Walker>
+void describe(Walker& table, Hammer& hammer) {
+    table.number({"mass_kg", "mass of the hammer [kg]", "0.298"}, hammer.mass_kg,
+                 positive("a mass must be positive: the hammer has inertia"));
+    table.either({{"natural_frequency_hz", "natural frequency sqrt(k/m)/(2 pi), no contact [Hz]", "4.5"},
+                  hammer.natural_frequency_hz,
+                  positive("a natural frequency must be positive: the springs pull the hammer back")},
+                 {{"stiffness_n_per_m", "stiffness k of the beam springs [N/m]", "238.0"},
+                  hammer.stiffness_n_per_m,
+                  positive("a stiffness must be positive: the springs pull the hammer back")},
+                 "either of them sets the stiffness of the beam springs");
+    table.either({{"damping_ns_per_m", "damping c of the beam springs [Ns/m]", "0.06"},
+                  hammer.damping_ns_per_m,
+                  not_negative("a damping must not be negative: beam springs take energy and give none")},
+                 {{"damping_ratio", "damping ratio c/(2 sqrt(k m)) of the beam springs [1]", "0.004"},
+                  hammer.damping_ratio,
+                  not_negative("a damping ratio must not be negative: beam springs take energy and give none")},
+                 "either of them sets the damping of the beam springs");
+    table.number(
+        {"cubic_stiffness_n_per_m3", "cubic stiffness k3 [N/m^3]"}, hammer.cubic_stiffness_n_per_m3,
+        from_to(-largest_magnitude, largest_magnitude, "a cubic stiffness is a finite physical magnitude"));
+    table.choice({"cubic", "form of the cubic term: relative k3 (x - y)^3, absolute k3 (x^3 - y^3)"},
+                 hammer.cubic);
+    table.rule({"cubic_stiffness_n_per_m3"}, [&] { return rule_of_linear_spring(hammer); });
+}
+
+template <typename Walker>
+void describe(Walker& table, Cart& cart) {
+    table.number(
+        {"amplitude_m", "amplitude A0 of the cart, y = A0 sin(Omega t) [m]", "0.89e-3"}, cart.amplitude_m,
+        positive(
+            "an amplitude must be positive: a cart at rest drives nothing, and lengths are counted in it"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Contact& contact) {
+    auto law = ContactLaw::kelvin_voigt;
+    const bool known = table.choice(
+        {"law", "contact law, a spring and a dashpot that push and never pull", "\"kelvin_voigt\""}, law);
+    // The keys below are those of this law; under another one they would only add faults that mean nothing.
+    if (!known) return table.skip({"stiffness_n_per_m", "damping_ns_per_m", "coefficient"});
+    table.number({"stiffness_n_per_m", "stiffness ki of the stop [N/m]", "5.5e6"}, contact.stiffness_n_per_m,
+                 positive("a contact stiffness must be positive: the stop pushes the hammer back"));
+    table.number({"damping_ns_per_m", "damping ci of the stop [Ns/m]", "1.2e3"}, contact.damping_ns_per_m,
+                 not_negative("a contact damping must not be negative: a stop takes energy and gives none"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Axis& axis, const Quantity& quantity) {
+    table.number({"from", "first value", quantity.from}, axis.from, quantity.range);
+    table.number({"to", "last value", quantity.to}, axis.to, quantity.range);
+    table.integer({"points", "number of values, both ends included", "512"}, axis.points,
+                  from_to<std::int64_t>(2, std::numeric_limits<std::int32_t>::max(),
+                                        "an axis has two ends, and its points are counted in 32 bits"));
+    table.choice({"scale", "spacing of the values, linear or log"}, axis.scale);
+    table.rule({"from", "to"}, [&] { return rule_of_direction(quantity.name, axis); });
+    table.rule({"from", "scale"}, [&] { return rule_of_logarithm(quantity.name, axis); });
+    table.rule({"from", "to", "points", "scale"}, [&] { return rule_of_resolution(quantity.name, axis); });
+}
+
+template <typename Walker>
+void describe_axes(Walker& axes, Job& job, const Quantity& columns, const Quantity& rows) {
+    axes.table({columns.name, columns.meaning, "from, to and points"},
+               [&](auto& table) { describe(table, job.columns, columns); });
+    axes.table({rows.name, rows.meaning, "from, to and points"},
+               [&](auto& table) { describe(table, job.rows, rows); });
+}
+
+template <typename Walker>
+void describe_map(Walker& file, Job& job) {
+    file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
+        describe_axes(axes, job, frequency_ratio, gap_ratio);
+        constexpr auto why =
+            "is an axis of a basin; a map starts every cell alike; give one value under [start]";
+        axes.refuse(displacement_ratio.name, why);
+        axes.refuse(velocity_ratio.name, why);
+    });
+    file.table({"start", "start of the hammer at t = 0, absolute (not relative to the cart)"},
+               [&](auto& table) {
+                   table.number({displacement_ratio.name, displacement_ratio.meaning},
+                                job.start.displacement_ratio, displacement_ratio.range);
+                   table.number({velocity_ratio.name, velocity_ratio.meaning}, job.start.velocity_ratio,
+                                velocity_ratio.range);
+               });
+    file.refuse("operating_point", "belongs to a basin; a map covers the plane of its axes; remove this table");
+}
+
+template <typename Walker>
+void describe_basin(Walker& file, Job& job) {
+    file.table(
+        {"operating_point", "place in the plane at which the basin is drawn", "frequency_ratio and gap_ratio"},
+        [&](auto& table) {
+            table.number({frequency_ratio.name, frequency_ratio.meaning, "1.8"},
+                         job.operating_point.frequency_ratio, frequency_ratio.range);
+            table.number({gap_ratio.name, gap_ratio.meaning, "1.6"}, job.operating_point.gap_ratio,
+                         gap_ratio.range);
+        });
+    file.table({"axes", "plane of starts", "[axes.displacement_ratio] and [axes.velocity_ratio]"},
+               [&](auto& axes) {
+                   describe_axes(axes, job, displacement_ratio, velocity_ratio);
+                   constexpr auto why =
+                       "is an axis of a map; a basin is drawn at one place; give one value under "
+                       "[operating_point]";
+                   axes.refuse(frequency_ratio.name, why);
+                   axes.refuse(gap_ratio.name, why);
+               });
+    file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
+}
+
+template <typename Walker>
+void describe(Walker& table, SteadyState& steady_state) {
+    table.integer({"max_cycles", "budget of a cell [forcing cycles]"}, steady_state.max_cycles,
+                  from_to<std::int64_t>(1, 1'000'000'000, "a cell needs a budget that it can spend"));
+    table.integer(
+        {"max_period", "largest period q looked for [forcing cycles]"}, steady_state.max_period,
+        from_to<std::int64_t>(1, 1024, "every cycle of the longest period is remembered for each cell"));
+    table.integer({"chaos_cycles", "cycles before a cell may be called chaotic [forcing cycles]"},
+                  steady_state.chaos_cycles,
+                  from_to<std::int64_t>(1, 1'000'000'000, "chaos shows only in a run of some length"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Solver& solver) {
+    table.choice({"engine", "how a trajectory is computed, auto or exact"}, solver.engine);
+    table.number({"tolerance", "relative error asked for in peak force [1]"}, solver.tolerance,
+                 between(0.0, 1.0, "a relative error of 0 is never reached, and one of 1 says nothing"));
+    table.number({"omit_tolerance", "what leaving a term out may change in peak force, 0 keeps all [1]"},
+                 solver.omit_tolerance,
+                 from_to(0.0, 1.0, "a relative change is a share of the peak force; 0 keeps every term"));
+}
+
+// Tables of kinds that are named already; saying so helps more than "unknown table".
+template <typename Walker>
+void refuse_later_tables(Walker& file) {
+    for (const auto* name : {"sweep", "trace", "study", "refine", "audit"}) {
+        file.refuse(name, "is not in this version; it computes maps and basins; remove this table");
+    }
+}
+
+template <typename Walker>
+void describe(Walker& file, Job& job) {
+    std::int64_t schema = schema_version;
+    file.integer({"schema", "version of the job file's own format", "1"}, schema,
+                 from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
+    const bool kind_is_known = file.choice({"kind", "kind of the job, map or basin", "\"map\""}, job.kind);
+    file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
+    file.rule({"title"}, [&] { return rule_of_title(job.title); });
+
+    file.table({"hammer", "mass, springs and damping of the hammer", "mass_kg = 0.298"},
+               [&](auto& table) { describe(table, job.hammer); });
+    file.table({"cart", "motion of the cart", "amplitude_m = 0.89e-3"},
+               [&](auto& table) { describe(table, job.cart); });
+    file.table({"contact", "law and numbers of the stop", "law = \"kelvin_voigt\""},
+               [&](auto& table) { describe(table, job.contact); });
+    file.note([&] { return derived_numbers_in_words(job); });
+
+    if (!kind_is_known) {
+        file.skip({"axes", "start", "operating_point"});
+    } else if (job.kind == Kind::map) {
+        describe_map(file, job);
+    } else {
+        describe_basin(file, job);
+    }
+
+    file.table({"steady_state", "when a regime counts as proved"},
+               [&](auto& table) { describe(table, job.steady_state); });
+    file.table({"solver", "engine and tolerances"}, [&](auto& table) { describe(table, job.solver); });
+    file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
+        table.choices({"fields", "extra fields: multiplier, lyapunov, sensitivity, orbit"}, job.output.fields);
+    });
+    file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
+               [&](auto& table) {
+                   table.integer(
+                       {"failed_cells", "more failed cells than this end the run with exit code 4"},
+                       job.limits.failed_cells,
+                       from_to<std::int64_t>(0, std::numeric_limits<std::int64_t>::max(), "it counts cells"));
+               });
+    refuse_later_tables(file);
+}
+
+}  // namespace peterka::job

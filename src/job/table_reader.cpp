@@ -1,0 +1,168 @@
+#include "job/table_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "job/choose.hpp"
+#include "job/toml_text.hpp"
+
+namespace peterka::job {
+
+TableReader::TableReader(const Value& value, std::string path, std::vector<Fault>& faults)
+    : table_(*value.as<Table>()), where_(value.where), path_(std::move(path)), faults_(faults) {}
+
+void TableReader::number(const Key& key, double& value, const Range<double>& range) {
+    if (const Value* given = ask(key)) read_number(key, *given, value, range);
+}
+
+void TableReader::read_number(const Key& key, const Value& value, double& number, const Range<double>& range) {
+    const std::string standard = toml_text(number);
+    if (const auto* given = value.as<double>()) {
+        number = *given;
+    } else if (const auto* integer = value.as<std::int64_t>()) {
+        number = static_cast<double>(*integer);
+    } else {
+        return wrong_type(key, value, "a number", standard);
+    }
+    check_range(key, value, number, range);
+}
+
+void TableReader::integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range) {
+    const Value* given = ask(key);
+    if (given == nullptr) return;
+    const auto* integer = given->as<std::int64_t>();
+    if (integer == nullptr) return wrong_type(key, *given, "an integer", toml_text(value));
+    value = *integer;
+    check_range(key, *given, value, range);
+}
+
+void TableReader::text(const Key& key, std::string& value) {
+    const Value* given = ask(key);
+    if (given == nullptr) return;
+    if (const auto* text = given->as<std::string>()) {
+        value = *text;
+    } else if (const auto* word = given->as<BareWord>()) {
+        value = word->text;
+    } else {
+        wrong_type(key, *given, "text", R"("...")");
+    }
+}
+
+void TableReader::either(const Alternative& first, const Alternative& second, std::string_view why) {
+    read_alternative(first);
+    read_alternative(second);
+    const Value* one = table_.find(first.key.name);
+    const Value* other = table_.find(second.key.name);
+    if (one != nullptr && other != nullptr) {
+        fault(second.key.name, std::max(one->where, other->where),
+              fmt::format("{} and {} are both given; {}; remove one of them", full_name(first.key.name),
+                          second.key.name, why));
+    }
+    if (one == nullptr && other == nullptr) {
+        fault(first.key.name, where_,
+              fmt::format("{} or {} is missing; {}; add one of them, such as {} = {}, {}",
+                          full_name(first.key.name), second.key.name, why, first.key.name, first.key.example,
+                          place_to_add()));
+    }
+}
+
+void TableReader::read_alternative(const Alternative& alternative) {
+    known_.push_back(alternative.key.name);
+    const Value* given = table_.find(alternative.key.name);
+    if (given == nullptr) return;
+    double number = 0;
+    read_number(alternative.key, *given, number, alternative.range);
+    alternative.value = number;
+}
+
+std::optional<std::size_t> TableReader::choose(const Key& key, const Words& names, const Words& later,
+                                               std::string_view standard) {
+    const Value* given = ask(key);
+    if (given == nullptr) return std::nullopt;
+    const auto word = word_of(*given);
+    if (!word) {
+        wrong_type(key, *given, "text", toml_text(standard));
+        return std::nullopt;
+    }
+    const auto index = index_of(*word, names);
+    if (!index) {
+        const std::string what = fmt::format("{} = {}", full_name(key.name), toml_text(*word));
+        fault(key.name, given->where, complain_about_choice(what, *word, names, later));
+    }
+    return index;
+}
+
+std::vector<std::size_t> TableReader::choose_several(const Key& key, const Words& names) {
+    std::set<std::size_t> chosen;
+    const Value* given = ask(key);
+    if (given == nullptr) return {};
+    const auto* list = given->as<Array>();
+    if (list == nullptr) {
+        wrong_type(key, *given, "a list", fmt::format("[{}]", toml_text(names.front())));
+        return {};
+    }
+    for (const Value& element : list->values) {
+        const auto* word = element.as<std::string>();
+        const auto index = word != nullptr ? index_of(*word, names) : std::nullopt;
+        const std::string what = fmt::format("{} in {}", element.text(), full_name(key.name));
+        if (word == nullptr) {
+            fault(key.name, element.where,
+                  fmt::format("{} is {}; the list takes text; choose from {}", what, element.type_in_words(),
+                              quoted_list(names)));
+        } else if (!index) {
+            fault(key.name, element.where, complain_about_choice(what, *word, names, {}));
+        } else if (!chosen.insert(*index).second) {
+            fault(key.name, element.where,
+                  fmt::format("{} stands there twice; a field is stored once; remove one", what));
+        }
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+const Value* TableReader::ask(const Key& key) {
+    known_.push_back(key.name);
+    const Value* given = table_.find(key.name);
+    if (given == nullptr && key.is_required()) {
+        fault(key.name, where_,
+              fmt::format("{} is missing; it has no default ({}); add {} = {} {}", full_name(key.name),
+                          key.meaning, key.name, key.example, place_to_add()));
+    }
+    return given;
+}
+
+std::optional<TableReader> TableReader::open(const Key& key) {
+    known_.push_back(key.name);
+    const std::string name = full_name(key.name);
+    const Value* given = table_.find(key.name);
+    if (given == nullptr) {
+        if (key.is_required()) {
+            fault(key.name, where_,
+                  fmt::format(
+                      "the table [{}] is missing; it has no default ({}); add it with its keys, such as {}",
+                      name, key.meaning, key.example));
+        }
+        return std::nullopt;
+    }
+    if (given->as<Table>() == nullptr) {
+        fault(
+            key.name, given->where,
+            fmt::format("{} is {}; it must be a table ({}); write [{}] on a line of its own and its keys below",
+                        name, given->type_in_words(), key.meaning, name));
+        return std::nullopt;
+    }
+    return TableReader(*given, name, faults_);
+}
+
+template <typename Number>
+void TableReader::check_range(const Key& key, const Value& value, Number number, const Range<Number>& range) {
+    if (range.contains(number)) return;
+    const bool finite = std::isfinite(static_cast<double>(number));
+    fault(key.name, value.where,
+          fmt::format("{} = {} is {}; {}; give {}", full_name(key.name), value.text(),
+                      finite ? "out of range" : "not a finite number", range.reason, range.text()));
+}
+
+}  // namespace peterka::job

@@ -1,0 +1,106 @@
+// Reads one table of a job into its struct. It knows which keys it was asked for, so unknown keys fall out by
+// themselves; every fault is added to the list and reading goes on with the default.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "job/document.hpp"
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/range.hpp"
+
+namespace peterka::job {
+
+using Words = std::vector<std::string_view>;
+
+class TableReader {
+  public:
+    // `path` is empty for the file's own level. `value` is a table and outlives the reader.
+    TableReader(const Value& value, std::string path, std::vector<Fault>& faults);
+
+    void number(const Key& key, double& value, const Range<double>& range);
+    void integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
+    void text(const Key& key, std::string& value);
+    void either(const Alternative& first, const Alternative& second, std::string_view why);
+
+    // Whether the choice is known, so that what depends on it can be read.
+    template <typename Choice>
+    bool choice(const Key& key, Choice& value) {
+        if (const auto i = choose(key, all_names<Choice>(), Names<Choice>::later(), name(value))) {
+            value = Names<Choice>::all[*i].value;
+        }
+        return !faulty_.contains(key.name);
+    }
+
+    template <typename Choice>
+    void choices(const Key& key, std::vector<Choice>& values) {
+        for (const std::size_t i : choose_several(key, all_names<Choice>())) {
+            values.push_back(Names<Choice>::all[i].value);
+        }
+    }
+
+    // An inner table; `read` is not called where the file has none, so that all its defaults hold.
+    template <typename Read>
+    void table(const Key& key, Read read) {
+        if (auto inner = open(key)) {
+            read(*inner);
+            inner->finish();
+        }
+    }
+
+    // A rule over several keys, asked only where each of them is sound. `complaint` returns what is wrong, or
+    // "".
+    template <typename Complaint>
+    void rule(std::initializer_list<std::string_view> keys, Complaint complaint) {
+        if (!sound(keys)) return;
+        if (const std::string text = complaint(); !text.empty()) fault_of_rule(keys, text);
+    }
+
+    // A table or key that other jobs have and this one cannot; `text` says why and what to do.
+    void refuse(std::string_view name, std::string_view text);
+
+    // Known, but read only where something else is settled first, and that was at fault.
+    void skip(std::initializer_list<std::string_view> names);
+
+    template <typename Note>
+    void note(Note) {}  // for the writer
+
+    void finish();  // every key that nobody asked for is a fault
+
+  private:
+    const Value* ask(const Key& key);  // nullptr where it is not given; a fault if it had to be
+    std::optional<TableReader> open(const Key& key);
+    void read_number(const Key& key, const Value& value, double& number, const Range<double>& range);
+    void read_alternative(const Alternative& alternative);
+    std::optional<std::size_t> choose(const Key& key, const Words& names, const Words& later,
+                                      std::string_view standard);
+    std::vector<std::size_t> choose_several(const Key& key, const Words& names);
+
+    [[nodiscard]] bool sound(std::initializer_list<std::string_view> keys) const;
+    [[nodiscard]] std::string full_name(std::string_view name) const;
+    [[nodiscard]] std::string place_to_add() const;
+    [[nodiscard]] std::string suggestion(std::string_view unknown, bool is_table) const;
+
+    void fault(std::string_view key, const Location& where, std::string text);
+    void fault_of_rule(std::initializer_list<std::string_view> keys, const std::string& text);
+    void wrong_type(const Key& key, const Value& value, std::string_view wanted, std::string_view example);
+
+    template <typename Number>
+    void check_range(const Key& key, const Value& value, Number number, const Range<Number>& range);
+
+    const Table& table_;
+    Location where_;
+    std::string path_;
+    std::vector<Fault>& faults_;
+    Words known_;  // names to suggest
+    std::set<std::string, std::less<>> refused_;
+    std::set<std::string, std::less<>> faulty_;
+};
+
+}  // namespace peterka::job

@@ -1,0 +1,83 @@
+// What a table reader has to say about keys that are unknown, misplaced or of a wrong type.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "job/nearest.hpp"
+#include "job/table_reader.hpp"
+#include "job/toml_text.hpp"
+
+namespace peterka::job {
+
+void TableReader::refuse(std::string_view name, std::string_view text) {
+    refused_.emplace(name);
+    for (const Entry& entry : table_.entries) {
+        if (entry.name == name) fault(name, entry.value.where, fmt::format("[{}] {}", full_name(name), text));
+    }
+}
+
+void TableReader::skip(std::initializer_list<std::string_view> names) {
+    for (const auto name : names) known_.push_back(name);
+}
+
+void TableReader::finish() {
+    for (const Entry& entry : table_.entries) {
+        const std::string_view name = entry.name;
+        if (refused_.contains(name) || std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+        const bool is_table = entry.value.as<Table>() != nullptr;
+        const std::string what =
+            is_table ? fmt::format("unknown table [{}]", full_name(name))
+                     : fmt::format("unknown key {}{}", toml_key(name),
+                                   path_.empty() ? " at the top level" : fmt::format(" in [{}]", path_));
+        fault(name, is_table ? entry.value.where : entry.where,
+              fmt::format("{}; what is not understood would silently do nothing; {}", what,
+                          suggestion(name, is_table)));
+    }
+}
+
+bool TableReader::sound(std::initializer_list<std::string_view> keys) const {
+    return std::none_of(keys.begin(), keys.end(), [&](auto key) { return faulty_.contains(key); });
+}
+
+std::string TableReader::full_name(std::string_view name) const {
+    return path_.empty() ? toml_key(name) : path_ + "." + toml_key(name);
+}
+
+std::string TableReader::place_to_add() const {
+    return path_.empty() ? "at the top of the file" : fmt::format("under [{}]", path_);
+}
+
+std::string TableReader::suggestion(std::string_view unknown, bool is_table) const {
+    if (const auto meant = nearest(unknown, known_); !meant.empty()) {
+        return is_table ? fmt::format("did you mean [{}]?", full_name(meant))
+                        : fmt::format("did you mean {}?", meant);
+    }
+    return fmt::format("{} takes {}", path_.empty() ? "the top level" : fmt::format("[{}]", path_),
+                       fmt::join(known_, ", "));
+}
+
+void TableReader::fault(std::string_view key, const Location& where, std::string text) {
+    faulty_.emplace(key);
+    faults_.push_back({where, std::move(text)});
+}
+
+void TableReader::fault_of_rule(std::initializer_list<std::string_view> keys, const std::string& text) {
+    Location where = where_;
+    for (const auto key : keys) {
+        if (const Value* given = table_.find(key)) where = std::max(where, given->where);
+        faulty_.emplace(key);
+    }
+    fault(*keys.begin(), where, text);
+}
+
+void TableReader::wrong_type(const Key& key, const Value& value, std::string_view wanted,
+                             std::string_view example) {
+    fault(key.name, value.where,
+          fmt::format("{} = {} is {}; it must be {} ({}); write it like {} = {}", full_name(key.name),
+                      value.text(), value.type_in_words(), wanted, key.meaning, key.name,
+                      key.is_required() ? key.example : example));
+}
+
+}  // namespace peterka::job

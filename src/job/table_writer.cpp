@@ -1,0 +1,27 @@
+#include "job/table_writer.hpp"
+
+#include <fmt/format.h>
+
+namespace peterka::job {
+
+void TableWriter::either(const Alternative& first, const Alternative& second, std::string_view) {
+    const Alternative& given = first.value ? first : second;
+    line(given.key, toml_text(given.value.value()));
+}
+
+void TableWriter::header() {
+    if (has_header_) return;
+    has_header_ = true;
+    text_ += style_ == Style::for_people ? fmt::format("\n# {}\n[{}]\n", meaning_, path_)
+                                         : fmt::format("[{}]\n", path_);
+}
+
+void TableWriter::line(const Key& key, const std::string& value) {
+    if (!is_written(key)) return;
+    header();
+    const std::string assignment = fmt::format("{} = {}", key.name, value);
+    text_ +=
+        style_ == Style::for_people ? fmt::format("{:<39} # {}\n", assignment, key.meaning) : assignment + "\n";
+}
+
+}  // namespace peterka::job

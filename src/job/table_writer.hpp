@@ -1,0 +1,82 @@
+// Writes a job as TOML, table by table, for a person (every key with its meaning and unit) or for comparison
+// (none).
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/range.hpp"
+#include "job/toml_text.hpp"
+
+namespace peterka::job {
+
+enum class Style { for_people, for_identity };
+
+class TableWriter {
+  public:
+    TableWriter(std::string& text, Style style) : TableWriter(text, style, "", "") {}
+
+    void number(const Key& key, double value, const Range<double>&) { line(key, toml_text(value)); }
+    void integer(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
+        line(key, toml_text(value));
+    }
+    void text(const Key& key, const std::string& value) { line(key, toml_text(value)); }
+    void either(const Alternative& first, const Alternative& second, std::string_view why);
+
+    template <typename Choice>
+    bool choice(const Key& key, Choice value) {
+        line(key, toml_text(name(value)));
+        return true;
+    }
+
+    template <typename Choice>
+    void choices(const Key& key, const std::vector<Choice>& values) {
+        std::string list;
+        for (const Choice value : values) list += (list.empty() ? "" : ", ") + toml_text(name(value));
+        line(key, "[" + list + "]");
+    }
+
+    template <typename Write>
+    void table(const Key& key, Write write) {
+        if (!is_written(key)) return;
+        TableWriter inner(text_, style_,
+                          path_.empty() ? std::string(key.name) : path_ + "." + std::string(key.name),
+                          key.meaning);
+        write(inner);
+    }
+
+    template <typename Note>
+    void note(Note note) {
+        if (style_ == Style::for_people) text_ += note();
+    }
+
+    // What concerns reading alone.
+    template <typename Complaint>
+    void rule(std::initializer_list<std::string_view>, Complaint) {}
+    void refuse(std::string_view, std::string_view) {}
+    void skip(std::initializer_list<std::string_view>) {}
+
+  private:
+    TableWriter(std::string& text, Style style, std::string path, std::string_view meaning)
+        : text_(text), style_(style), path_(std::move(path)), meaning_(meaning), has_header_(path_.empty()) {}
+
+    [[nodiscard]] bool is_written(const Key& key) const {
+        return style_ == Style::for_people || key.is_identity;
+    }
+    void line(const Key& key, const std::string& value);
+    void header();  // before the first key: a table of tables alone needs none
+
+    std::string& text_;
+    Style style_;
+    std::string path_;
+    std::string_view meaning_;
+    bool has_header_;
+};
+
+}  // namespace peterka::job

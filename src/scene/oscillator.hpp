@@ -1,0 +1,35 @@
+// The nondimensional scene: one hammer, one stop, one harmonic cart.
+//
+// tau = omega t, u = (x - y)/A0, velocities in A0 omega, forces in k A0, with omega = sqrt(k/m):
+//     u'' + 2 zeta u' + u = eta^2 sin(eta tau) - f,   f = kappa delta + chi delta'  while the stop presses, 0
+//     otherwise,
+// where delta = u - gap is the penetration (eqs. 3-6 and 14-17 of Aguiar & Weber with k3 = 0).
+// The state used everywhere is (delta, delta'), relative to the stop, so that nothing cancels at a stiff stop.
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+
+namespace peterka::scene {
+
+template <class Real>
+using State = Eigen::Matrix<Real, 2, 1>;  // (delta, delta') in A0 and A0 omega
+
+template <class Real>
+using Jacobian = Eigen::Matrix<Real, 2, 2>;
+
+template <class Real>
+struct Oscillator {
+    Real damping_ratio = 0;      // zeta = c/(2 m omega)
+    Real contact_stiffness = 0;  // kappa = ki/k
+    Real contact_damping = 0;    // chi = ci/(m omega)
+    Real frequency = 0;          // eta = Omega/omega
+    Real gap = 0;                // gap/A0
+
+    [[nodiscard]] Real drive() const { return frequency * frequency; }  // amplitude of the forcing
+    [[nodiscard]] Real period() const {
+        return 2 * std::numbers::pi_v<Real> / frequency;
+    }  // of the forcing, in tau
+};
+
+}  // namespace peterka::scene

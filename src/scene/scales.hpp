@@ -1,0 +1,25 @@
+// The units in which the core computes, for the way back to SI.
+#pragma once
+
+#include "job/job.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::scene {
+
+inline constexpr double standard_gravity = 9.80665;  // [m/s^2]
+
+struct Scales {
+    double length_m = 1;             // A0
+    double frequency_rad_per_s = 1;  // omega = sqrt(k/m)
+    double force_n = 1;              // k A0
+    double weight_n = 1;             // m g0
+
+    [[nodiscard]] double force_ratio() const { return force_n / weight_n; }  // F/(m g0) of a force k A0
+};
+
+Scales scales_of(const job::Job& job);
+
+// zeta, kappa and chi of the job's hammer and stop; frequency and gap are left to the cell.
+Oscillator<double> oscillator_of(const job::Job& job);
+
+}  // namespace peterka::scene

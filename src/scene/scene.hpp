@@ -1,0 +1,40 @@
+// Everything that solving the cells of a job needs, in nondimensional form.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "job/job.hpp"
+#include "scene/oscillator.hpp"
+#include "scene/scales.hpp"
+
+namespace peterka::scene {
+
+// One cell: its oscillator, and where the hammer starts relative to the stop at forcing phase 0.
+struct Cell {
+    Oscillator<double> oscillator;
+    State<double> start;
+};
+
+class Scene {
+  public:
+    explicit Scene(const job::Job& job);
+
+    [[nodiscard]] const job::Job& job() const { return job_; }
+    [[nodiscard]] const Scales& scales() const { return scales_; }
+    [[nodiscard]] std::int64_t rows() const { return job_.rows.points; }
+    [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
+    [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
+
+    // What was left out of the model or the work, and why that changes nothing asked for; one sentence each.
+    [[nodiscard]] const std::vector<std::string>& omitted() const { return omitted_; }
+
+  private:
+    job::Job job_;
+    Scales scales_;
+    Oscillator<double> oscillator_;
+    std::vector<std::string> omitted_;
+};
+
+}  // namespace peterka::scene

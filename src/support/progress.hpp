@@ -1,0 +1,45 @@
+// How far a run is: a bar on a terminal, otherwise one plain line at the start and then about one a minute. On
+// stderr.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "support/stopwatch.hpp"
+
+namespace peterka {
+
+enum class ProgressStyle { silent, lines, bar };
+
+struct ProgressCounts {
+    std::int64_t cells = 0;         // of the whole map
+    std::int64_t cells_before = 0;  // already in the file when this run began
+    std::int64_t cells_done = 0;    // including those before
+};
+
+// "12.3 %  5,432 cells/s  ETA 1 min 12 s"; the rate counts this run alone. In the end the time
+// taken instead of the time left.
+[[nodiscard]] std::string progress_text(const ProgressCounts& counts, double seconds);
+
+// "[#####.....]"
+[[nodiscard]] std::string progress_bar(const ProgressCounts& counts, int width);
+
+class Progress {
+  public:
+    Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before);
+    ~Progress();  // ends the bar's line
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void add(std::int64_t cells);
+
+  private:
+    void print() const;
+
+    ProgressStyle style_;
+    ProgressCounts counts_;
+    Stopwatch since_start_;
+    double next_print_seconds_ = 0;
+};
+
+}  // namespace peterka

@@ -1,0 +1,52 @@
+#include "support/readable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace peterka {
+
+std::string readable_count(std::int64_t count) {
+    std::string digits = std::to_string(count);
+    const std::size_t first_digit = count < 0 ? 1 : 0;
+    for (std::size_t place = digits.size(); place > first_digit + 3;) {
+        place -= 3;
+        digits.insert(place, ",");
+    }
+    return digits;
+}
+
+std::string readable_duration(double seconds) {
+    if (!std::isfinite(seconds) || seconds < 0) return "unknown";
+    if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
+    if (seconds < 1) return fmt::format("{:.1f} ms", seconds * 1e3);
+    if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+    if (seconds > 1e15) return "ages";
+
+    const std::int64_t whole = std::llround(seconds);
+    const std::int64_t minutes = whole / 60;
+    const std::int64_t hours = minutes / 60;
+    if (hours == 0) return fmt::format("{} min {} s", minutes, whole % 60);
+    if (hours < 48) return fmt::format("{} h {} min", hours, minutes % 60);
+    return fmt::format("{} days {} h", hours / 24, hours % 24);
+}
+
+std::string readable_bytes(std::int64_t bytes) {
+    constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+    auto amount = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    while (amount >= 999.95 && unit + 1 < units.size()) {
+        amount /= 1000;
+        ++unit;
+    }
+    return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", amount, units.at(unit));
+}
+
+std::string readable_share(std::int64_t part, std::int64_t whole) {
+    const double percent = whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+    return fmt::format("{:.1f} %", percent);
+}
+
+}  // namespace peterka

@@ -1,0 +1,14 @@
+// Numbers as a person reads them: counts with separators, durations, amounts of memory.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace peterka {
+
+[[nodiscard]] std::string readable_count(std::int64_t count);  // 262144 -> "262,144"
+[[nodiscard]] std::string readable_duration(double seconds);   // 3725 -> "1 h 2 min", 0.00125 -> "1.3 ms"
+[[nodiscard]] std::string readable_bytes(std::int64_t bytes);  // 1536000 -> "1.5 MB" (powers of 1000)
+[[nodiscard]] std::string readable_share(std::int64_t part, std::int64_t whole);  // 1 of 3 -> "33.3 %"
+
+}  // namespace peterka

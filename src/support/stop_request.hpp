@@ -1,0 +1,30 @@
+// Whether this process has been asked to stop: by SIGINT, SIGTERM, SIGUSR1, or because its time is up.
+//
+// The signals only set a flag; whoever computes looks at it between two cells. A second SIGINT (Ctrl-C) ends
+// the process at once, as it does without us.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "support/stopwatch.hpp"
+
+namespace peterka {
+
+class StopRequest {
+  public:
+    // Catches the signals until destroyed; `max_wall_seconds` counts from here.
+    explicit StopRequest(double max_wall_seconds = std::numeric_limits<double>::infinity());
+    ~StopRequest();
+    StopRequest(const StopRequest&) = delete;
+    StopRequest& operator=(const StopRequest&) = delete;
+
+    [[nodiscard]] bool requested() const;
+    [[nodiscard]] std::string reason() const;  // "signal SIGTERM", "--max-wall 60 s is over"
+
+  private:
+    double max_wall_seconds_;
+    Stopwatch since_start_;
+};
+
+}  // namespace peterka

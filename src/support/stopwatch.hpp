@@ -1,0 +1,18 @@
+// Wall time since it was made [s]; a steady clock, so that setting the system's clock changes nothing.
+#pragma once
+
+#include <chrono>
+
+namespace peterka {
+
+class Stopwatch {
+  public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace peterka

@@ -1,0 +1,10 @@
+// Whether somebody watches what we print on stderr.
+#pragma once
+
+namespace peterka {
+
+// True on a terminal, and also where mpirun on this machine hands our stderr on to its own terminal: a rank
+// then sees a pipe, although a person sits at the other end.
+[[nodiscard]] bool stderr_is_watched();
+
+}  // namespace peterka

@@ -1,0 +1,60 @@
+// Jobs for the tests of src/job.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "job/job.hpp"
+
+namespace peterka::job::examples {
+
+inline std::filesystem::path source_folder() {
+    return PETERKA_SOURCE_DIR;
+}
+
+inline std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A map whose every value differs from its default and from all others.
+inline Job map() {
+    Job job;
+    job.kind = Kind::map;
+    job.title = "A map";
+    job.hammer = {.mass_kg = 0.3,
+                  .natural_frequency_hz = 4.6,
+                  .stiffness_n_per_m = {},
+                  .damping_ns_per_m = 0.07,
+                  .damping_ratio = {},
+                  .cubic = CubicForm::absolute};
+    job.cart = {.amplitude_m = 0.9e-3};
+    job.contact = {.stiffness_n_per_m = 5.6e6, .damping_ns_per_m = 1.3e3};
+    job.columns = {.from = 0.6, .to = 4.4, .points = 33, .scale = Spacing::log};
+    job.rows = {.from = 0.1, .to = 5.1, .points = 44, .scale = Spacing::linear};
+    job.start = {.displacement_ratio = -0.25, .velocity_ratio = 1.75};
+    job.steady_state = {.max_cycles = 3001, .max_period = 65, .chaos_cycles = 1001};
+    job.solver = {.engine = EngineChoice::exact, .tolerance = 2e-9, .omit_tolerance = 2e-3};
+    job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}};
+    job.limits = {.failed_cells = 7};
+    return job;
+}
+
+inline Job basin() {
+    Job job = map();
+    job.kind = Kind::basin;
+    job.title = "A basin";
+    job.hammer.natural_frequency_hz.reset();
+    job.hammer.stiffness_n_per_m = 240.5;
+    job.hammer.damping_ns_per_m.reset();
+    job.hammer.damping_ratio = 0.0041;
+    job.columns = {.from = 0.5, .to = 6.25, .points = 21};
+    job.rows = {.from = 0.75, .to = 5.25, .points = 22};
+    job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
+    job.start = {};
+    return job;
+}
+
+}  // namespace peterka::job::examples

@@ -1,0 +1,134 @@
+// Every key of the job file is wired through: it lands in its own member, and a change of it shows.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "job/read.hpp"
+#include "job/write.hpp"
+#include "job_examples.hpp"
+
+namespace peterka::job {
+namespace {
+
+TEST(JobKeys, EachLandsInItsMember) {
+    const Job job = read_job_text(R"(schema = 1
+kind = "map"
+title = "A map"
+[hammer]
+mass_kg = 0.3
+natural_frequency_hz = 4.6
+damping_ns_per_m = 0.07
+cubic = "absolute"
+[cart]
+amplitude_m = 0.9e-3
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 5_600_000
+damping_ns_per_m = 1300
+[axes]
+frequency_ratio = { from = 0.6, to = 4.4, points = 33, scale = "log" }
+gap_ratio.from = 0.1
+gap_ratio.to = 5.1
+gap_ratio.points = 0x2C
+[start]
+displacement_ratio = -0.25
+velocity_ratio = 1.75
+[steady_state]
+max_cycles = 3001
+max_period = 65
+chaos_cycles = 1001
+[solver]
+engine = "exact"
+tolerance = 2e-9
+omit_tolerance = 2e-3
+[output]
+fields = ["orbit", "multiplier"]
+[limits]
+failed_cells = 7
+)",
+                                  "map");
+    EXPECT_EQ(job, examples::map());
+}
+
+// Another value for each key of a job; a key that is missing here fails the test below.
+const std::map<std::string, std::string> other_values{
+    {"title", "\"Another title\""},
+    {"hammer.mass_kg", "0.31"},
+    {"hammer.natural_frequency_hz", "4.7"},
+    {"hammer.stiffness_n_per_m", "241.0"},
+    {"hammer.damping_ns_per_m", "0.08"},
+    {"hammer.damping_ratio", "0.0042"},
+    {"hammer.cubic", "\"relative\""},
+    {"cart.amplitude_m", "0.001"},
+    {"contact.stiffness_n_per_m", "5700000.0"},
+    {"contact.damping_ns_per_m", "1400.0"},
+    {"operating_point.frequency_ratio", "1.95"},
+    {"operating_point.gap_ratio", "1.75"},
+    {"start.displacement_ratio", "-0.35"},
+    {"start.velocity_ratio", "1.85"},
+    {"steady_state.max_cycles", "4001"},
+    {"steady_state.max_period", "66"},
+    {"steady_state.chaos_cycles", "2001"},
+    {"solver.engine", "\"auto\""},
+    {"solver.tolerance", "3e-09"},
+    {"solver.omit_tolerance", "0.003"},
+    {"output.fields", "[\"lyapunov\"]"},
+    {"limits.failed_cells", "8"},
+};
+// Keys with one value only in this version.
+const std::set<std::string> fixed{"schema", "kind", "contact.law", "hammer.cubic_stiffness_n_per_m3"};
+
+std::string other_value(const std::string& key, const std::string& value) {
+    if (key.ends_with(".from")) return "1.25";
+    if (key.ends_with(".to")) return "3.75";
+    if (key.ends_with(".points")) return "55";
+    if (key.ends_with(".scale")) return value == "\"log\"" ? "\"linear\"" : "\"log\"";
+    return other_values.at(key);
+}
+
+std::map<std::string, std::string> keys_and_values(const std::string& resolved) {
+    std::map<std::string, std::string> keys;
+    std::istringstream lines(resolved);
+    std::string table;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with('[')) table = line.substr(1, line.find(']') - 1) + ".";
+        const auto equals = line.find(" = ");
+        if (line.starts_with('#') || equals == std::string::npos) continue;
+        const std::string value = line.substr(equals + 3, line.find(" # ") - equals - 3);
+        keys[table + line.substr(0, equals)] = value.substr(0, value.find_last_not_of(' ') + 1);
+    }
+    return keys;
+}
+
+void expect_every_key_to_be_wired_through(const Job& job) {
+    const std::string before = resolved_text(job);
+    const auto keys = keys_and_values(before);
+    ASSERT_GT(keys.size(), 25U);
+    for (const auto& [key, value] : keys) {
+        if (fixed.contains(key)) continue;
+        SCOPED_TRACE(key);
+        const std::string other = other_value(key, value);
+        const std::vector<std::string> overrides{key + "=" + other};
+        const Job changed = read_job_text(before, "job", overrides);
+        EXPECT_NE(changed, job);
+        auto expected = keys;
+        expected[key] = other;
+        EXPECT_EQ(keys_and_values(resolved_text(changed)), expected);
+        const bool is_identity = key != "title" && key != "limits.failed_cells";
+        EXPECT_EQ(identity_text(changed) != identity_text(job), is_identity);
+    }
+}
+
+TEST(JobKeys, OfAMapAreWiredThrough) {
+    expect_every_key_to_be_wired_through(examples::map());
+}
+
+TEST(JobKeys, OfABasinAreWiredThrough) {
+    expect_every_key_to_be_wired_through(examples::basin());
+}
+
+}  // namespace
+}  // namespace peterka::job
