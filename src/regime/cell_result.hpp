@@ -1,0 +1,48 @@
+// What is known about one cell of a map once it is solved. Plain data, nondimensional.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace peterka::regime {
+
+// Stored as int8 in the file; the numbers are part of the file format.
+enum class Regime : std::int8_t {
+    no_impact = 0,
+    periodic = 1,
+    chaotic = 2,
+    sustained_contact = 3,
+    unresolved = 4,
+    failed = 5,
+};
+inline constexpr std::int8_t regime_not_computed = -128;
+
+// Why a cell is unresolved or failed; `proved` for all others. Stored as int8; part of the file format.
+enum class Status : std::int8_t {
+    proved = 0,
+    budget = 1,           // max_cycles ran out before any proof
+    conservative = 2,     // nothing dissipates, so nothing settles
+    too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
+    not_finite = 4,       // the state left the range of numbers
+};
+
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+struct CellResult {
+    Regime regime = Regime::failed;
+    Status status = Status::proved;
+    std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
+    std::int32_t period =
+        0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none
+    std::int32_t cycles = 0;       // forcing cycles integrated in all: trajectory, Newton steps and measurement
+    double peak_force = unknown;   // F/(k A0), largest over the steady state; NaN where failed
+    double impact_rate = 0;        // impacts per forcing cycle, any regime; NaN where failed
+    double multiplier = unknown;   // largest |Floquet multiplier| of the proved orbit
+    double lyapunov = unknown;     // largest Lyapunov exponent per forcing cycle
+    double sensitivity = unknown;  // ln G, the largest growth of a start perturbation during the run
+    double orbit_displacement =
+        unknown;                      // (x - y)/A0 at forcing phase 0, on the orbit's point of smallest value
+    double orbit_velocity = unknown;  // (x' - y')/(A0 omega) there
+};
+
+}  // namespace peterka::regime

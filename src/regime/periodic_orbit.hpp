@@ -1,0 +1,50 @@
+// Periodic orbits of the stroboscopic map: found by Newton's method, reduced to their smallest period, and a
+// test that a trajectory really converges to one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "regime/recurrence.hpp"
+#include "regime/stroboscopic_map.hpp"
+
+namespace peterka::regime {
+
+struct PeriodicOrbit {
+    Point point;               // at forcing phase 0
+    std::int64_t period = 0;   // q, forcing cycles
+    Eigen::Matrix2d jacobian;  // of the q-cycle map at the point
+    double multiplier = 0;     // spectral radius of the Jacobian, < 1
+    EventPattern pattern = 0;  // of the q cycles
+};
+
+// A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
+// state and on which the contacts are those of the trajectory's last cycles.
+std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
+                                               std::int64_t q);
+
+// Decides whether a trajectory converges to an orbit. Over one period, the distance e0 to the orbit becomes e1;
+// where e1 - J e0 is small against what J contracts, in a norm in which it does contract, the distance shrinks
+// for good.
+class ConvergenceTest {
+  public:
+    enum class Verdict { open, proved, refuted };
+
+    ConvergenceTest(const PeriodicOrbit& orbit, const Point& state);
+
+    [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
+    // The state one orbit period later, and the pattern of the cycles in between.
+    Verdict advance(const Point& state, EventPattern pattern);
+
+  private:
+    [[nodiscard]] double norm(const Point& x) const { return std::sqrt(x.dot(metric_ * x)); }
+
+    PeriodicOrbit orbit_;
+    Eigen::Matrix2d metric_;
+    double contraction_;  // mu: the Jacobian shrinks every vector to mu of its norm or less
+    Point error_;
+    int in_a_row_ = 0;
+    int failures_ = 0;
+};
+
+}  // namespace peterka::regime

@@ -1,0 +1,31 @@
+// The decision procedure: follow one start until its regime is proved, or the budget ends.
+//
+//   no impact          the decaying rest of the free flight can't reach the stop any more
+//   sustained contact  the decaying rest of the contact can't make the force vanish, or a proved orbit never
+//   separates periodic           a near-recurrence led Newton's method to a stable orbit, and the trajectory
+//   contracts to it chaotic            after chaos_cycles the largest Lyapunov exponent is positive by three
+//   standard errors unresolved         the budget ran out, or nothing in the scene dissipates
+//
+// A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
+// the gap), it may be a long transient. Peak force and impact rate of chaotic and unresolved cells are those of
+// the cycles after the first Growth::settling_cycles (after half the budget, if that is shorter).
+#pragma once
+
+#include <cstdint>
+
+#include "regime/cell_result.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::regime {
+
+struct Budget {
+    std::int64_t max_cycles = 3000;
+    std::int64_t max_period = 64;
+    std::int64_t chaos_cycles = 1000;
+};
+
+// start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
+CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
+                             const Budget& budget);
+
+}  // namespace peterka::regime

@@ -1,0 +1,122 @@
+// Analytic orbits and the limits of 1/1: known to many digits by other means (continuation, closed formulas).
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "regime/stroboscopic_map.hpp"
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using testing::beam_170mm;
+using testing::paper_rig;
+using testing::solve;
+
+// Point and frequency of a 1/1 orbit with a multiplier of exactly `multiplier`: +1 at a fold, -1 at period
+// doubling. Newton's method on (orbit closes, characteristic polynomial vanishes), derivatives by differences.
+double critical_frequency(double gap, double multiplier, double guess) {
+    const auto residual = [&](const Eigen::Vector3d& y) -> Eigen::Vector3d {
+        const trajectory::ExactCycleMap<double> map(paper_rig(beam_170mm, y[2], gap));
+        const auto cycle = map({y[0], y[1]}, false);
+        const auto& j = cycle.jacobian;
+        const double characteristic = multiplier * multiplier - multiplier * j.trace() + j.determinant();
+        return {cycle.end[0] - y[0], cycle.end[1] - y[1], characteristic};
+    };
+    const CellResult nearby = solve(paper_rig(beam_170mm, guess, gap));
+    EXPECT_EQ(nearby.impacts, 1);
+    EXPECT_EQ(nearby.period, 1);
+    Eigen::Vector3d y(nearby.orbit_displacement - gap, nearby.orbit_velocity, guess);
+    for (int step = 0; step < 30; ++step) {
+        Eigen::Matrix3d slope;
+        for (int i = 0; i < 3; ++i) {
+            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+            shift[i] = 1e-6;
+            slope.col(i) = (residual(y + shift) - residual(y - shift)) / 2e-6;
+        }
+        const Eigen::Vector3d correction = slope.partialPivLu().solve(-residual(y));
+        y += correction * std::min(1.0, 0.05 / correction.norm());  // stays on the branch of the guess
+        if (correction.norm() < 1e-12) break;
+    }
+    return y[2];
+}
+
+TEST(LimitsOfOneToOne, PeriodDoublingAtGapZero) {
+    EXPECT_NEAR(critical_frequency(0, -1, 2.65), 2.659361979, 2e-9);
+}
+TEST(LimitsOfOneToOne, PeriodDoublingAtGapOne) {
+    EXPECT_NEAR(critical_frequency(1, -1, 2.26), 2.264326891, 2e-9);
+}
+TEST(LimitsOfOneToOne, LowerPeriodDoublingAtGapOne) {
+    EXPECT_NEAR(critical_frequency(1, -1, 0.7195), 0.718391067, 2e-9);
+}
+TEST(LimitsOfOneToOne, FoldAtGapOneAndAHalf) {
+    EXPECT_NEAR(critical_frequency(1.5, 1, 1.86), 1.862464993, 2e-9);
+}
+
+// Where the second, grazing contact appears no multiplier warns: only the label tells.
+TEST(LimitsOfOneToOne, BorderCollisionAtGapZero) {
+    double two = 1.145;
+    double one = 1.155;
+    ASSERT_EQ(solve(paper_rig(beam_170mm, two, 0)).impacts, 2);
+    ASSERT_EQ(solve(paper_rig(beam_170mm, one, 0)).impacts, 1);
+    while (one - two > 1e-9) {
+        const double middle = (one + two) / 2;
+        const CellResult cell = solve(paper_rig(beam_170mm, middle, 0));
+        ASSERT_EQ(cell.period, 1);
+        (cell.impacts == 1 ? one : two) = middle;
+    }
+    EXPECT_NEAR(one, 1.15008754, 1e-8);
+}
+
+scene::Oscillator<double> compliant(double stiffness) {
+    return {.damping_ratio = 0.02,
+            .contact_stiffness = stiffness,
+            .contact_damping = 2 * 0.2 * std::sqrt(stiffness),
+            .frequency = 2,
+            .gap = 0.5};
+}
+
+TEST(CompliantOrbit, HasTheKnownPeakForce) {
+    const std::pair<double, double> known[] = {
+        {1e2, 45.9406095437}, {1e3, 226.0799272367}, {1e4, 810.7462082005}, {1e6, 8452.3499123961}};
+    for (const auto& [stiffness, force] : known) {
+        const CellResult cell = solve(compliant(stiffness), -1, 2);
+        EXPECT_EQ(cell.impacts, 1) << stiffness;
+        EXPECT_EQ(cell.period, 1) << stiffness;
+        EXPECT_NEAR(cell.peak_force / force, 1, 1e-11) << stiffness;
+    }
+}
+
+// The stiffer the stop, the closer to the rigid orbit's impact speed, like stiffness^-1/2.
+TEST(CompliantOrbit, TendsToTheRigidOne) {
+    const double rigid_speed = 10.33883402105;
+    const double zeta = 0.2;
+    const double peak_per_speed =
+        std::exp(-zeta * (3 * std::acos(zeta) - std::numbers::pi) / std::sqrt(1 - zeta * zeta));
+    const auto excess = [&](double stiffness) {
+        return solve(compliant(stiffness), -1, 2).peak_force / (peak_per_speed * std::sqrt(stiffness)) -
+               rigid_speed;
+    };
+    for (double stiffness = 1e8; stiffness < 1e15; stiffness *= 100) {
+        EXPECT_NEAR(excess(stiffness) / excess(stiffness * 100), 10, 0.1) << stiffness;
+    }
+    EXPECT_NEAR(excess(1e20), 0, 1e-8);
+}
+
+// A hammer on its steady free motion stays there as long as that motion fits in front of the stop.
+TEST(EdgeOfNoImpact, IsTheFreeAmplitude) {
+    for (const double eta : {0.6, 0.9, 1.5, 3.0}) {
+        const auto from_steady_flight = [eta](double share_of_amplitude) {
+            auto scene = paper_rig(beam_170mm, eta, 0);
+            scene.gap = testing::free_amplitude(scene) * share_of_amplitude;
+            return find_steady_state(scene, trajectory::ExactCycleMap<double>(scene).steady_flight(), {});
+        };
+        EXPECT_EQ(from_steady_flight(1 + 1e-9).regime, Regime::no_impact) << eta;
+        EXPECT_NE(from_steady_flight(1 - 1e-9).regime, Regime::no_impact) << eta;
+    }
+}
+
+}  // namespace
+}  // namespace peterka::regime

@@ -1,0 +1,45 @@
+#include "regime/growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace peterka::regime {
+namespace {
+
+TEST(Growth, FindsTheExponentOfAConstantStretch) {
+    Growth growth;
+    Eigen::Matrix2d stretch;
+    stretch << 1.1, 0.3, 0.0, 0.5;
+    for (int n = 0; n < 1000; ++n) growth.advance(stretch);
+    EXPECT_NEAR(growth.exponent(), std::log(1.1), 1e-12);
+    EXPECT_TRUE(growth.surely_positive());
+    EXPECT_NEAR(growth.sensitivity(), 1000 * std::log(1.1), 1.0);
+}
+
+TEST(Growth, IsNotSureOfAnExponentNearZero) {
+    Growth growth;
+    std::mt19937 random(3);
+    std::normal_distribution<double> rate(0.0, 0.5);
+    for (int n = 0; n < 3000; ++n) growth.advance(std::exp(rate(random)) * Eigen::Matrix2d::Identity());
+    EXPECT_FALSE(growth.surely_positive());
+}
+
+TEST(Growth, RemembersTheLargestGrowth) {
+    Growth growth;
+    for (int n = 0; n < 10; ++n) growth.advance(2 * Eigen::Matrix2d::Identity());
+    for (int n = 0; n < 500; ++n) growth.advance(0.5 * Eigen::Matrix2d::Identity());
+    EXPECT_NEAR(growth.sensitivity(), 10 * std::log(2.0), 1e-12);
+    EXPECT_FALSE(growth.surely_positive());
+}
+
+TEST(Growth, SurvivesASingularMap) {
+    Growth growth;
+    for (int n = 0; n < 300; ++n) growth.advance(Eigen::Matrix2d::Zero());
+    EXPECT_FALSE(growth.surely_positive());
+    EXPECT_EQ(growth.sensitivity(), 0);
+}
+
+}  // namespace
+}  // namespace peterka::regime

@@ -1,0 +1,180 @@
+// The regimes: each with its proof, and what must not be taken for one.
+#include "regime/steady_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <utility>
+
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using testing::beam_150mm;
+using testing::beam_170mm;
+using testing::paper_rig;
+using testing::solve;
+
+TEST(Regimes, MultiplierNearMinusOneDoesNotDoubleThePeriod) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 0.95, 2.5625));
+    EXPECT_EQ(cell.impacts, 1);
+    EXPECT_EQ(cell.period, 1);
+}
+
+TEST(Regimes, PeriodIsNotReduced) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 12.25 / 4.5, 0));  // the paper's alternating impacts
+    EXPECT_EQ(cell.impacts, 2);
+    EXPECT_EQ(cell.period, 2);
+}
+
+TEST(Regimes, ShortHopsCount) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 3.1, 0));
+    EXPECT_EQ(cell.impacts, 3);
+    EXPECT_EQ(cell.period, 2);
+}
+
+TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
+    const auto scene = paper_rig(beam_150mm, 1.80, 1.60);
+    std::map<Regime, int> found;
+    for (double velocity = -5; velocity <= 5; velocity += 1) {
+        const CellResult cell = solve(scene, -1, velocity);
+        ++found[cell.regime];
+        if (cell.regime == Regime::periodic) {
+            EXPECT_EQ(std::make_pair(cell.impacts, cell.period), std::make_pair(1, 1));
+        }
+    }
+    EXPECT_GT(found[Regime::no_impact], 0);
+    EXPECT_GT(found[Regime::periodic], 0);
+    EXPECT_EQ(found[Regime::no_impact] + found[Regime::periodic], 11);
+}
+
+TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 2.88, 0.0));
+    ASSERT_EQ(cell.regime, Regime::chaotic);
+    EXPECT_GE(cell.cycles, 1000);
+    EXPECT_GT(cell.lyapunov, 0);
+    EXPECT_GT(cell.sensitivity, 20);
+    EXPECT_GT(cell.peak_force, 0);
+    EXPECT_GT(cell.impact_rate, 0.4);
+    EXPECT_EQ(cell.impacts, 0);
+    EXPECT_EQ(cell.period, 0);
+}
+
+TEST(Regimes, BudgetEndsInUnresolved) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 2.0, 0.0), 0, 0, {.max_cycles = 2});
+    EXPECT_EQ(cell.regime, Regime::unresolved);
+    EXPECT_EQ(cell.status, Status::budget);
+    EXPECT_EQ(cell.impacts, 0);
+    EXPECT_EQ(cell.period, 0);
+    EXPECT_GT(cell.peak_force, 0);
+}
+
+TEST(Regimes, NothingSettlesWithoutDissipation) {
+    auto scene = paper_rig(beam_170mm, 1.7, 0.2);
+    scene.damping_ratio = 0;
+    scene.contact_damping = 0;
+    const CellResult cell = solve(scene);
+    EXPECT_EQ(cell.regime, Regime::unresolved);
+    EXPECT_EQ(cell.status, Status::conservative);
+}
+
+TEST(Regimes, UndampedResonanceIsNotHidden) {
+    auto scene = paper_rig(beam_170mm, 1.0, 50.0);
+    scene.damping_ratio = 0;  // grows until it reaches even this stop
+    const CellResult cell = solve(scene);
+    EXPECT_EQ(cell.regime == Regime::periodic || cell.regime == Regime::chaotic, true);
+    EXPECT_GT(cell.peak_force, 0);
+}
+
+TEST(Regimes, PreloadedHammerNeverSeparates) {
+    const auto scene = paper_rig(beam_170mm, 0.5, -3.0);
+    const CellResult cell = solve(scene);
+    EXPECT_EQ(cell.regime, Regime::sustained_contact);
+    EXPECT_EQ(cell.impacts, 0);
+    EXPECT_EQ(cell.period, 1);
+    // quasi-static: the stop carries the preload and nearly all of the cart's inertia force
+    EXPECT_NEAR(cell.peak_force, 3.0 + 0.25, 1e-3);
+}
+
+TEST(Regimes, NumbersOutOfRangeAreAFailedCell) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 2.0, 0.0), 1e306, 1e308);
+    EXPECT_EQ(cell.regime, Regime::failed);
+    EXPECT_EQ(cell.status, Status::not_finite);
+    EXPECT_TRUE(std::isnan(cell.peak_force));
+}
+
+TEST(Regimes, NoRandomCellFails) {
+    std::mt19937 random(2026);
+    std::uniform_real_distribution<double> frequency(0.5, 4.5);
+    std::uniform_real_distribution<double> gap(0, 5);
+    for (int n = 0; n < 40'000; ++n) {
+        const auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
+        const CellResult cell = solve(scene, 0, 0, {.max_cycles = 200, .chaos_cycles = 200});
+        ASSERT_NE(cell.regime, Regime::failed) << scene.frequency << " " << scene.gap;
+        if (cell.regime == Regime::no_impact) {
+            ASSERT_GE(scene.gap, testing::free_amplitude(scene));
+        }
+    }
+}
+
+// Far outside any rig, every cell still ends in a claim, or says what stopped it: an elastic stop under
+// preload, stiff beyond steel, lets the hammer tremble more often in a cycle than can be followed.
+TEST(Regimes, ExtremeScenesEnd) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::map<Regime, int> found;
+    for (int n = 0; n < 400; ++n) {
+        scene::Oscillator<double> scene;
+        scene.damping_ratio = n % 10 == 0 ? 0 : std::pow(10.0, -6 + 6.3 * share(random));
+        scene.contact_stiffness = std::pow(10.0, -2 + 17 * share(random));
+        const double contact_damping_ratio = n % 7 == 0 ? 0 : std::pow(10.0, -3 + 5 * share(random));
+        scene.contact_damping = 2 * contact_damping_ratio * std::sqrt(scene.contact_stiffness);
+        scene.frequency = std::pow(10.0, -2 + 3.7 * share(random));
+        scene.gap = n % 5 == 0 ? 0 : 6 * (share(random) - 0.3);
+        const double spread = n % 11 == 0 ? 1e6 : 3;
+        const CellResult cell = find_steady_state(
+            scene, {spread * (share(random) - 0.5) - scene.gap, spread * (share(random) - 0.5)},
+            {.max_cycles = 1000});
+        ++found[cell.regime];
+        if (cell.regime == Regime::failed) {
+            EXPECT_EQ(cell.status, Status::too_many_events) << n;
+            EXPECT_EQ(scene.contact_damping, 0) << n;
+        } else {
+            EXPECT_TRUE(std::isfinite(cell.peak_force)) << n;
+        }
+    }
+    EXPECT_LT(found[Regime::failed], 8);
+    EXPECT_GT(found[Regime::no_impact], 0);
+    EXPECT_GT(found[Regime::periodic], 0);
+    EXPECT_GT(found[Regime::sustained_contact], 0);
+}
+
+// Shares of the regimes over the paper's window, from runs of 20,000 cycles by another program.
+TEST(Regimes, ShareTheWindowAsKnown) {
+    constexpr int points = 200;
+    std::map<Regime, int> cells;
+    std::map<std::pair<int, int>, int> orbits;
+    for (int row = 0; row < points; ++row) {
+        for (int column = 0; column < points; ++column) {
+            const CellResult cell =
+                solve(paper_rig(beam_170mm, 0.5 + 4.0 * column / (points - 1), 5.0 * row / (points - 1)));
+            ++cells[cell.regime];
+            ++orbits[{cell.impacts, cell.period}];
+        }
+    }
+    const auto percent = [](int count) { return 100.0 * count / (points * points); };
+    // Within half a percent: chaotic transients towards no impact (0.35 % of the cells) outlive 1000 cycles
+    // here.
+    EXPECT_NEAR(percent(cells[Regime::no_impact]), 61.7, 0.5);
+    EXPECT_NEAR(percent(cells[Regime::periodic]), 35.6, 0.5);
+    EXPECT_NEAR(percent(cells[Regime::chaotic]), 2.7, 0.5);
+    EXPECT_NEAR(percent(orbits[{1, 1}]), 20.4, 0.5);
+    EXPECT_NEAR(percent(orbits[{1, 2}]), 8.6, 0.5);
+    EXPECT_EQ(cells[Regime::failed], 0);
+    EXPECT_LT(percent(cells[Regime::unresolved]), 0.2);
+}
+
+}  // namespace
+}  // namespace peterka::regime
