@@ -1,0 +1,58 @@
+// The fields of a map: one table that creating, writing, checking and sizing a file all follow.
+//
+// A new field is one more row of the table in fields.cpp (and its member in CellResult).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "job/job.hpp"
+#include "output/variable.hpp"
+#include "regime/cell_result.hpp"
+
+namespace peterka::output {
+
+// A cell as the file holds it: a CellResult whose peak_force is over the hammer's weight, F/(m g0).
+using StoredCell = regime::CellResult;
+
+inline constexpr std::array<const char*, 6> regime_names{"no_impact",         "periodic",   "chaotic",
+                                                         "sustained_contact", "unresolved", "failed"};
+inline constexpr std::array<const char*, 5> status_names{"proved", "budget", "conservative", "too_many_events",
+                                                         "not_finite"};
+
+// The member of a cell that a field stores, as a double (each number type used fits one exactly).
+struct Member {
+    double (*load)(const StoredCell&);
+    void (*store)(StoredCell&, double);
+};
+
+template <auto Pointer>
+inline constexpr Member member{[](const StoredCell& cell) { return static_cast<double>(cell.*Pointer); },
+                               [](StoredCell& cell, double value) {
+                                   cell.*Pointer =
+                                       static_cast<std::remove_reference_t<decltype(cell.*Pointer)>>(value);
+                               }};
+
+enum class InAttractorTable { no, yes };
+
+struct Field {
+    Variable variable;
+    std::optional<job::OptionalField> on_request;  // stored only if the job asks for it
+    Member member;
+    InAttractorTable in_attractor_table = InAttractorTable::no;
+};
+
+// The fields that a job stores, in the order of the table. A basin always stores the orbit: it tells attractors
+// apart.
+[[nodiscard]] std::vector<Field> stored_fields(const job::Job& job);
+
+// The columns of a basin's table of attractors.
+[[nodiscard]] std::vector<Field> attractor_fields();
+
+// The cell in the units of the file, every NaN the same NaN, so that equal results are equal bytes.
+// force_ratio_per_unit: F/(m g0) per F/(k A0).
+[[nodiscard]] StoredCell in_file_units(const regime::CellResult& cell, double force_ratio_per_unit);
+
+}  // namespace peterka::output

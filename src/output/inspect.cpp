@@ -1,0 +1,124 @@
+#include "output/inspect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "job/write.hpp"
+#include "output/attributes.hpp"
+#include "output/block.hpp"
+#include "output/checked.hpp"
+#include "output/hdf5.hpp"
+#include "output/job_difference.hpp"
+#include "output/layout.hpp"
+#include "output/make_layout.hpp"
+#include "output/matches_plan.hpp"
+#include "output/provenance.hpp"
+#include "output/root_attributes.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+constexpr const char* other_name = "Choose another name with --output, or remove the file yourself.";
+constexpr const char* start_over = "Start over with --fresh, or choose another name with --output.";
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why, const char* what_to_do) {
+    throw Failure(ExitCode::output, fmt::format("{}: {}. {}", path.string(), why, what_to_do));
+}
+
+// Whether anything is there; only a regular file passes.
+bool holds_file(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) return false;
+    if (error) refuse(path, "cannot be looked at: " + error.message(), other_name);
+    if (std::filesystem::is_directory(status)) refuse(path, "is a directory", other_name);
+    if (!std::filesystem::is_regular_file(status)) refuse(path, "is not a regular file", other_name);
+    return true;
+}
+
+FileId open_map(const Checked& check) {
+    const std::filesystem::path& path = check.path();
+    const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
+    if (is_hdf5 < 0) refuse(path, "cannot be read: " + hdf5_reason(), other_name);
+    if (is_hdf5 == 0) refuse(path, "is not an HDF5 file, so not a map", other_name);
+    const PropertiesId access = file_access(check);  // outlives the call: closing it would clear HDF5's reason
+    FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
+    if (file.id() < 0) refuse(path, "is damaged: " + hdf5_reason(), other_name);
+    if (!read_integer(file.id(), attribute::layout)) {
+        refuse(path, "was not made by peterka: it has no layout version", other_name);
+    }
+    return file;
+}
+
+void require_layout_version(const std::filesystem::path& path, const FileId& file) {
+    const int version = read_integer(file.id(), attribute::layout).value_or(0);
+    if (version == layout_version) return;
+    refuse(path, fmt::format("has layout version {}, this program writes version {}", version, layout_version),
+           start_over);
+}
+
+void require_job(const std::filesystem::path& path, const FileId& file, const job::Job& job) {
+    const std::string in_file = read_text(file.id(), attribute::job_identity).value_or("");
+    const std::string in_job = job::identity_text(job);
+    if (in_file == in_job) return;
+    refuse(path, fmt::format("belongs to another job:{}\n", job_difference(in_file, in_job)), start_over);
+}
+
+void require_datasets(const Checked& check, const FileId& file, const job::Job& job) {
+    for (const DatasetPlan& plan : layout(job)) {
+        if (matches_plan(check, file.id(), plan)) continue;
+        refuse(check.path(), fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()),
+               start_over);
+    }
+}
+
+void require_arithmetic(const std::filesystem::path& path, const FileId& file) {
+    const std::string in_file = read_text(file.id(), attribute::arithmetic).value_or("nothing known");
+    if (in_file == arithmetic()) return;
+    refuse(path,
+           fmt::format(
+               "was computed with other arithmetic ({}; this machine: {}), so the rest would not fit to the "
+               "last bit",
+               in_file, arithmetic()),
+           "Resume on a machine like the first, or start over with --fresh.");
+}
+
+bool all_tiles_done(const Checked& check, const FileId& file, const job::Job& job) {
+    std::vector<std::int8_t> done(static_cast<std::size_t>(tiling(job).count()));
+    const DatasetId dataset(check(H5Dopen2(file.id(), path::done, H5P_DEFAULT), "H5Dopen2"));
+    read_block(check, dataset.id(), Number::int8, Block(0, std::ssize(done)), done.data());
+    return std::ranges::all_of(done, [](std::int8_t mark) { return mark == 1; });
+}
+
+}  // namespace
+
+Existing inspect(const std::filesystem::path& path, const job::Job& job) {
+    if (!holds_file(path)) return Existing::absent;
+    const Checked check(path);
+    const FileId file = open_map(check);
+    require_layout_version(path, file);
+    require_job(path, file, job);
+    require_datasets(check, file, job);
+    const bool finished = read_number(check, file.id(), path::finished) == 1;
+    if (finished && all_tiles_done(check, file, job)) return Existing::complete;
+    require_arithmetic(path, file);
+    return Existing::resumable;
+}
+
+bool holds_complete_map(const std::filesystem::path& path) {
+    if (!holds_file(path)) return false;
+    const Checked check(path);
+    const FileId file = open_map(check);
+    if (H5Lexists(file.id(), "/summary", H5P_DEFAULT) <= 0) return false;
+    if (H5Lexists(file.id(), path::finished, H5P_DEFAULT) <= 0) return false;
+    return read_number(check, file.id(), path::finished) == 1;
+}
+
+}  // namespace peterka::output

@@ -1,0 +1,124 @@
+#include "output/layout.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "output/fields.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// clang-format off
+constexpr Variable frequency_ratio{"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency, Omega/omega"};
+constexpr Variable gap_ratio{"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude, gap/A0"};
+constexpr Variable displacement_ratio{"displacement_ratio", Number::float64, nan, "1", "hammer displacement at the start over cart amplitude, x(0)/A0"};
+constexpr Variable velocity_ratio{"velocity_ratio", Number::float64, nan, "1", "hammer velocity at the start over A0 omega, x'(0)/(A0 omega)"};
+constexpr Variable attractor_of_cell{"attractor", Number::int32, -1, "1", "row of the table in group attractors; -1 for none"};
+
+constexpr Variable tile{"tile", Number::int64, 0, "1", "tile number, row by row"};
+constexpr Variable tile_variables[] = {
+    {"done", Number::int8, 0, "1", "1 once the tile and its checksum are written"},
+    {"checksum", Number::uint64, 0, "", "XXH3 (64 bits) of the tile: field after field, row by row"},
+};
+constexpr Variable run_tile_variables[] = {
+    {"tile_seconds", Number::float64, nan, "s", "computing time of the tile"},
+    {"tile_rank", Number::int32, -1, "1", "rank that computed the tile"},
+};
+constexpr Variable run_variables[] = {
+    {"ranks", Number::int32, 0, "1", "ranks of the last run"},
+    {"compute_seconds", Number::float64, 0, "s", "wall time of all runs of this file"},
+    {"hosts", Number::text, 0, "", "hosts of the last run"},
+};
+constexpr Variable summary_variables[] = {
+    {"omitted", Number::text, 0, "", "what the program left out of the scene and why"},
+    {"failures", Number::text, 0, "", "cells without a result and why"},
+    {"finished", Number::int8, 0, "1", "1 once everything in the file is final"},
+};
+constexpr Variable attractor_row{"attractor", Number::int32, -1, "1", "row of this table"};
+constexpr Variable attractor_cells{"cells", Number::int64, 0, "1", "cells that lead to the attractor"};
+constexpr Variable attractor_count{"count", Number::int32, 0, "1", "rows in use"};
+// clang-format on
+
+void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const bool is_map = job.kind == job::Kind::map;
+    const Variable& columns = is_map ? frequency_ratio : displacement_ratio;
+    const Variable& rows = is_map ? gap_ratio : velocity_ratio;
+    const Dimension column_dimension{columns.name, job.columns.points};
+    const Dimension row_dimension{rows.name, job.rows.points};
+    plans.push_back({"/", columns, {column_dimension}});
+    plans.push_back({"/", rows, {row_dimension}});
+    for (const Field& field : stored_fields(job)) {
+        plans.push_back({"/", field.variable, {row_dimension, column_dimension}});
+    }
+    if (!is_map) plans.push_back({"/", attractor_of_cell, {row_dimension, column_dimension}});
+}
+
+void add_attractors(std::vector<DatasetPlan>& plans) {
+    const Dimension dimension{attractor_row.name, attractor_capacity};
+    plans.push_back({"/attractors", attractor_row, {dimension}});
+    for (const Field& field : attractor_fields()) plans.push_back({"/attractors", field.variable, {dimension}});
+    plans.push_back({"/attractors", attractor_cells, {dimension}});
+    plans.push_back({"/attractors", attractor_count, {}});
+}
+
+void add_tiles_and_run(std::vector<DatasetPlan>& plans, std::int64_t tiles) {
+    const Dimension dimension{tile.name, tiles};
+    plans.push_back({"/tiles", tile, {dimension}});
+    for (const Variable& variable : tile_variables) plans.push_back({"/tiles", variable, {dimension}});
+    plans.push_back({"/run", tile, {dimension}});
+    for (const Variable& variable : run_tile_variables) plans.push_back({"/run", variable, {dimension}});
+    for (const Variable& variable : run_variables) plans.push_back({"/run", variable, {}});
+}
+
+std::int64_t capped_product(std::int64_t a, std::int64_t b) {
+    std::int64_t product = 0;
+    return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::int64_t>::max() : product;
+}
+
+}  // namespace
+
+std::string DatasetPlan::path() const {
+    return (group == "/" ? "" : group) + "/" + variable.name;
+}
+
+bool DatasetPlan::is_scale() const {
+    return dimensions.size() == 1 && dimensions[0].name == variable.name;
+}
+
+bool DatasetPlan::is_tiled() const {
+    return dimensions.size() == 2;
+}
+
+parallel::Extent DatasetPlan::chunk() const {
+    return {std::min(parallel::tile_extent.rows, dimensions[0].size),
+            std::min(parallel::tile_extent.columns, dimensions[1].size)};
+}
+
+std::int64_t DatasetPlan::bytes() const {
+    auto size = static_cast<std::int64_t>(bytes_of(variable.number));
+    if (is_tiled()) {
+        const parallel::Tiling tiles({dimensions[0].size, dimensions[1].size});
+        size *= chunk().rows * chunk().columns;  // tiles at the edge take the room of a whole one
+        return capped_product(size, tiles.count());
+    }
+    for (const Dimension& dimension : dimensions) size = capped_product(size, dimension.size);
+    return size;
+}
+
+std::vector<DatasetPlan> layout(const job::Job& job) {
+    std::vector<DatasetPlan> plans;
+    add_plane(plans, job);
+    if (job.kind == job::Kind::basin) add_attractors(plans);
+    add_tiles_and_run(plans, tiling(job).count());
+    for (const Variable& variable : summary_variables) plans.push_back({"/summary", variable, {}});
+    return plans;
+}
+
+parallel::Tiling tiling(const job::Job& job) {
+    return parallel::Tiling({job.rows.points, job.columns.points});
+}
+
+}  // namespace peterka::output

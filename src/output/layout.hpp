@@ -1,0 +1,60 @@
+// Every dataset of a map file of layout version 1: where it lies, what it holds and how large it is.
+//
+// Creating, sizing and inspecting a file all follow this one list. Dimensions are HDF5 dimension scales in the
+// group of the datasets they belong to, as netCDF-4 readers want them. "same bytes" holds for all groups but
+// /run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "job/job.hpp"
+#include "output/variable.hpp"
+#include "parallel/tiles.hpp"
+
+namespace peterka::output {
+
+inline constexpr int layout_version = 1;
+inline constexpr std::int64_t attractor_capacity = 256;
+
+struct Dimension {
+    std::string name;  // of the scale, in the same group
+    std::int64_t size = 0;
+};
+
+struct DatasetPlan {
+    std::string group;  // "/", "/tiles", ...
+    Variable variable;
+    std::vector<Dimension> dimensions;  // none for a scalar
+
+    [[nodiscard]] std::string path() const;
+    [[nodiscard]] bool is_scale() const;           // a dimension's own dataset: its coordinates
+    [[nodiscard]] bool is_tiled() const;           // on the plane of cells: one chunk is one tile
+    [[nodiscard]] parallel::Extent chunk() const;  // of a tiled one: a tile, or the whole of a smaller plane
+    [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest number there is where it does not fit
+};
+
+// Scales come before the datasets that they belong to.
+[[nodiscard]] std::vector<DatasetPlan> layout(const job::Job& job);
+
+[[nodiscard]] parallel::Tiling tiling(const job::Job& job);
+
+// Paths that the program itself reads or writes by name.
+namespace path {
+inline constexpr const char* done = "/tiles/done";
+inline constexpr const char* checksum = "/tiles/checksum";
+inline constexpr const char* tile_seconds = "/run/tile_seconds";
+inline constexpr const char* tile_rank = "/run/tile_rank";
+inline constexpr const char* ranks = "/run/ranks";
+inline constexpr const char* compute_seconds = "/run/compute_seconds";
+inline constexpr const char* hosts = "/run/hosts";
+inline constexpr const char* omitted = "/summary/omitted";
+inline constexpr const char* failures = "/summary/failures";
+inline constexpr const char* finished = "/summary/finished";
+inline constexpr const char* attractor = "/attractor";
+inline constexpr const char* attractor_count = "/attractors/count";
+inline constexpr const char* attractor_cells = "/attractors/cells";
+}  // namespace path
+
+}  // namespace peterka::output

@@ -1,0 +1,156 @@
+#include "output/make_layout.hpp"
+
+#include <fmt/format.h>
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "job/axis.hpp"
+#include "job/names.hpp"
+#include "output/attributes.hpp"
+#include "output/block.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+// Keeps the memory small at any number of points.
+constexpr std::int64_t values_at_once = 65536;
+
+// Without times, two files of one map have the same bytes in their headers too.
+void leave_out_times(const Checked& check, const PropertiesId& properties) {
+    check(H5Pset_obj_track_times(properties.id(), false), "H5Pset_obj_track_times");
+}
+
+PropertiesId new_properties(const Checked& check, hid_t kind) {
+    return PropertiesId(check(H5Pcreate(kind), "H5Pcreate"));
+}
+
+SpaceId space_of(const Checked& check, const DatasetPlan& plan) {
+    if (plan.dimensions.empty()) return SpaceId(check(H5Screate(H5S_SCALAR), "H5Screate"));
+    std::vector<hsize_t> sizes;
+    for (const Dimension& dimension : plan.dimensions) sizes.push_back(static_cast<hsize_t>(dimension.size));
+    return SpaceId(
+        check(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), "H5Screate_simple"));
+}
+
+PropertiesId creation_of(const Checked& check, const DatasetPlan& plan) {
+    PropertiesId properties = new_properties(check, H5P_DATASET_CREATE);
+    leave_out_times(check, properties);
+    check(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY), "H5Pset_alloc_time");
+    check(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_ALLOC), "H5Pset_fill_time");
+    if (plan.variable.number != Number::text) {
+        check(H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &plan.variable.fill), "H5Pset_fill_value");
+    }
+    if (plan.is_tiled()) {
+        const parallel::Extent chunk = plan.chunk();
+        const hsize_t sizes[] = {static_cast<hsize_t>(chunk.rows), static_cast<hsize_t>(chunk.columns)};
+        check(H5Pset_chunk(properties.id(), 2, sizes), "H5Pset_chunk");
+    }
+    return properties;
+}
+
+void describe(const Checked& check, hid_t dataset, const Variable& variable) {
+    write_attribute(check, dataset, "long_name", variable.long_name);
+    if (*variable.units != '\0') write_attribute(check, dataset, "units", variable.units);
+    if (variable.flags.empty()) return;
+    std::vector<std::int8_t> values(variable.flags.size());
+    std::iota(values.begin(), values.end(), std::int8_t{0});
+    std::string meanings;
+    for (const char* name : variable.flags) meanings += (meanings.empty() ? "" : " ") + std::string(name);
+    write_attribute(check, dataset, "flag_values", values);
+    write_attribute(check, dataset, "flag_meanings", meanings);
+    write_attribute(check, dataset, "comment", fmt::format("{}: not computed yet", variable.fill));
+}
+
+DatasetId make_dataset(const Checked& check, hid_t file, const DatasetPlan& plan) {
+    DatasetId dataset(
+        check(H5Dcreate2(file, plan.path().c_str(), file_type(check, plan.variable.number).id(),
+                         space_of(check, plan).id(), H5P_DEFAULT, creation_of(check, plan).id(), H5P_DEFAULT),
+              "H5Dcreate2"));
+    describe(check, dataset.id(), plan.variable);
+    return dataset;
+}
+
+void make_group(const Checked& check, hid_t file, const std::string& path) {
+    const PropertiesId properties = new_properties(check, H5P_GROUP_CREATE);
+    leave_out_times(check, properties);
+    const GroupId group(
+        check(H5Gcreate2(file, path.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), "H5Gcreate2"));
+}
+
+// Part of a scale: the values of an axis, or the numbers of tiles and of rows in a table.
+std::vector<double> coordinates(const DatasetPlan& plan, const job::Job& job, std::int64_t first,
+                                std::int64_t count) {
+    const job::Axis& axis =
+        plan.dimensions[0].name == job::axis_names(job.kind).columns ? job.columns : job.rows;
+    std::vector<double> values;
+    for (std::int64_t i = first; i < first + count; ++i) {
+        values.push_back(plan.group == "/" ? job::axis_value(axis, i) : static_cast<double>(i));
+    }
+    return values;
+}
+
+}  // namespace
+
+PropertiesId file_access(const Checked& check) {
+    PropertiesId access = new_properties(check, H5P_FILE_ACCESS);
+    // The format of HDF5 1.10 keeps no index of chunks that are all allocated: nothing to update, nothing to
+    // lose.
+    check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
+    // Objects one after the other instead of in blocks, of which some would stay half empty: sizes add up
+    // exactly.
+    check(H5Pset_meta_block_size(access.id(), 0), "H5Pset_meta_block_size");
+    check(H5Pset_small_data_block_size(access.id(), 0), "H5Pset_small_data_block_size");
+    // Not every file system can lock, and a reader that holds a lock must not stop a run.
+    check(H5Pset_file_locking(access.id(), false, true), "H5Pset_file_locking");
+    return access;
+}
+
+PropertiesId file_creation(const Checked& check) {
+    PropertiesId creation = new_properties(check, H5P_FILE_CREATE);
+    leave_out_times(check, creation);
+    check(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+          "H5Pset_link_creation_order");
+    check(H5Pset_attr_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+          "H5Pset_attr_creation_order");
+    return creation;
+}
+
+void make_datasets(const Checked& check, hid_t file, std::span<const DatasetPlan> plans) {
+    std::map<std::string, DatasetId> scales;
+    std::string group = "/";
+    for (const DatasetPlan& plan : plans) {
+        if (plan.group != group) make_group(check, file, group = plan.group);
+        DatasetId dataset = make_dataset(check, file, plan);
+        if (plan.is_scale()) {
+            check(H5DSset_scale(dataset.id(), plan.variable.name), "H5DSset_scale");
+            scales[group + plan.variable.name] = std::move(dataset);
+            continue;
+        }
+        for (unsigned i = 0; i < plan.dimensions.size(); ++i) {
+            check(H5DSattach_scale(dataset.id(), scales.at(group + plan.dimensions[i].name).id(), i),
+                  "H5DSattach_scale");
+        }
+    }
+}
+
+void write_coordinates(const Checked& check, hid_t file, std::span<const DatasetPlan> plans,
+                       const job::Job& job) {
+    for (const DatasetPlan& plan : plans) {
+        if (!plan.is_scale()) continue;
+        const DatasetId dataset(check(H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT), "H5Dopen2"));
+        const std::int64_t size = plan.dimensions[0].size;
+        for (std::int64_t first = 0; first < size; first += values_at_once) {
+            const std::vector<double> values =
+                coordinates(plan, job, first, std::min(values_at_once, size - first));
+            write_block(check, dataset.id(), Number::float64, Block(first, std::ssize(values)), values.data());
+        }
+    }
+}
+
+}  // namespace peterka::output

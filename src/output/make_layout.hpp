@@ -1,0 +1,26 @@
+// Fills an empty HDF5 file with the datasets and scales of a map.
+//
+// All space is allocated and filled here and all datasets have fixed sizes, so no later write changes metadata.
+#pragma once
+
+#include <hdf5.h>
+
+#include <span>
+
+#include "job/job.hpp"
+#include "output/checked.hpp"
+#include "output/hdf5.hpp"
+#include "output/layout.hpp"
+
+namespace peterka::output {
+
+// Properties of files of this layout: how objects are encoded, so that readers of HDF5 1.10 and newer open
+// them.
+[[nodiscard]] PropertiesId file_access(const Checked& check);
+[[nodiscard]] PropertiesId file_creation(const Checked& check);
+
+void make_datasets(const Checked& check, hid_t file, std::span<const DatasetPlan> plans);
+void write_coordinates(const Checked& check, hid_t file, std::span<const DatasetPlan> plans,
+                       const job::Job& job);
+
+}  // namespace peterka::output

@@ -1,0 +1,118 @@
+#include "output/map_file.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "output/attractors.hpp"
+#include "output/block.hpp"
+#include "output/collective.hpp"
+#include "output/layout.hpp"
+#include "output/number_attractors.hpp"
+#include "output/survey.hpp"
+#include "support/readable.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+std::string in_lines(std::span<const std::string> sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + "\n";
+    return text;
+}
+
+std::string table_full_text(std::int64_t left_over) {
+    if (left_over == 0) return "";
+    return fmt::format("{} cells lead to attractors beyond the {} that the table holds: attractor {}\n",
+                       readable_count(left_over), attractor_capacity, no_attractor);
+}
+
+void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
+    const double before = read_number(check, file, path::compute_seconds);
+    write_number(check, file, path::compute_seconds, before + facts.compute_seconds);
+    write_number(check, file, path::ranks, facts.ranks);
+    write_text(check, file, path::hosts, facts.hosts);
+}
+
+}  // namespace
+
+MapFile::MapFile(const Checked& check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+                 Access access)
+    : check_(check),
+      kind_(job.kind),
+      force_ratio_per_unit_(force_ratio_per_unit),
+      communicator_(communicator),
+      rank_(rank_in(communicator)),
+      file_(check_, communicator, access),
+      tiles_(check_, file_.id(), job) {}
+
+MapFile MapFile::create(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
+                        double force_ratio_per_unit, MPI_Comm communicator) {
+    on_first_rank(communicator, [&] { make_file(path, job, provenance); });
+    return open(path, job, force_ratio_per_unit, communicator);
+}
+
+MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, double force_ratio_per_unit,
+                      MPI_Comm communicator, Access access) {
+    return {Checked(path), job, force_ratio_per_unit, communicator, access};
+}
+
+void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells,
+                         double seconds) {
+    std::vector<StoredCell> stored;
+    for (const regime::CellResult& cell : cells) stored.push_back(in_file_units(cell, force_ratio_per_unit_));
+    tiles_.write(tile, stored, {seconds, rank_});
+}
+
+RemainingTiles MapFile::remaining_tiles() {
+    const Share share = share_of(tiles_.tiling().count(), communicator_);
+    std::vector<std::int64_t> missing;
+    std::vector<std::int64_t> damaged;
+    together(communicator_, [&] {
+        for (std::int64_t index = share.first; index < share.end; ++index) {
+            const TileState state = tiles_.state(tiles_.tiling().tile(index));
+            if (state != TileState::whole) missing.push_back(index);
+            if (state == TileState::damaged) damaged.push_back(index);
+        }
+    });
+    return {gather<std::int64_t>(missing, communicator_),
+            std::ssize(gather<std::int64_t>(damaged, communicator_))};
+}
+
+Statistics MapFile::statistics() {
+    file_.settle();
+    return survey(tiles_, communicator_);
+}
+
+void MapFile::record(const RunFacts& facts) {
+    on_first_rank(communicator_, [&] { write_facts(check_, file_.id(), facts); });
+}
+
+Statistics MapFile::finish(std::span<const std::string> omitted, const RunFacts& facts) {
+    const Statistics all = statistics();
+    std::string failures = failure_text(all.counts);
+    if (kind_ == job::Kind::basin) {
+        failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));
+    }
+    on_first_rank(communicator_, [&] {
+        write_facts(check_, file_.id(), facts);
+        write_text(check_, file_.id(), path::omitted, in_lines(omitted));
+        write_text(check_, file_.id(), path::failures, failures);
+    });
+    file_.settle();
+    on_first_rank(communicator_, [&] {
+        write_number(check_, file_.id(), path::finished, 1);
+        std::error_code ignored;
+        std::filesystem::remove(previous_name(check_.path()), ignored);
+    });
+    return all;
+}
+
+void MapFile::close() {
+    { const TileStore closing = std::move(tiles_); }  // HDF5 refuses to close a file with datasets open
+    file_.close();
+}
+
+}  // namespace peterka::output

@@ -1,0 +1,87 @@
+// The map file: one parallel HDF5 file into which every rank writes its finished tiles (layout version 1,
+// layout.hpp).
+//
+// Rank 0 makes the file, with all its space and all its metadata, before any rank opens it (make_file.hpp).
+// After that only plain numbers are written, so a kill at any moment leaves a readable file in which each tile
+// marked done is whole. "Collective" functions are called by all ranks of the communicator in the same order,
+// and a problem that one rank meets is thrown on all. All throw Failure(ExitCode::output). The communicator
+// must outlive the MapFile.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "job/job.hpp"
+#include "output/checked.hpp"
+#include "output/inspect.hpp"
+#include "output/make_file.hpp"
+#include "output/map_size.hpp"
+#include "output/parallel_file.hpp"
+#include "output/provenance.hpp"
+#include "output/run_facts.hpp"
+#include "output/statistics.hpp"
+#include "output/tile_store.hpp"
+#include "parallel/tiles.hpp"
+#include "regime/cell_result.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+
+// Tiles that still have to be computed.
+struct RemainingTiles {
+    std::vector<std::int64_t> tiles;  // ascending
+    std::int64_t damaged = 0;         // of these, how many are marked done but fail their checksum
+};
+
+class MapFile {
+  public:
+    // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
+    // previous_name(path) until finish(). force_ratio_per_unit: F/(m g0) per F/(k A0), from CellResult to the
+    // file.
+    [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
+                                        const Provenance& provenance, double force_ratio_per_unit,
+                                        MPI_Comm communicator);
+
+    // Collective. Opens a file that inspect() has found to be this job's.
+    [[nodiscard]] static MapFile open(const std::filesystem::path& path, const job::Job& job,
+                                      double force_ratio_per_unit, MPI_Comm communicator,
+                                      Access access = Access::write);
+
+    // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
+    void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
+
+    // Collective. Checks the tiles marked done against their checksums, each rank a share of them.
+    [[nodiscard]] RemainingTiles remaining_tiles();
+
+    // Collective. Counts and extremes of what the file holds, the same at any number of ranks.
+    [[nodiscard]] Statistics statistics();
+
+    // Collective. Adds the facts of this run to those in the file; for a run that stops early.
+    void record(const RunFacts& facts);
+
+    // Collective, once all tiles are written: numbers a basin's attractors, stores texts and facts, marks the
+    // file finished and removes previous_name(path). `omitted`: sentences. Returns statistics().
+    Statistics finish(std::span<const std::string> omitted, const RunFacts& facts);
+
+    // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
+    void close();
+
+  private:
+    MapFile(const Checked& check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+            Access access);
+
+    Checked check_;
+    job::Kind kind_;
+    double force_ratio_per_unit_;
+    MPI_Comm communicator_;
+    int rank_;
+    ParallelFile file_;
+    TileStore tiles_;
+};
+
+}  // namespace peterka::output

@@ -1,0 +1,133 @@
+#include "output/number_attractors.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "output/attractors.hpp"
+#include "output/block.hpp"
+#include "output/collective.hpp"
+#include "output/layout.hpp"
+#include "output/tile_bytes.hpp"
+#include "parallel/checked.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+// A cell that no known attractor explains, and its place in the order of tiles and of cells inside a tile.
+struct Candidate {
+    std::int64_t place = std::numeric_limits<std::int64_t>::max();
+    StoredCell cell;
+};
+
+// Goes through this rank's share once, stopping at each cell that is still unexplained.
+class Search {
+  public:
+    Search(const TileStore& tiles, Share share) : tiles_(tiles), next_tile_(share.first), end_(share.end) {}
+
+    [[nodiscard]] Candidate next(std::span<const Attractor> known) {
+        for (;; ++position_) {
+            if (position_ == cells_.size() && !load()) return {};
+            const StoredCell& cell = cells_[position_];
+            if (has_attractor(cell) && row_of(known, cell) == no_attractor) return {place(), cell};
+        }
+    }
+
+  private:
+    bool load() {
+        if (next_tile_ == end_) return false;
+        cells_ = tiles_.read(tiles_.tiling().tile(next_tile_++));
+        position_ = 0;
+        return true;
+    }
+    [[nodiscard]] std::int64_t place() const {
+        constexpr std::int64_t largest_tile = parallel::tile_extent.rows * parallel::tile_extent.columns;
+        return next_tile_ * largest_tile + static_cast<std::int64_t>(position_);
+    }
+
+    const TileStore& tiles_;
+    std::int64_t next_tile_;
+    std::int64_t end_;
+    std::vector<StoredCell> cells_;
+    std::size_t position_ = 0;
+};
+
+std::vector<Attractor> find_attractors(const TileStore& tiles, Share share, MPI_Comm communicator) {
+    std::vector<Attractor> known;
+    Search search(tiles, share);
+    while (std::ssize(known) < attractor_capacity) {
+        Candidate mine;
+        together(communicator, [&] { mine = search.next(known); });
+        const std::vector<Candidate> all = gather<Candidate>(std::span(&mine, 1), communicator);
+        const Candidate lowest = *std::ranges::min_element(all, {}, &Candidate::place);
+        if (lowest.place == Candidate{}.place) break;
+        known.push_back({lowest.cell, 0});
+    }
+    sort_canonically(known);
+    return known;
+}
+
+// Writes the rows of this rank's cells, counts them in the table and returns the number of cells without a row.
+std::int64_t write_rows(const Checked& check, hid_t file, const TileStore& tiles, Share share,
+                        std::vector<Attractor>& table) {
+    const DatasetId dataset(check(H5Dopen2(file, path::attractor, H5P_DEFAULT), "H5Dopen2"));
+    std::int64_t left_over = 0;
+    for (std::int64_t index = share.first; index < share.end; ++index) {
+        const parallel::Tile tile = tiles.tiling().tile(index);
+        std::vector<std::int32_t> rows;
+        for (const StoredCell& cell : tiles.read(tile)) {
+            const std::int32_t row = rows.emplace_back(row_of(table, cell));
+            if (row != no_attractor) ++table[static_cast<std::size_t>(row)].cells;
+            if (row == no_attractor && has_attractor(cell)) ++left_over;
+        }
+        write_block(check, dataset.id(), Number::int32, Block(tile), rows.data());
+    }
+    return left_over;
+}
+
+void write_column(const Checked& check, hid_t file, const std::string& path, Number number, const void* values,
+                  std::size_t count) {
+    if (count == 0) return;
+    const DatasetId dataset(check(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "H5Dopen2"));
+    write_block(check, dataset.id(), number, Block(0, static_cast<std::int64_t>(count)), values);
+}
+
+void write_table(const Checked& check, hid_t file, std::span<const Attractor> table) {
+    std::vector<StoredCell> cells;
+    std::vector<std::int64_t> counts;
+    for (const Attractor& attractor : table) {
+        cells.push_back(attractor.cell);
+        counts.push_back(attractor.cells);
+    }
+    for (const Field& field : attractor_fields()) {
+        const std::vector<std::byte> column = encode(std::span(&field, 1), cells);
+        write_column(check, file, std::string("/attractors/") + field.variable.name, field.variable.number,
+                     column.data(), table.size());
+    }
+    write_column(check, file, path::attractor_cells, Number::int64, counts.data(), table.size());
+    write_number(check, file, path::attractor_count, static_cast<double>(table.size()));
+}
+
+std::int64_t sum(std::int64_t mine, MPI_Comm communicator) {
+    parallel::checked("MPI_Allreduce",
+                      MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_INT64_T, MPI_SUM, communicator));
+    return mine;
+}
+
+}  // namespace
+
+std::int64_t number_attractors(const Checked& check, hid_t file, const TileStore& tiles,
+                               MPI_Comm communicator) {
+    const Share share = share_of(tiles.tiling().count(), communicator);
+    std::vector<Attractor> table = find_attractors(tiles, share, communicator);
+    std::int64_t left_over = 0;
+    together(communicator, [&] { left_over = write_rows(check, file, tiles, share, table); });
+    for (Attractor& attractor : table) attractor.cells = sum(attractor.cells, communicator);
+    on_first_rank(communicator, [&] { write_table(check, file, table); });
+    return sum(left_over, communicator);
+}
+
+}  // namespace peterka::output

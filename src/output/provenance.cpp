@@ -1,0 +1,89 @@
+#include "output/provenance.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <mpi.h>
+#include <sundials/sundials_version.h>
+#include <Eigen/Core>
+
+#include <array>
+
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
+
+// Made by the build (support/version.cmake).
+#if __has_include("version.hpp")
+#include "version.hpp"
+#endif
+#ifndef PETERKA_VERSION
+#define PETERKA_VERSION "unknown"
+#endif
+#ifndef PETERKA_GIT_COMMIT
+#define PETERKA_GIT_COMMIT "unknown"
+#endif
+
+namespace peterka::output {
+
+namespace {
+
+std::string hdf5_version() {
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned release = 0;
+    H5get_libversion(&major, &minor, &release);
+    return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+// Implementations answer with a page; its first line up to the first comma names them.
+std::string mpi_version() {
+    std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+    int length = 0;
+    MPI_Get_library_version(text.data(), &length);
+    const std::string all(text.data(), static_cast<std::size_t>(length));
+    return all.substr(0, all.find_first_of(",\n"));
+}
+
+std::string sundials_version() {
+    std::array<char, 32> text{};
+    SUNDIALSGetVersion(text.data(), static_cast<int>(text.size()));
+    return text.data();
+}
+
+std::string math_library() {
+#ifdef __GLIBC__
+    return fmt::format("glibc {}", gnu_get_libc_version());
+#else
+    return "unknown C library";
+#endif
+}
+
+}  // namespace
+
+std::string arithmetic() {
+#if defined(__x86_64__)
+    return fmt::format("x86-64 scalar double, {}, {}", math_library(),
+                       __builtin_cpu_supports("fma") != 0 ? "fma" : "no fma");
+#elif defined(__aarch64__)
+    return fmt::format("aarch64 scalar double, {}", math_library());
+#elif defined(__powerpc64__)
+    return fmt::format("ppc64 scalar double, {}", math_library());
+#elif defined(__riscv)
+    return fmt::format("riscv scalar double, {}", math_library());
+#else
+    return fmt::format("other scalar double, {}", math_library());
+#endif
+}
+
+Provenance collect_provenance() {
+    return {PETERKA_VERSION,
+            PETERKA_GIT_COMMIT,
+            hdf5_version(),
+            mpi_version(),
+            sundials_version(),
+            fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
+            fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100),
+            arithmetic()};
+}
+
+}  // namespace peterka::output

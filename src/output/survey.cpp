@@ -1,0 +1,56 @@
+#include "output/survey.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "output/collective.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+// The parts of Statistics that travel as plain bytes.
+struct Totals {
+    Counts counts;
+    Extremes largest;
+    double tile_seconds = 0;
+};
+
+struct ClassCount {
+    ImpactClass impact_class;
+    std::int64_t cells = 0;
+};
+
+Statistics survey_share(const TileStore& tiles, Share share) {
+    Statistics mine;
+    for (std::int64_t index = share.first; index < share.end; ++index) {
+        const parallel::Tile tile = tiles.tiling().tile(index);
+        add_tile(mine, tile, tiles.read(tile));
+        const double seconds = tiles.seconds(tile);
+        if (!std::isnan(seconds)) mine.tile_seconds += seconds;
+    }
+    return mine;
+}
+
+}  // namespace
+
+Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
+    Statistics mine;
+    together(communicator, [&] { mine = survey_share(tiles, share_of(tiles.tiling().count(), communicator)); });
+    const Totals totals{mine.counts, mine.largest, mine.tile_seconds};
+    std::vector<ClassCount> classes;
+    for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
+
+    Statistics all;
+    for (const Totals& share : gather<Totals>(std::span(&totals, 1), communicator)) {
+        all.counts.add(share.counts);
+        all.largest.take(share.largest);
+        all.tile_seconds += share.tile_seconds;
+    }
+    for (const ClassCount& share : gather<ClassCount>(classes, communicator)) {
+        all.periodic_cells[share.impact_class] += share.cells;
+    }
+    return all;
+}
+
+}  // namespace peterka::output

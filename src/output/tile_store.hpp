@@ -1,0 +1,57 @@
+// The tiles inside an open map file: writing, reading back and vouching for them. Every call is this rank's
+// own.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "job/job.hpp"
+#include "output/checked.hpp"
+#include "output/fields.hpp"
+#include "output/hdf5.hpp"
+#include "parallel/tiles.hpp"
+
+namespace peterka::output {
+
+enum class TileState {
+    missing,  // not marked done
+    whole,    // marked done, and its bytes have the checksum stored with them
+    damaged,  // marked done, but the checksum differs
+};
+
+// Who computed a tile, in what time.
+struct TileOrigin {
+    double seconds = 0;
+    std::int32_t rank = 0;
+};
+
+class TileStore {
+  public:
+    TileStore(Checked check, hid_t file, const job::Job& job);
+
+    // First the cells, then their checksum, then the done mark: a kill in between leaves no mark that lies.
+    void write(const parallel::Tile& tile, std::span<const StoredCell> cells, const TileOrigin& origin);
+    [[nodiscard]] std::vector<StoredCell> read(const parallel::Tile& tile) const;
+    [[nodiscard]] TileState state(const parallel::Tile& tile) const;
+    [[nodiscard]] double seconds(const parallel::Tile& tile) const;  // NaN for a tile that was never written
+
+    [[nodiscard]] const parallel::Tiling& tiling() const { return tiling_; }
+
+  private:
+    [[nodiscard]] std::vector<std::byte> read_bytes(const parallel::Tile& tile) const;
+
+    Checked check_;
+    parallel::Tiling tiling_;
+    std::vector<Field> fields_;
+    std::vector<DatasetId> datasets_;  // one per field
+    DatasetId checksum_;
+    DatasetId done_;
+    DatasetId seconds_;
+    DatasetId rank_;
+};
+
+}  // namespace peterka::output

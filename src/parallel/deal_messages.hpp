@@ -1,0 +1,49 @@
+// What rank 0 and the other ranks say to each other while tiles are dealt. Not for use outside the dealing.
+//
+// A worker reports when it wants a run, when it has done one, and now and then in between. Rank 0 answers a
+// wish with an order as soon as it has a run, and ends with one order without tiles; the worker's last report
+// says it has left. A worker always has a receive posted for the next order, so a send of rank 0 never waits
+// for a worker's computing.
+#pragma once
+
+#include <mpi.h>
+
+#include <chrono>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+
+#include "parallel/tile_pool.hpp"
+
+namespace peterka::parallel {
+
+inline constexpr int report_tag = 1;
+inline constexpr int order_tag = 2;
+
+struct Report {
+    std::int64_t orders_wanted = 0;  // since the start; rank 0 owes one while this exceeds the orders sent
+    std::int64_t orders_done = 0;    // since the start
+    std::int64_t tiles_done = 0;     // since the last report
+    std::int64_t cells_done = 0;     // since the last report
+    std::int64_t wants_stop = 0;     // 1: this rank was asked to stop
+    std::int64_t has_left = 0;       // 1: the last report
+};
+
+struct Order {
+    TileRange tiles;  // none: leave
+};
+
+// Both travel as plain 64-bit integers.
+template <class Message>
+inline constexpr int words = [] {
+    static_assert(std::is_trivially_copyable_v<Message> && sizeof(Message) % sizeof(std::int64_t) == 0);
+    return static_cast<int>(sizeof(Message) / sizeof(std::int64_t));
+}();
+
+// A rank that waits in MPI_Recv keeps its core busy. One that looks and sleeps leaves it to a computing rank;
+// 200 us are short against a tile.
+inline void rest() {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
+
+}  // namespace peterka::parallel

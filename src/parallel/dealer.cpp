@@ -1,0 +1,103 @@
+#include "parallel/dealer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "parallel/checked.hpp"
+
+namespace peterka::parallel {
+
+Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work)
+    : session_(session),
+      tiling_(tiling),
+      pool_(std::move(pool)),
+      work_(work),
+      workers_(static_cast<std::size_t>(session.size() - 1)),
+      tiles_missing_(pool_.remaining()) {}
+
+bool Dealer::run() {
+    compute();
+    serve_until_solved();
+    dismiss_all();
+    return tiles_missing_ == 0;
+}
+
+// Rank 0 takes one tile at a time: a run would cost it nothing less, and could leave it busy after all others.
+void Dealer::compute() {
+    const CarryOn carry_on = [this] {
+        serve();
+        return !stopping_;
+    };
+    while (carry_on()) {
+        const TileRange mine = pool_.take(1);
+        if (mine.size() == 0) return;
+        const Tile tile = tiling_.tile(mine.first);
+        if (work_.solve_tile(tile, carry_on)) count_solved(1, tile.size());
+    }
+}
+
+void Dealer::serve_until_solved() {
+    while (!stopping_ && anyone_computes()) {
+        serve();
+        rest();
+    }
+}
+
+void Dealer::dismiss_all() {
+    for (int rank = 1; rank < session_.size(); ++rank) send_order(rank, Order{});
+    while (!all_have_left()) {
+        if (!take_report()) rest();
+    }
+}
+
+// Takes all reports that have arrived, then sends every run that is wanted.
+void Dealer::serve() {
+    while (take_report()) {
+    }
+    stopping_ = stopping_ || work_.stop_requested();
+    for (int rank = 1; rank < session_.size() && !stopping_; ++rank) {
+        Worker& worker = workers_[static_cast<std::size_t>(rank - 1)];
+        if (worker.orders_wanted <= worker.orders_sent || pool_.remaining() == 0) continue;
+        send_order(rank, {pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()))});
+        ++worker.orders_sent;
+    }
+}
+
+bool Dealer::take_report() {
+    int arrived = 0;
+    MPI_Status status{};
+    MPI_Comm communicator = session_.communicator();
+    checked("MPI_Iprobe", MPI_Iprobe(MPI_ANY_SOURCE, report_tag, communicator, &arrived, &status));
+    if (arrived == 0) return false;
+
+    Report report;
+    checked("MPI_Recv", MPI_Recv(&report, words<Report>, MPI_INT64_T, status.MPI_SOURCE, report_tag,
+                                 communicator, MPI_STATUS_IGNORE));
+    Worker& worker = workers_[static_cast<std::size_t>(status.MPI_SOURCE - 1)];
+    worker.orders_wanted = report.orders_wanted;
+    worker.orders_done = report.orders_done;
+    worker.has_left = report.has_left != 0;
+    stopping_ = stopping_ || report.wants_stop != 0;
+    count_solved(report.tiles_done, report.cells_done);
+    return true;
+}
+
+void Dealer::send_order(int rank, const Order& order) {
+    checked("MPI_Send", MPI_Send(&order, words<Order>, MPI_INT64_T, rank, order_tag, session_.communicator()));
+}
+
+void Dealer::count_solved(std::int64_t tiles, std::int64_t cells) {
+    tiles_missing_ -= tiles;
+    if (cells > 0) work_.on_progress(cells);
+}
+
+bool Dealer::anyone_computes() const {
+    return std::ranges::any_of(workers_,
+                               [](const Worker& worker) { return worker.orders_done < worker.orders_sent; });
+}
+
+bool Dealer::all_have_left() const {
+    return std::ranges::all_of(workers_, [](const Worker& worker) { return worker.has_left; });
+}
+
+}  // namespace peterka::parallel

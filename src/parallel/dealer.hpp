@@ -1,0 +1,47 @@
+// Rank 0's part in the dealing. Not for use outside it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "parallel/deal_messages.hpp"
+#include "parallel/dealing.hpp"
+
+namespace peterka::parallel {
+
+class Dealer {
+  public:
+    Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work);
+
+    // Returns whether all tiles were solved.
+    [[nodiscard]] bool run();
+
+  private:
+    struct Worker {
+        std::int64_t orders_wanted = 0;
+        std::int64_t orders_sent = 0;
+        std::int64_t orders_done = 0;
+        bool has_left = false;
+    };
+
+    void compute();
+    void serve_until_solved();
+    void dismiss_all();
+
+    void serve();
+    [[nodiscard]] bool take_report();
+    void send_order(int rank, const Order& order);
+    void count_solved(std::int64_t tiles, std::int64_t cells);
+    [[nodiscard]] bool anyone_computes() const;
+    [[nodiscard]] bool all_have_left() const;
+
+    const Session& session_;
+    const Tiling& tiling_;
+    TilePool pool_;
+    const DealtWork& work_;
+    std::vector<Worker> workers_;  // by rank, beginning with rank 1
+    std::int64_t tiles_missing_;
+    bool stopping_ = false;
+};
+
+}  // namespace peterka::parallel

@@ -1,0 +1,14 @@
+// Where the ranks run.
+#pragma once
+
+#include <string>
+
+#include "parallel/session.hpp"
+
+namespace peterka::parallel {
+
+// Collective. On rank 0 the names of all machines, each once, in the order of their first ranks: "node1,
+// node2"; on the others "".
+[[nodiscard]] std::string host_names(const Session& session);
+
+}  // namespace peterka::parallel

@@ -1,0 +1,54 @@
+// Cutting a grid of cells into tiles: pure arithmetic that follows from the grid alone.
+//
+// Cells are numbered row by row (row = gap_ratio or velocity_ratio, column = frequency_ratio or
+// displacement_ratio), tiles likewise. A tile is the unit of storing, checking and resuming; tiles at the right
+// and upper edge are cropped.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace peterka::parallel {
+
+struct Extent {
+    std::int64_t rows = 0;
+    std::int64_t columns = 0;
+    friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+inline constexpr Extent tile_extent{16, 16};
+
+struct Tile {
+    std::int64_t index = 0;
+    std::int64_t row = 0;  // of the first cell
+    std::int64_t column = 0;
+    Extent extent;  // cells inside the grid
+
+    [[nodiscard]] std::int64_t size() const { return extent.rows * extent.columns; }
+};
+
+class Tiling {
+  public:
+    explicit Tiling(Extent grid)
+        : grid_(grid),
+          tiles_{(grid.rows + tile_extent.rows - 1) / tile_extent.rows,
+                 (grid.columns + tile_extent.columns - 1) / tile_extent.columns} {}
+
+    [[nodiscard]] Extent grid() const { return grid_; }
+    [[nodiscard]] std::int64_t count() const { return tiles_.rows * tiles_.columns; }
+    [[nodiscard]] Tile tile(std::int64_t index) const {
+        const std::int64_t row = index / tiles_.columns * tile_extent.rows;
+        const std::int64_t column = index % tiles_.columns * tile_extent.columns;
+        return {index,
+                row,
+                column,
+                {std::min(tile_extent.rows, grid_.rows - row),
+                 std::min(tile_extent.columns, grid_.columns - column)}};
+    }
+
+  private:
+    Extent grid_;
+    Extent tiles_;
+};
+
+}  // namespace peterka::parallel

@@ -1,0 +1,107 @@
+#include "parallel/worker.hpp"
+
+#include "parallel/checked.hpp"
+
+namespace peterka::parallel {
+namespace {
+
+// Often enough for a live progress bar, rare enough for rank 0 with a thousand workers.
+constexpr double report_interval_seconds = 0.2;
+
+}  // namespace
+
+Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& work)
+    : session_(session), tiling_(tiling), work_(work) {}
+
+void Worker::run() {
+    expect_order();
+    want_next_run();
+    while (true) {
+        await_order();
+        if (dismissed_) break;
+        const TileRange tiles = runs_.front();
+        runs_.pop_front();
+        solve_run(tiles);
+    }
+    report_.has_left = 1;
+    report();
+}
+
+// After a wish to stop nothing is begun any more: rank 0 then dismisses everybody.
+void Worker::await_order() {
+    while (true) {
+        const bool may_begin = carry_on() && !runs_.empty();
+        if (may_begin || dismissed_) return;
+        rest();
+    }
+}
+
+void Worker::solve_run(const TileRange& tiles) {
+    const CarryOn between_cells = [this] { return carry_on(); };
+    for (std::int64_t index = tiles.first; index < tiles.end; ++index) {
+        // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.
+        if (index + 1 == tiles.end) want_next_run();
+        const Tile tile = tiling_.tile(index);
+        if (!work_.solve_tile(tile, between_cells)) return;
+        ++report_.tiles_done;
+        report_.cells_done += tile.size();
+        report_now_and_then();
+    }
+    ++report_.orders_done;
+    report();
+}
+
+void Worker::want_next_run() {
+    ++report_.orders_wanted;
+    report();
+}
+
+void Worker::report_now_and_then() {
+    if (since_start_.seconds() >= next_report_seconds_) report();
+}
+
+// Goes on taking orders while the report is under way: rank 0 may be sending one just now.
+void Worker::report() {
+    MPI_Request send = MPI_REQUEST_NULL;
+    checked("MPI_Isend",
+            MPI_Isend(&report_, words<Report>, MPI_INT64_T, 0, report_tag, session_.communicator(), &send));
+    for (int sent = 0; sent == 0;) {
+        take_orders();
+        checked("MPI_Test", MPI_Test(&send, &sent, MPI_STATUS_IGNORE));
+    }
+    report_.tiles_done = 0;
+    report_.cells_done = 0;
+    next_report_seconds_ = since_start_.seconds() + report_interval_seconds;
+}
+
+void Worker::expect_order() {
+    checked("MPI_Irecv",
+            MPI_Irecv(&arriving_, words<Order>, MPI_INT64_T, 0, order_tag, session_.communicator(), &receive_));
+}
+
+void Worker::take_orders() {
+    while (!dismissed_) {
+        int arrived = 0;
+        checked("MPI_Test", MPI_Test(&receive_, &arrived, MPI_STATUS_IGNORE));
+        if (arrived == 0) return;
+        if (arriving_.tiles.size() == 0) {
+            dismissed_ = true;
+        } else {
+            runs_.push_back(arriving_.tiles);
+            expect_order();
+        }
+    }
+}
+
+bool Worker::carry_on() {
+    take_orders();
+    if (dismissed_) return false;
+    if (!work_.stop_requested()) return true;
+    if (report_.wants_stop == 0) {
+        report_.wants_stop = 1;
+        report();
+    }
+    return false;
+}
+
+}  // namespace peterka::parallel

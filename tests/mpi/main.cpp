@@ -1,0 +1,36 @@
+// Runs the tests of collective functions on all ranks; the outcome is that of the worst rank.
+//
+// Every rank runs every test. A rank that leaves a test early while others wait in it would hang them, so what
+// ranks compare is gathered first and asserted afterwards.
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <cstdio>
+
+namespace {
+
+// For all ranks but the first, which tells the progress.
+class FailuresOnly : public testing::EmptyTestEventListener {
+    void OnTestPartResult(const testing::TestPartResult& result) override {
+        if (!result.failed()) return;
+        std::fprintf(stderr, "%s:%d: %s\n", result.file_name(), result.line_number(), result.summary());
+    }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    MPI_Init(&argc, &argv);
+    testing::InitGoogleTest(&argc, argv);
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank != 0) {
+        testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+        delete listeners.Release(listeners.default_result_printer());
+        listeners.Append(new FailuresOnly);
+    }
+    int outcome = RUN_ALL_TESTS();
+    MPI_Allreduce(MPI_IN_PLACE, &outcome, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return outcome;
+}

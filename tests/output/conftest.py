@@ -1,0 +1,71 @@
+"""A 4x4 map and a 4x4 basin of the paper's 170 mm rig, computed by the program."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+RIG = """
+schema = 1
+kind = "{kind}"
+title = "four by four"
+[hammer]
+mass_kg = 0.298
+natural_frequency_hz = 4.5
+damping_ns_per_m = 0.06
+[cart]
+amplitude_m = 0.89e-3
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 5.5e6
+damping_ns_per_m = 1.2e3
+"""
+
+MAP = RIG.format(kind="map") + """
+[axes.frequency_ratio]
+from = 0.5
+to = 3.5
+points = 4
+[axes.gap_ratio]
+from = 0.0
+to = 4.5
+points = 4
+[output]
+fields = ["multiplier", "lyapunov", "sensitivity", "orbit"]
+"""
+
+# The last column's first row starts on the motion without impact, x = (1 - P) sin(eta tau), P = 1.446.
+BASIN = RIG.format(kind="basin") + """
+[operating_point]
+frequency_ratio = 1.8
+gap_ratio = 1.6
+[axes.displacement_ratio]
+from = -3.0
+to = 0.0
+points = 4
+[axes.velocity_ratio]
+from = -0.8
+to = 2.2
+points = 4
+"""
+
+
+def compute(folder, text):
+    (folder / "job.toml").write_text(text)
+    finished = subprocess.run(
+        [Path(os.environ["PETERKA_BINARY"]).resolve(), "run", "job.toml", "--output", "made.h5", "--quiet"],
+        cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300,
+    )
+    assert finished.returncode == 0, finished.stderr
+    return folder / "made.h5"
+
+
+@pytest.fixture(scope="session")
+def map_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("map"), MAP)
+
+
+@pytest.fixture(scope="session")
+def basin_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("basin"), BASIN)

@@ -1,0 +1,121 @@
+// The table of fields: what a job stores, and that cells survive the way through the bytes of a tile.
+#include "output/fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "output/tile_bytes.hpp"
+#include "output_examples.hpp"
+
+namespace peterka::output {
+namespace {
+
+using job::OptionalField;
+
+std::vector<std::string> names(const std::vector<Field>& fields) {
+    std::vector<std::string> all;
+    for (const Field& field : fields) all.emplace_back(field.variable.name);
+    return all;
+}
+
+const std::vector<std::string> always{"regime",           "status",      "impacts", "period",
+                                      "peak_force_ratio", "impact_rate", "cycles"};
+
+TEST(OutputFields, MapStoresWhatItMustAndNoMore) {
+    EXPECT_EQ(names(stored_fields(examples::small_map(4, 4))), always);
+}
+
+TEST(OutputFields, MapStoresWhatIsAskedFor) {
+    job::Job job = examples::small_map(4, 4);
+    job.output.fields = {OptionalField::multiplier, OptionalField::sensitivity};
+    std::vector<std::string> expected = always;
+    expected.insert(expected.end(), {"multiplier", "sensitivity"});
+    EXPECT_EQ(names(stored_fields(job)), expected);
+}
+
+TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
+    std::vector<std::string> expected = always;
+    expected.insert(expected.end(), {"orbit_displacement", "orbit_velocity"});
+    EXPECT_EQ(names(stored_fields(examples::small_basin(4, 4))), expected);
+}
+
+TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
+    job::Job job = examples::small_map(4, 4);
+    job.output.fields = {OptionalField::multiplier, OptionalField::lyapunov, OptionalField::sensitivity,
+                         OptionalField::orbit};
+    const std::vector<std::string> all = names(stored_fields(job));
+    EXPECT_EQ(all.size(), always.size() + 5);
+    EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
+}
+
+// Every member differs from every other, so that two fields that store the same member are found out.
+regime::CellResult distinct_cell() {
+    return {regime::Regime::chaotic, regime::Status::budget, 11, 12, 13, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5};
+}
+
+TEST(OutputFields, EachFieldStoresItsOwnMember) {
+    job::Job job = examples::small_map(4, 4);
+    job.output.fields = {OptionalField::multiplier, OptionalField::lyapunov, OptionalField::sensitivity,
+                         OptionalField::orbit};
+    std::vector<double> values;
+    for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
+    EXPECT_EQ(values, (std::vector<double>{2, 1, 11, 12, 1.5, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5}));
+}
+
+TEST(OutputFields, CellsComeBackFromBytes) {
+    const std::vector<Field> fields = stored_fields(examples::small_basin(4, 4));
+    std::vector<StoredCell> cells{distinct_cell(), examples::made_up_cell(1, 2), examples::made_up_cell(2, 2)};
+    const std::vector<std::byte> bytes = encode(fields, cells);
+    EXPECT_EQ(bytes.size(), 3 * (2 * 1 + 3 * 4 + 4 * 8));
+    const std::vector<StoredCell> back = decode(fields, bytes);
+    ASSERT_EQ(back.size(), 3);
+    EXPECT_EQ(encode(fields, back), bytes);
+    EXPECT_EQ(back[0].regime, regime::Regime::chaotic);
+    EXPECT_EQ(back[0].impacts, 11);
+    EXPECT_EQ(back[0].orbit_velocity, 7.5);
+}
+
+TEST(OutputFields, ForceIsStoredOverTheHammersWeight) {
+    EXPECT_EQ(in_file_units(distinct_cell(), 4.0).peak_force, 6.0);
+    EXPECT_EQ(in_file_units(distinct_cell(), 4.0).impact_rate, 2.5);
+}
+
+TEST(OutputFields, EveryNanIsTheSame) {
+    regime::CellResult positive = examples::made_up_cell(0, 0);
+    positive.peak_force = std::numeric_limits<double>::quiet_NaN();
+    regime::CellResult negative = positive;
+    negative.peak_force = -positive.peak_force;
+    ASSERT_NE(std::memcmp(&positive.peak_force, &negative.peak_force, sizeof(double)), 0);
+    const std::vector<Field> fields = stored_fields(examples::small_map(4, 4));
+    const std::vector<StoredCell> first{in_file_units(positive, 2)};
+    const std::vector<StoredCell> second{in_file_units(negative, 2)};
+    EXPECT_EQ(encode(fields, first), encode(fields, second));
+}
+
+TEST(OutputTileBytes, ChecksumIsXxh3) {
+    EXPECT_EQ(checksum({}), 0x2D06800538D394C2U);
+}
+
+TEST(OutputTileBytes, ChecksumFindsEveryFlippedByte) {
+    const std::vector<Field> fields = stored_fields(examples::small_map(4, 4));
+    const std::vector<StoredCell> cells(16, examples::made_up_cell(3, 1));
+    std::vector<std::byte> bytes = encode(fields, cells);
+    const std::uint64_t whole = checksum(bytes);
+    for (std::byte& byte : bytes) {
+        byte ^= std::byte{1};
+        EXPECT_NE(checksum(bytes), whole);
+        byte ^= std::byte{1};
+    }
+    EXPECT_EQ(checksum(bytes), whole);
+}
+
+}  // namespace
+}  // namespace peterka::output

@@ -1,0 +1,229 @@
+// Whatever lies where the map should be is recognised, and each wrong thing gets its own reason.
+#include "output/inspect.hpp"
+
+#include <gtest/gtest.h>
+#include <hdf5_hl.h>
+#include <sys/stat.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "output/attributes.hpp"
+#include "output/block.hpp"
+#include "output/hdf5.hpp"
+#include "output/layout.hpp"
+#include "output/make_file.hpp"
+#include "output/tile_store.hpp"
+#include "output_examples.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+namespace {
+
+using examples::Folder;
+
+class OutputInspect : public testing::Test {
+  protected:
+    void make() { make_file(path_, job_, examples::made_by()); }
+
+    void change(const std::function<void(const Checked&, hid_t)>& task) {
+        const Checked check(path_);
+        const FileId file(check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "H5Fopen"));
+        task(check, file.id());
+    }
+
+    void write_all_tiles() {
+        change([&](const Checked& check, hid_t file) {
+            TileStore store(check, file, job_);
+            for (std::int64_t i = 0; i < store.tiling().count(); ++i) {
+                const parallel::Tile tile = store.tiling().tile(i);
+                store.write(tile, examples::made_up_cells(tile), {});
+            }
+        });
+    }
+
+    void finish() {
+        change([](const Checked& check, hid_t file) { write_number(check, file, path::finished, 1); });
+    }
+
+    void expect_refused(const std::string& reason) {
+        try {
+            (void)inspect(path_, job_);
+            ADD_FAILURE() << "was not refused: " << reason;
+        } catch (const Failure& failure) {
+            const std::string text = failure.what();
+            EXPECT_EQ(failure.code(), ExitCode::output);
+            EXPECT_NE(text.find(path_.string()), std::string::npos) << text;
+            EXPECT_NE(text.find(reason), std::string::npos) << text;
+        }
+    }
+
+    void replace_dataset(const char* name, hid_t type, const std::vector<hsize_t>& sizes) {
+        change([&](const Checked& check, hid_t file) {
+            check(H5Ldelete(file, name, H5P_DEFAULT), "H5Ldelete");
+            check(H5LTmake_dataset(file, name, static_cast<int>(sizes.size()), sizes.data(), type,
+                                   std::vector<double>(4000).data()),
+                  "H5LTmake_dataset");
+        });
+    }
+
+    Folder folder_;
+    std::filesystem::path path_ = folder_ / "map.h5";
+    job::Job job_ = examples::small_map(20, 20);
+};
+
+TEST_F(OutputInspect, NothingThere) {
+    EXPECT_EQ(inspect(path_, job_), Existing::absent);
+}
+
+TEST_F(OutputInspect, EmptyMapIsResumable) {
+    make();
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+}
+
+TEST_F(OutputInspect, CompleteOnlyWithAllTilesAndFinished) {
+    make();
+    write_all_tiles();
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+    finish();
+    EXPECT_EQ(inspect(path_, job_), Existing::complete);
+    change([](const Checked& check, hid_t file) {
+        const DatasetId done(check(H5Dopen2(file, path::done, H5P_DEFAULT), "H5Dopen2"));
+        const std::int8_t no = 0;
+        write_block(check, done.id(), Number::int8, Block(3, 1), &no);
+    });
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+}
+
+TEST_F(OutputInspect, TitleAndLimitsDoNotMakeAnotherJob) {
+    make();
+    job_.title = "Another title";
+    job_.limits.failed_cells = 99;
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+}
+
+TEST_F(OutputInspect, Directory) {
+    std::filesystem::create_directory(path_);
+    expect_refused("is a directory");
+}
+
+TEST_F(OutputInspect, Pipe) {
+    ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+    expect_refused("is not a regular file");
+}
+
+TEST_F(OutputInspect, EmptyFileAndRubbish) {
+    examples::write_content(path_, "");
+    expect_refused("is not an HDF5 file");
+    examples::write_content(path_, std::string("\x7f\0\x01rubbish", 10));
+    expect_refused("is not an HDF5 file");
+}
+
+TEST_F(OutputInspect, AnotherProgramsFile) {
+    { const FileId file(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)); }
+    expect_refused("was not made by peterka");
+}
+
+TEST_F(OutputInspect, LayoutVersionOfAWrongType) {
+    const Checked check(path_);
+    {
+        const FileId file(H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+        write_attribute(check, file.id(), "peterka_layout", std::string("1"));
+    }
+    expect_refused("was not made by peterka");
+}
+
+TEST_F(OutputInspect, Truncated) {
+    make();
+    const auto size = std::filesystem::file_size(path_);
+    std::filesystem::resize_file(path_, size - 1);
+    expect_refused("is damaged: truncated file");
+    std::filesystem::resize_file(path_, 1000);
+    expect_refused("is damaged");
+}
+
+TEST_F(OutputInspect, AnotherLayoutVersion) {
+    make();
+    change([](const Checked& check, hid_t file) {
+        check(H5Adelete(file, "peterka_layout"), "H5Adelete");
+        write_attribute(check, file, "peterka_layout", layout_version + 1);
+    });
+    expect_refused("has layout version 2, this program writes version 1");
+}
+
+TEST_F(OutputInspect, AnotherJobIsToldByItsKeys) {
+    make();
+    job_.rows.points = 21;
+    job_.hammer.mass_kg = 0.5;
+    expect_refused("axes.gap_ratio.points: 20 in the file, 21 in the job");
+    expect_refused("hammer.mass_kg: 0.298 in the file, 0.5 in the job");
+    try {
+        (void)inspect(path_, job_);
+    } catch (const Failure& failure) {
+        EXPECT_EQ(std::string(failure.what()).find("frequency_ratio"), std::string::npos) << failure.what();
+    }
+}
+
+TEST_F(OutputInspect, MissingDataset) {
+    make();
+    change(
+        [](const Checked& check, hid_t file) { check(H5Ldelete(file, "/cycles", H5P_DEFAULT), "H5Ldelete"); });
+    expect_refused("dataset /cycles is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, MissingGroup) {
+    make();
+    change(
+        [](const Checked& check, hid_t file) { check(H5Ldelete(file, "/tiles", H5P_DEFAULT), "H5Ldelete"); });
+    expect_refused("dataset /tiles/tile is missing");
+}
+
+TEST_F(OutputInspect, WrongType) {
+    make();
+    replace_dataset(path::done, H5T_STD_I32LE, {4});
+    expect_refused("dataset /tiles/done is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, WrongSize) {
+    make();
+    replace_dataset(path::checksum, H5T_STD_U64LE, {3});
+    expect_refused("dataset /tiles/checksum is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, WrongRank) {
+    make();
+    replace_dataset(path::checksum, H5T_STD_U64LE, {2, 2});
+    expect_refused("dataset /tiles/checksum is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, NotInTiles) {
+    make();
+    replace_dataset("/cycles", H5T_STD_I32LE, {20, 20});
+    expect_refused("dataset /cycles is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, GroupInPlaceOfADataset) {
+    make();
+    change([](const Checked& check, hid_t file) {
+        check(H5Ldelete(file, "/cycles", H5P_DEFAULT), "H5Ldelete");
+        const GroupId group(
+            check(H5Gcreate2(file, "/cycles", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2"));
+    });
+    expect_refused("dataset /cycles is missing or not of its kind");
+}
+
+TEST_F(OutputInspect, OtherArithmeticCannotBeResumedButIsCompleteOnceComplete) {
+    make();
+    write_all_tiles();
+    change([](const Checked& check, hid_t file) {
+        check(H5Adelete(file, "arithmetic"), "H5Adelete");
+        write_attribute(check, file, "arithmetic", std::string("abacus"));
+    });
+    expect_refused("was computed with other arithmetic (abacus;");
+    finish();
+    EXPECT_EQ(inspect(path_, job_), Existing::complete);
+}
+
+}  // namespace
+}  // namespace peterka::output

@@ -1,0 +1,80 @@
+// Making a file: whole or not at all, and never over something that cannot be made again by the same command.
+#include "output/make_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "output/block.hpp"
+#include "output/hdf5.hpp"
+#include "output/inspect.hpp"
+#include "output/layout.hpp"
+#include "output_examples.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+namespace {
+
+using examples::content_of;
+using examples::Folder;
+
+void mark_finished(const std::filesystem::path& path) {
+    const Checked check(path);
+    const FileId file(check(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "H5Fopen"));
+    write_number(check, file.id(), path::finished, 1);
+}
+
+TEST(OutputMakeFile, LeavesTheMapAlone) {
+    const Folder folder;
+    make_file(folder / "map.h5", examples::small_map(20, 4), examples::made_by());
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5"});
+    EXPECT_FALSE(holds_complete_map(folder / "map.h5"));
+}
+
+TEST(OutputMakeFile, TwoFilesOfOneJobAreTheSameBytes) {
+    const Folder folder;
+    make_file(folder / "a.h5", examples::small_basin(20, 4), examples::made_by());
+    make_file(folder / "b.h5", examples::small_basin(20, 4), examples::made_by());
+    EXPECT_EQ(content_of(folder / "a.h5"), content_of(folder / "b.h5"));
+}
+
+TEST(OutputMakeFile, CompleteMapIsKeptUnderAnotherName) {
+    const Folder folder;
+    make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by());
+    mark_finished(folder / "map.h5");
+    const std::string before = content_of(folder / "map.h5");
+    make_file(folder / "map.h5", examples::small_map(8, 8), examples::made_by());
+    EXPECT_EQ(content_of(folder / "map.h5.previous"), before);
+    EXPECT_EQ(inspect(folder / "map.h5", examples::small_map(8, 8)), Existing::resumable);
+}
+
+TEST(OutputMakeFile, UnfinishedMapIsReplacedAndAnOlderCompleteOneStays) {
+    const Folder folder;
+    make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by());
+    mark_finished(folder / "map.h5");
+    make_file(folder / "map.h5", examples::small_map(8, 8), examples::made_by());
+    make_file(folder / "map.h5", examples::small_map(5, 5), examples::made_by());
+    EXPECT_EQ(inspect(folder / "map.h5", examples::small_map(5, 5)), Existing::resumable);
+    EXPECT_EQ(inspect(previous_name(folder / "map.h5"), examples::small_map(4, 4)), Existing::resumable)
+        << "marked finished, but without tiles";
+    EXPECT_TRUE(holds_complete_map(previous_name(folder / "map.h5")));
+}
+
+TEST(OutputMakeFile, WhatAKillLeftBehindIsReplaced) {
+    const Folder folder;
+    examples::write_content(temporary_name(folder / "map.h5"), "half a file");
+    make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by());
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5"});
+}
+
+TEST(OutputMakeFile, ForeignFileIsNotTouched) {
+    const Folder folder;
+    examples::write_content(folder / "thesis.pdf", "years of work");
+    EXPECT_THROW(make_file(folder / "thesis.pdf", examples::small_map(4, 4), examples::made_by()), Failure);
+    EXPECT_EQ(content_of(folder / "thesis.pdf"), "years of work");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"thesis.pdf"});
+}
+
+}  // namespace
+}  // namespace peterka::output
