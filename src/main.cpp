@@ -1,0 +1,25 @@
+// peterka: maps of a hammer that strikes a stop inside a vibrating cart. See README.md.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "parallel/session.hpp"
+#include "program/check_job.hpp"
+#include "program/command_line.hpp"
+#include "program/run_plan.hpp"
+#include "run_job.hpp"
+
+int main(int argc, char** argv) {
+    using namespace peterka;
+    return parallel::run_in_session(argc, argv, [&](const parallel::Session& session) {
+        std::optional<RunPlan> plan;
+        parallel::on_root(session, [&] {
+            const Request request = read_command_line(argc, argv);
+            if (request.command == Command::print) fmt::print("{}", request.text);
+            if (request.command == Command::check) fmt::print("{}", check_job(request));
+            if (request.command == Command::run) plan = plan_run(request);
+        });
+        share(session, plan);
+        return plan ? run_job(session, *plan) : ExitCode::done;
+    });
+}

@@ -1,0 +1,59 @@
+#include "program/check_job.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <filesystem>
+
+#include "job/names.hpp"
+#include "job/read.hpp"
+#include "job/write.hpp"
+#include "output/layout.hpp"
+#include "output/map_size.hpp"
+#include "program/run_plan.hpp"
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+// What a rank needs at most [bytes]: this process so far, which has program, MPI and HDF5 in it; what opening
+// the file through MPI-IO adds (3 MB were measured); and one number for each tile still missing.
+std::int64_t memory_per_rank(std::int64_t tiles) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    constexpr std::int64_t open_file = 4'000'000;
+    return usage.ru_maxrss * std::int64_t{1024} + open_file +
+           tiles * static_cast<std::int64_t>(sizeof(std::int64_t));
+}
+
+std::string free_space_text(const std::filesystem::path& file) {
+    std::error_code unknown;
+    const auto space = std::filesystem::space(output::folder_of(file), unknown);
+    if (unknown) return "its folder cannot be read";
+    return readable_bytes(static_cast<std::int64_t>(space.available)) + " free there";
+}
+
+}  // namespace
+
+std::string check_job(const Request& request) {
+    const job::Job job = job::read_job_file(request.job_file, request.overrides);
+    const auto file = map_file_of(request);
+    const auto axes = job::axis_names(job.kind);
+    const std::int64_t tiles = output::tiling(job).count();
+
+    return fmt::format(
+               "# {} is a sound job. It would be computed as follows.\n"
+               "#   cells    {}: {} of {} by {} of {}\n"
+               "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
+               "#   memory   about {} per rank, on any number of ranks\n"
+               "#   file     {}, {} ({})\n\n",
+               request.job_file.string(), readable_count(job.columns.points * job.rows.points),
+               readable_count(job.columns.points), axes.columns, readable_count(job.rows.points), axes.rows,
+               readable_count(tiles), parallel::tile_extent.rows, parallel::tile_extent.columns,
+               readable_bytes(memory_per_rank(tiles)), file.string(),
+               readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
+           job::resolved_text(job);
+}
+
+}  // namespace peterka

@@ -1,0 +1,33 @@
+// What a run command amounts to: found out by rank 0 from the job and the file, and then the same on every
+// rank.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "job/job.hpp"
+#include "output/inspect.hpp"
+#include "parallel/session.hpp"
+#include "program/command_line.hpp"
+
+namespace peterka {
+
+struct RunPlan {
+    job::Job job;
+    std::filesystem::path file;
+    output::Existing existing = output::Existing::absent;  // what the file holds already
+    double max_wall_seconds = 0;
+    bool fresh = false;  // this and quiet count on rank 0 alone
+    bool quiet = false;
+};
+
+// The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.
+[[nodiscard]] std::filesystem::path map_file_of(const Request& request);
+
+// Rank 0 alone: reads the job and looks at the file. Throws Failure for either.
+[[nodiscard]] RunPlan plan_run(const Request& request);
+
+// Collective. Rank 0's plan, or that there is none, for every rank.
+void share(const parallel::Session& session, std::optional<RunPlan>& plan);
+
+}  // namespace peterka

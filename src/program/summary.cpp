@@ -1,0 +1,139 @@
+#include "program/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "job/axis.hpp"
+#include "job/names.hpp"
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+using output::LargestForce;
+using output::Statistics;
+using regime::Regime;
+
+std::string heading(const SummaryInput& input) {
+    const job::Job& job = input.job;
+    const bool is_map = job.kind == job::Kind::map;
+    const std::string what =
+        is_map ? "excitation frequencies and gaps"
+               : fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
+                             job.operating_point.gap_ratio);
+    return fmt::format("\n{}\n{} cells: {} by {} {}\n", job.title.empty() ? "(no title)" : job.title,
+                       readable_count(input.statistics.counts.cells), readable_count(job.columns.points),
+                       readable_count(job.rows.points), what);
+}
+
+std::string regime_line(const Statistics& statistics, Regime regime, const char* name,
+                        const std::string& meaning) {
+    const std::int64_t cells = statistics.cells_of(regime);
+    if (cells == 0) return "";
+    return fmt::format("  {:<18}{:>14}{:>9}   {}\n", name, readable_count(cells),
+                       readable_share(cells, statistics.counts.cells), meaning);
+}
+
+// What a cell without a regime ran into, with the number of such cells.
+std::string reasons(std::span<const std::int64_t> cells_by_status) {
+    constexpr std::array words{"", "no proof within steady_state.max_cycles",
+                               "nothing dissipates, so nothing settles", "too many contacts in one cycle",
+                               "numbers grew out of range"};
+    std::string text;
+    for (std::size_t status = 0; status < std::min(words.size(), cells_by_status.size()); ++status) {
+        if (cells_by_status[status] == 0) continue;
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", readable_count(cells_by_status[status]),
+                            words[status]);
+    }
+    return text;
+}
+
+std::string regimes(const SummaryInput& input) {
+    const Statistics& statistics = input.statistics;
+    const std::string observed = fmt::format("chaotic for the {} cycles observed; it may settle later",
+                                             readable_count(input.job.steady_state.chaos_cycles));
+    return "\nWhat the hammer settles into\n" +
+           regime_line(statistics, Regime::no_impact, "no impact", "it swings without reaching the stop") +
+           regime_line(statistics, Regime::periodic, "periodic",
+                       "z = p/q: p impacts in q forcing cycles, for ever") +
+           regime_line(statistics, Regime::chaotic, "chaotic", observed) +
+           regime_line(statistics, Regime::sustained_contact, "sustained contact", "it stays on the stop") +
+           regime_line(statistics, Regime::unresolved, "unresolved",
+                       reasons(statistics.counts.unresolved_by_status)) +
+           regime_line(statistics, Regime::failed, "failed", reasons(statistics.counts.failed_by_status));
+}
+
+std::string most_frequent_classes(const Statistics& statistics) {
+    using Entry = std::pair<output::ImpactClass, std::int64_t>;
+    constexpr std::size_t shown = 6;
+    std::vector<Entry> classes(statistics.periodic_cells.begin(), statistics.periodic_cells.end());
+    if (classes.empty()) return "";
+    std::ranges::stable_sort(classes, std::ranges::greater{}, &Entry::second);
+
+    std::string text = "  most frequent z: ";
+    for (std::size_t i = 0; i < std::min(shown, classes.size()); ++i) {
+        const auto& [impact_class, cells] = classes[i];
+        text += fmt::format("{}{}/{} {}", i == 0 ? "" : ", ", impact_class.impacts, impact_class.period,
+                            readable_share(cells, statistics.counts.cells));
+    }
+    if (classes.size() > shown) text += fmt::format(" and {} more", classes.size() - shown);
+    return text + "\n";
+}
+
+std::string place(const SummaryInput& input, const LargestForce& force) {
+    const job::Job& job = input.job;
+    const double x = job::axis_value(job.columns, force.column);
+    const double y = job::axis_value(job.rows, force.row);
+    if (job.kind == job::Kind::basin) return fmt::format("from x/A0 {:.4g}, x'/(A0 omega) {:.4g}", x, y);
+    const double natural_frequency_hz = input.scales.frequency_rad_per_s / (2 * std::numbers::pi);
+    return fmt::format("at Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", x,
+                       x * natural_frequency_hz, y, y * input.scales.length_m * 1e3);
+}
+
+std::string force_line(const SummaryInput& input, const char* of, const LargestForce& force) {
+    if (!force.found() || !(force.peak_force_ratio > 0)) return "";
+    return fmt::format("  {:<12}{:>6.4g} weights = {:>5.4g} N   {}\n", of, force.peak_force_ratio,
+                       force.peak_force_ratio * input.scales.weight_n, place(input, force));
+}
+
+std::string forces(const SummaryInput& input) {
+    const auto& largest = input.statistics.largest;
+    const std::string lines =
+        force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
+    if (lines.empty()) return "\nNo cell ever strikes the stop.\n";
+    return fmt::format("\nLargest peak force (the hammer weighs {:.3g} N)\n{}", input.scales.weight_n, lines);
+}
+
+std::string effort(const SummaryInput& input) {
+    const Statistics& statistics = input.statistics;
+    const auto cells = static_cast<double>(std::max<std::int64_t>(statistics.counts.cells, 1));
+    return fmt::format(
+        "\nWork\n  {:.1f} forcing cycles and {} per cell, {} of computing in all\n"
+        "  this run: {} on {} {}\n",
+        static_cast<double>(statistics.counts.cycles) / cells,
+        readable_duration(statistics.tile_seconds / cells), readable_duration(statistics.tile_seconds),
+        readable_duration(input.effort.wall_seconds), input.effort.ranks,
+        input.effort.ranks == 1 ? "rank" : "ranks");
+}
+
+std::string omitted(const SummaryInput& input) {
+    if (input.omitted.empty()) return "";
+    std::string text = "\nLeft out, because it changes nothing asked for\n";
+    for (const std::string& sentence : input.omitted) text += fmt::format("  - {}\n", sentence);
+    return text;
+}
+
+}  // namespace
+
+std::string summary_text(const SummaryInput& input) {
+    const std::string file = input.file.string();
+    return heading(input) + regimes(input) + most_frequent_classes(input.statistics) + forces(input) +
+           effort(input) + omitted(input) +
+           fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, file);
+}
+
+}  // namespace peterka

@@ -1,0 +1,31 @@
+// What came out of a run, on one screen, for a reader who meets such a map for the first time.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "job/job.hpp"
+#include "output/statistics.hpp"
+#include "scene/scales.hpp"
+
+namespace peterka {
+
+// This run, as against all the runs that filled the file.
+struct RunEffort {
+    int ranks = 1;
+    double wall_seconds = 0;
+};
+
+struct SummaryInput {
+    const job::Job& job;
+    const scene::Scales& scales;
+    const output::Statistics& statistics;
+    std::span<const std::string> omitted;  // sentences: what was left out, and why
+    std::filesystem::path file;
+    RunEffort effort;
+};
+
+[[nodiscard]] std::string summary_text(const SummaryInput& input);
+
+}  // namespace peterka

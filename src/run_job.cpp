@@ -1,0 +1,90 @@
+#include "run_job.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "output/make_file.hpp"
+#include "output/map_file.hpp"
+#include "output/provenance.hpp"
+#include "parallel/hosts.hpp"
+#include "program/solve_missing.hpp"
+#include "program/summary.hpp"
+#include "scene/scene.hpp"
+#include "support/stop_request.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka {
+namespace {
+
+using output::Existing;
+using output::MapFile;
+using parallel::Session;
+
+MapFile open_or_create(const Session& session, const RunPlan& plan, const scene::Scene& scene) {
+    if (plan.existing == Existing::absent) {
+        parallel::on_root(session,
+                          [&] { output::make_file(plan.file, plan.job, output::collect_provenance()); });
+    }
+    const auto access = plan.existing == Existing::complete ? output::Access::read : output::Access::write;
+    return MapFile::open(plan.file, plan.job, scene.scales().force_ratio(), session.communicator(), access);
+}
+
+void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+               const output::Statistics& statistics, const Stopwatch& wall) {
+    if (!session.is_root() || plan.quiet) return;
+    if (plan.existing == Existing::complete)
+        fmt::print("{} is complete: nothing is computed\n", plan.file.string());
+    fmt::print("{}", summary_text({plan.job,
+                                   scene.scales(),
+                                   statistics,
+                                   scene.omitted(),
+                                   plan.file,
+                                   {session.size(), wall.seconds()}}));
+}
+
+void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
+    if (!session.is_root()) return;
+    fmt::print(stderr, "peterka: stopped early ({}); the same command{} goes on from {}\n", stop.reason(),
+               plan.fresh ? " without --fresh" : "", plan.file.string());
+}
+
+ExitCode judge(const Session& session, const RunPlan& plan, const output::Statistics& statistics) {
+    const std::int64_t failed = statistics.cells_of(regime::Regime::failed);
+    if (failed <= plan.job.limits.failed_cells) return ExitCode::done;
+    if (session.is_root()) {
+        fmt::print(stderr, "peterka: {} cells failed, and the job allows {} (limits.failed_cells)\n", failed,
+                   plan.job.limits.failed_cells);
+    }
+    return ExitCode::too_many_failures;
+}
+
+}  // namespace
+
+ExitCode run_job(const Session& session, const RunPlan& plan) {
+    const Stopwatch wall;
+    const StopRequest stop(plan.max_wall_seconds);
+    const scene::Scene scene(plan.job);
+    MapFile file = open_or_create(session, plan, scene);
+    ExitCode code = ExitCode::stopped_early;
+
+    // Ranks work alone from here on, and the file's destructor would wait for all of them.
+    parallel::failing_ends_all(session, [&] {
+        const bool complete = plan.existing == Existing::complete;
+        const bool solved = complete || solve_missing_tiles(session, plan, scene, stop, file);
+        const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
+        if (solved) {
+            const output::Statistics statistics =
+                complete ? file.statistics() : file.finish(scene.omitted(), facts);
+            summarise(session, plan, scene, statistics, wall);
+            code = judge(session, plan, statistics);
+        } else {
+            file.record(facts);
+            say_how_to_continue(session, plan, stop);
+        }
+        file.close();
+    });
+    return code;
+}
+
+}  // namespace peterka

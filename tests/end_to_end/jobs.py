@@ -1,0 +1,58 @@
+"""Small jobs on the paper's 170 mm rig."""
+
+RIG = """
+schema = 1
+kind = "{kind}"
+title = "{title}"
+[hammer]
+mass_kg = 0.298
+natural_frequency_hz = 4.5
+damping_ns_per_m = 0.06
+[cart]
+amplitude_m = 0.89e-3
+[contact]
+law = "kelvin_voigt"
+stiffness_n_per_m = 5.5e6
+damping_ns_per_m = 1.2e3
+"""
+
+AXIS = """
+[axes.{name}]
+from = {first}
+to = {last}
+points = {points}
+"""
+
+
+def axis(name, first, last, points):
+    return AXIS.format(name=name, first=first, last=last, points=points)
+
+
+def small_map(columns=40, rows=35, title="small map"):
+    """Nine tiles, those at two edges cropped; every regime but sustained contact occurs."""
+    return (RIG.format(kind="map", title=title)
+            + axis("frequency_ratio", 0.5, 4.5, columns) + axis("gap_ratio", 0.0, 5.0, rows))
+
+
+def map_of_steps(columns, rows):
+    """Steps of 1/8 with 41 columns and 21 rows, of 1/4 with 21 and 11: exact in binary, so the maps share cells."""
+    return (RIG.format(kind="map", title="steps")
+            + axis("frequency_ratio", 0.5, 5.5, columns) + axis("gap_ratio", 0.0, 2.5, rows))
+
+
+def larger_map():
+    """64 tiles: long enough to be stopped on the way."""
+    return small_map(columns=128, rows=128, title="larger map")
+
+
+def small_basin(points=24):
+    """Gap/A0 1.60 at 1.8 times the natural frequency, where impacts and no impact both survive."""
+    return (RIG.format(kind="basin", title="small basin")
+            + "[operating_point]\nfrequency_ratio = 1.8\ngap_ratio = 1.60\n"
+            + axis("displacement_ratio", -3.0, 1.5, points) + axis("velocity_ratio", -4.0, 4.0, points))
+
+
+def write(folder, text, name="job.toml"):
+    path = folder / name
+    path.write_text(text)
+    return path

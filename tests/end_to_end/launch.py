@@ -1,0 +1,46 @@
+"""Starts the program as a user would: alone or under mpirun, in a folder of its own."""
+
+import os
+import subprocess
+from pathlib import Path
+
+BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
+DEALING_CHECK = BINARY.with_name("dealing_check")
+
+# More ranks than cores, as root, in a container: what Open MPI wants to be told before it allows that.
+MPI_SETTINGS = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_mpi_yield_when_idle": "1",
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+}
+ENVIRONMENT = os.environ | MPI_SETTINGS
+HANGING = 300  # seconds after which a run is taken to hang
+
+
+def command(*arguments, ranks=None, binary=BINARY):
+    launcher = [] if ranks is None else ["mpirun", "-n", str(ranks)]
+    return [*launcher, str(binary), *map(str, arguments)]
+
+
+def run(*arguments, cwd, ranks=None, binary=BINARY):
+    """Runs to the end; gives returncode, stdout and stderr."""
+    return subprocess.run(
+        command(*arguments, ranks=ranks, binary=binary),
+        cwd=cwd, env=ENVIRONMENT, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
+    )
+
+
+def start(*arguments, cwd, ranks=None):
+    """Starts and returns the running process, its stdout and stderr as pipes."""
+    return subprocess.Popen(
+        command(*arguments, ranks=ranks),
+        cwd=cwd, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )
+
+
+def messages(finished):
+    """What the program itself said on stderr, without mpirun's own remarks."""
+    return [line for line in finished.stderr.splitlines() if line.startswith("peterka: ")]

@@ -1,0 +1,127 @@
+"""The commands and what they print: help, version, check, summary, progress, quiet."""
+
+import os
+import pty
+import subprocess
+
+import pytest
+
+import jobs
+import launch
+
+RANKS = [None, 3]
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_help_and_version_are_printed_once(tmp_path, ranks):
+    shown = launch.run("--help", cwd=tmp_path, ranks=ranks)
+    assert shown.returncode == 0
+    assert shown.stdout.count("Exit codes:") == 1
+    version = launch.run("--version", cwd=tmp_path, ranks=ranks)
+    assert version.returncode == 0
+    begun_by = [line.split()[0] for line in version.stdout.splitlines()]
+    assert begun_by == ["peterka", "HDF5", "MPI", "SUNDIALS", "Eigen", "fmt", "arithmetic"]
+    assert "commit " in version.stdout
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_check_prints_the_job_and_its_cost_and_computes_nothing(tmp_path, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    checked = launch.run("check", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert checked.returncode == 0, checked.stderr
+    for word in ["1,400", "9 of 16 by 16", "memory", "job.h5", "mass_kg = 0.298", "max_cycles"]:
+        assert checked.stdout.count(word) == 1, word
+    assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
+
+
+def test_what_check_prints_is_the_same_job(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.small_map())
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    jobs.write(tmp_path, checked.stdout, name="resolved.toml")
+    finished = launch.run("run", "resolved.toml", "--output", small_map_file, cwd=tmp_path)
+    assert "is complete" in finished.stdout, finished.stderr
+
+
+def test_check_foretells_the_file_size(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.small_map())
+    size = small_map_file.stat().st_size
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    line = next(line for line in checked.stdout.splitlines() if line.startswith("#   file"))
+    foretold = float(line.split("job.h5, ")[1].split(" kB")[0]) * 1000
+    assert size <= foretold + 100 and foretold < size + 20_000
+
+
+def test_check_refuses_a_bad_job(tmp_path):
+    jobs.write(tmp_path, jobs.small_map().replace("0.298", "-1"))
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    assert checked.returncode == 2
+    assert "mass_kg" in checked.stderr and checked.stdout == ""
+
+
+def test_check_takes_overrides(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    checked = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=100", cwd=tmp_path)
+    assert "4,000" in checked.stdout
+
+
+def test_the_summary_fits_a_screen_and_tells_the_map(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    for word in ["small map", "1,400 cells", "no impact", "periodic", "1/1", "weights", "Hz", "mm", "per cell",
+                 "on 2 ranks", "postprocess/draw.py job.h5"]:
+        assert word in finished.stdout, word
+    assert finished.stdout.count("small map") == 1
+    assert len(finished.stdout.splitlines()) < 40
+
+
+def test_elsewhere_than_on_a_terminal_progress_is_a_plain_line(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.stderr == "peterka: 1,400 cells to compute, 0 already in the file\n"
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_quiet_is_quiet(tmp_path, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    finished = launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=ranks)
+    assert (finished.returncode, finished.stdout, finished.stderr) == (0, "", "")
+    again = launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=ranks)
+    assert (again.returncode, again.stdout, again.stderr) == (0, "", "")
+
+
+def on_a_terminal(*arguments, cwd, ranks):
+    """What a terminal gets to see on stderr."""
+    mine, its = pty.openpty()
+    process = subprocess.Popen(launch.command(*arguments, ranks=ranks), cwd=cwd, env=launch.ENVIRONMENT,
+                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its)
+    os.close(its)
+    shown = b""
+    while True:
+        try:
+            part = os.read(mine, 4096)
+        except OSError:  # the other end is closed
+            break
+        if not part:
+            break
+        shown += part
+    os.close(mine)
+    process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 0, shown
+    return shown.decode()
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_on_a_terminal_progress_is_one_bar(tmp_path, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    shown = on_a_terminal("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert "\r[" in shown and "cells/s" in shown
+    assert "[##############################] 100.0 %" in shown.split("\r[")[-1].join(["[", ""])
+    assert shown.count("\n") == 1
+
+
+def test_default_output_is_the_jobs_stem_in_the_current_folder(tmp_path):
+    (tmp_path / "elsewhere").mkdir()
+    jobs.write(tmp_path / "elsewhere", jobs.small_map(), name="my.map.toml")
+    assert launch.run("run", "elsewhere/my.map.toml", "--quiet", cwd=tmp_path).returncode == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["elsewhere", "my.map.h5"]

@@ -1,0 +1,165 @@
+"""A run that is stopped or killed leaves a file from which the same command goes on to the same end."""
+
+import os
+import shutil
+import signal
+from pathlib import Path
+
+import h5py
+import pytest
+
+import jobs
+import launch
+import map_contents
+
+
+def run_to_the_end(folder, *arguments, ranks=None):
+    """Repeats the same command while it says that it was stopped early; gives the number of such stops."""
+    for stops in range(200):
+        finished = launch.run("run", "job.toml", *arguments, cwd=folder, ranks=ranks)
+        if finished.returncode != 5:
+            assert finished.returncode == 0, finished.stderr
+            return stops
+    raise AssertionError("never came to an end")
+
+
+def test_no_time_at_all_stops_before_the_first_cell(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    finished = launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path)
+    assert finished.returncode == 5
+    assert map_contents.done_tiles(tmp_path / "job.h5") == 0
+    said = [line for line in launch.messages(finished) if "stopped early" in line]
+    assert len(said) == 1
+    assert "--max-wall" in said[0] and "the same command goes on" in said[0]
+
+
+def test_after_fresh_the_way_on_is_without_it(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    finished = launch.run("run", "job.toml", "--fresh", "--max-wall", "1e-9", cwd=tmp_path)
+    assert "without --fresh" in finished.stderr
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_many_short_runs_make_the_same_file_as_one(tmp_path, larger_map_file, ranks):
+    jobs.write(tmp_path, jobs.larger_map())
+    assert launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path, ranks=ranks).returncode == 5
+    run_to_the_end(tmp_path, "--max-wall", "0.5", "--quiet", ranks=ranks)
+    map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+def start_and_wait_for_work(folder, ranks):
+    jobs.write(folder, jobs.larger_map())
+    process = launch.start("run", "job.toml", cwd=folder, ranks=ranks)
+    assert "cells to compute" in process.stderr.readline()
+    return process
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_usr1_stops_all_ranks_and_the_run_goes_on(tmp_path, larger_map_file, ranks):
+    process = start_and_wait_for_work(tmp_path, ranks)
+    process.send_signal(signal.SIGUSR1)
+    _, errors = process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 5, errors
+    assert "SIGUSR1" in errors
+    assert map_contents.done_tiles(tmp_path / "job.h5") < map_contents.tile_count(tmp_path / "job.h5")
+    assert run_to_the_end(tmp_path, "--quiet", ranks=ranks) == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGINT"])
+def test_other_signals_stop_a_program_of_its_own(tmp_path, name):
+    process = start_and_wait_for_work(tmp_path, ranks=None)
+    process.send_signal(getattr(signal, name))
+    _, errors = process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 5, errors
+    assert name in errors
+
+
+def processes_that_compute(process, ranks):
+    if ranks is None:
+        return [process.pid]
+    return [int(pid) for pid in Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ranks):
+    process = start_and_wait_for_work(tmp_path, ranks)
+    os.kill(processes_that_compute(process, ranks)[-1], signal.SIGKILL)
+    process.communicate(timeout=launch.HANGING)
+    assert process.returncode != 0
+    assert run_to_the_end(tmp_path, "--quiet") == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+def test_more_or_fewer_ranks_may_go_on(tmp_path, larger_map_file):
+    jobs.write(tmp_path, jobs.larger_map())
+    launch.run("run", "job.toml", "--max-wall", "0.3", cwd=tmp_path, ranks=4)
+    assert run_to_the_end(tmp_path, "--quiet", ranks=2) == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+def damage(path, tile):
+    """Changes one stored number, and takes back that the file is finished: as if a run broke off, badly."""
+    with h5py.File(path, "r+") as file:
+        assert file["tiles/done"][tile] == 1
+        file["cycles"][0, 0] += 1
+        file["summary/finished"][()] = 0
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_a_damaged_tile_is_computed_again(tmp_path, small_map_file, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    shutil.copy(small_map_file, tmp_path / "job.h5")
+    damage(tmp_path / "job.h5", tile=0)
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    assert any("damaged" in line for line in launch.messages(finished))
+    map_contents.assert_same_map(tmp_path / "job.h5", small_map_file)
+
+
+def test_a_complete_file_is_left_alone(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.small_map())
+    shutil.copy(small_map_file, tmp_path / "job.h5")
+    before = (tmp_path / "job.h5").read_bytes()
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    assert "job.h5 is complete" in finished.stdout
+    assert (tmp_path / "job.h5").read_bytes() == before
+
+
+@pytest.mark.parametrize("ranks", [None, 2])
+def test_more_failed_cells_than_allowed(tmp_path, small_map_file, ranks):
+    jobs.write(tmp_path, jobs.small_map())
+    shutil.copy(small_map_file, tmp_path / "job.h5")
+    with h5py.File(tmp_path / "job.h5", "r+") as file:
+        file["regime"][0, :3] = 5
+        file["status"][0, :3] = 4
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 4
+    assert len([line for line in launch.messages(finished) if "3 cells failed" in line]) == 1
+    assert "3: numbers grew out of range" in finished.stdout
+    assert launch.run("run", "job.toml", "--set", "limits.failed_cells=3", cwd=tmp_path).returncode == 0
+
+
+def test_another_title_is_the_same_job(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.small_map(title="another title"))
+    shutil.copy(small_map_file, tmp_path / "job.h5")
+    assert "is complete" in launch.run("run", "job.toml", cwd=tmp_path).stdout
+
+
+def test_fresh_starts_over(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.small_map())
+    shutil.copy(small_map_file, tmp_path / "job.h5")
+    finished = launch.run("run", "job.toml", "--fresh", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    assert "is complete" not in finished.stdout
+    assert "0 already in the file" in finished.stderr
+    map_contents.assert_same_map(tmp_path / "job.h5", small_map_file)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["job.h5", "job.toml"]
+
+
+def test_fresh_replaces_the_file_of_another_job(tmp_path, small_basin_file, small_map_file):
+    jobs.write(tmp_path, jobs.small_map())
+    shutil.copy(small_basin_file, tmp_path / "job.h5")
+    assert launch.run("run", "job.toml", "--fresh", "--quiet", cwd=tmp_path).returncode == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", small_map_file)

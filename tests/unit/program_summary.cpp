@@ -1,0 +1,121 @@
+// The summary says what the statistics hold, in words and units for a newcomer.
+#include "program/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace peterka {
+namespace {
+
+job::Job job_of(job::Kind kind) {
+    job::Job job;
+    job.kind = kind;
+    job.title = "a title";
+    job.columns = {0.5, 4.5, 41, job::Spacing::linear};
+    job.rows = {0.0, 5.0, 51, job::Spacing::linear};
+    job.operating_point = {1.8, 1.6};
+    job.steady_state.chaos_cycles = 1234;
+    return job;
+}
+
+output::Statistics statistics_of_a_hundred_cells() {
+    output::Statistics statistics;
+    statistics.counts.by_regime = {60, 30, 7, 0, 2, 1};
+    statistics.counts.unresolved_by_status = {0, 1, 1, 0, 0};
+    statistics.counts.failed_by_status = {0, 0, 0, 0, 1};
+    statistics.counts.cells = 100;
+    statistics.counts.cycles = 2500;
+    statistics.periodic_cells = {{{1, 1}, 10}, {{2, 1}, 15}, {{2, 2}, 5}};
+    statistics.largest.any_regime = {80.0, 10, 20};
+    statistics.largest.one_to_one = {70.0, 0, 15};
+    statistics.tile_seconds = 0.5;
+    return statistics;
+}
+
+std::string summary(const output::Statistics& statistics, job::Kind kind = job::Kind::map,
+                    const std::vector<std::string>& omitted = {}) {
+    const job::Job job = job_of(kind);
+    scene::Scales scales;
+    scales.length_m = 0.89e-3;
+    scales.frequency_rad_per_s = 2 * 3.14159265358979 * 4.5;
+    scales.weight_n = 2.5;
+    return summary_text({job, scales, statistics, omitted, "maps/a.h5", {3, 12.5}});
+}
+
+// The line of the text that contains `word`.
+std::string line_with(const std::string& text, const std::string& word) {
+    const std::size_t found = text.find(word);
+    if (found == std::string::npos) return "no line with " + word;
+    const std::size_t begin = text.rfind('\n', found) + 1;
+    return text.substr(begin, text.find('\n', found) - begin);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Summary, RegimesWithSharesAndOnlyThoseThatOccur) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "no impact"), "60.0 %")) << text;
+    EXPECT_TRUE(contains(line_with(text, "chaotic  "), "1,234 cycles observed")) << text;
+    EXPECT_FALSE(contains(text, "sustained")) << text;
+}
+
+TEST(Summary, CellsWithoutARegimeComeWithReasons) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: no proof within steady_state.max_cycles")) << text;
+    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing dissipates")) << text;
+    EXPECT_TRUE(contains(line_with(text, "failed"), "1: numbers grew out of range")) << text;
+}
+
+TEST(Summary, ClassesByFrequency) {
+    EXPECT_TRUE(contains(summary(statistics_of_a_hundred_cells()), "1/2 15.0 %, 1/1 10.0 %, 2/2 5.0 %\n"));
+}
+
+TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights =   200 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "Omega/omega 2.5 (11.25 Hz), gap/A0 1 (0.89 mm)")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights =   175 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "Omega/omega 2 (9 Hz), gap/A0 0 (0 mm)")) << text;
+}
+
+TEST(Summary, ABasinNamesItsPointAndItsStarts) {
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::basin);
+    EXPECT_TRUE(contains(text, "Omega/omega 1.8, gap/A0 1.6")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "x/A0 2.5, x'/(A0 omega) 1")) << text;
+}
+
+TEST(Summary, NoForceIsSaidInWords) {
+    output::Statistics statistics;
+    statistics.counts.by_regime = {10, 0, 0, 0, 0, 0};
+    statistics.counts.cells = 10;
+    statistics.largest.any_regime = {0.0, 0, 0};
+    const std::string text = summary(statistics);
+    EXPECT_TRUE(contains(text, "No cell ever strikes the stop")) << text;
+    EXPECT_FALSE(contains(text, "inf")) << text;
+}
+
+TEST(Summary, EffortFileAndCommand) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms of computing")) << text;
+    EXPECT_TRUE(contains(text, "12.5 s on 3 ranks")) << text;
+    EXPECT_TRUE(contains(text, "postprocess/draw.py maps/a.h5")) << text;
+}
+
+TEST(Summary, WhatWasLeftOutIsListed) {
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Left out"));
+    const std::string text =
+        summary(statistics_of_a_hundred_cells(), job::Kind::map, {"the cubic term: too small"});
+    EXPECT_TRUE(contains(text, "  - the cubic term: too small\n")) << text;
+}
+
+TEST(Summary, FitsAScreen) {
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::map, {"one", "two"});
+    EXPECT_LE(std::ranges::count(text, '\n'), 26);
+}
+
+}  // namespace
+}  // namespace peterka

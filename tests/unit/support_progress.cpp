@@ -1,0 +1,62 @@
+// What the progress line says; when it is printed is left to the end-to-end tests.
+#include "support/progress.hpp"
+
+#include <gtest/gtest.h>
+
+namespace peterka {
+namespace {
+
+TEST(ProgressText, RateAndTimeLeftComeFromThisRunAlone) {
+    // 1000 cells were in the file, 500 more took 10 s, 500 are left.
+    EXPECT_EQ(progress_text({2000, 1000, 1500}, 10), " 75.0 %  50 cells/s  ETA 10.0 s");
+}
+
+TEST(ProgressText, HundredPercentMeansThatNothingIsLeft) {
+    EXPECT_EQ(progress_text({100000, 0, 99999}, 10).substr(0, 7), " 99.9 %");
+    EXPECT_EQ(progress_text({100000, 0, 100000}, 10).substr(0, 7), "100.0 %");
+}
+
+TEST(ProgressText, InTheEndItSaysHowLongItTook) {
+    EXPECT_EQ(progress_text({2000, 1000, 2000}, 10), "100.0 %  100 cells/s  in 10.0 s");
+}
+
+TEST(ProgressText, NoRateBeforeTheFirstCell) {
+    EXPECT_EQ(progress_text({100, 50, 50}, 3), " 50.0 %");
+    EXPECT_EQ(progress_text({100, 0, 50}, 0), " 50.0 %");
+}
+
+TEST(ProgressBar, FillsFromTheLeft) {
+    EXPECT_EQ(progress_bar({100, 0, 0}, 10), "[..........]");
+    EXPECT_EQ(progress_bar({100, 0, 39}, 10), "[###.......]");
+    EXPECT_EQ(progress_bar({100, 0, 100}, 10), "[##########]");
+    EXPECT_EQ(progress_bar({0, 0, 0}, 10), "[##########]");
+}
+
+TEST(Progress, LinesBeginWithOneThatSaysWhatIsToDo) {
+    testing::internal::CaptureStderr();
+    { Progress(ProgressStyle::lines, 3000, 1000).add(1000); }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "peterka: 2,000 cells to compute, 1,000 already in the file\n");
+}
+
+TEST(Progress, SilentIsSilent) {
+    testing::internal::CaptureStderr();
+    { Progress(ProgressStyle::silent, 3000, 1000).add(2000); }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Progress, ABarEndsWithTheLastCountAndANewLine) {
+    testing::internal::CaptureStderr();
+    {
+        Progress progress(ProgressStyle::bar, 4, 0);
+        for (int cell = 0; cell < 4; ++cell) progress.add(1);
+    }
+    const std::string printed = testing::internal::GetCapturedStderr();
+    const std::string last = printed.substr(printed.rfind('\r'));
+    EXPECT_NE(last.find("[##############################] 100.0 %"), std::string::npos) << printed;
+    EXPECT_EQ(printed.back(), '\n');
+    EXPECT_LT(last.size(), 82U);  // fits a terminal of 80 columns
+}
+
+}  // namespace
+}  // namespace peterka

@@ -1,0 +1,51 @@
+// Numbers as people read them.
+#include "support/readable.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace peterka {
+namespace {
+
+TEST(Readable, CountsHaveSeparators) {
+    EXPECT_EQ(readable_count(0), "0");
+    EXPECT_EQ(readable_count(999), "999");
+    EXPECT_EQ(readable_count(1000), "1,000");
+    EXPECT_EQ(readable_count(1234567), "1,234,567");
+    EXPECT_EQ(readable_count(-123456), "-123,456");
+    EXPECT_EQ(readable_count(std::numeric_limits<std::int64_t>::max()), "9,223,372,036,854,775,807");
+}
+
+TEST(Readable, DurationsChangeUnitAtTheRightPlace) {
+    EXPECT_EQ(readable_duration(12.34e-6), "12.3 us");
+    EXPECT_EQ(readable_duration(0.0123), "12.3 ms");
+    EXPECT_EQ(readable_duration(1.25), "1.2 s");
+    EXPECT_EQ(readable_duration(59.96), "1 min 0 s");  // never "60.0 s"
+    EXPECT_EQ(readable_duration(3725), "1 h 2 min");
+    EXPECT_EQ(readable_duration(50 * 3600.0), "2 days 2 h");
+}
+
+TEST(Readable, ADurationThatIsNoneIsUnknown) {
+    EXPECT_EQ(readable_duration(-1), "unknown");
+    EXPECT_EQ(readable_duration(std::numeric_limits<double>::quiet_NaN()), "unknown");
+    EXPECT_EQ(readable_duration(std::numeric_limits<double>::infinity()), "unknown");
+    EXPECT_EQ(readable_duration(1e300), "ages");
+}
+
+TEST(Readable, BytesInPowersOfAThousand) {
+    EXPECT_EQ(readable_bytes(0), "0 bytes");
+    EXPECT_EQ(readable_bytes(999), "999 bytes");
+    EXPECT_EQ(readable_bytes(1000), "1.0 kB");
+    EXPECT_EQ(readable_bytes(999'960), "1.0 MB");  // never "1000.0 kB"
+    EXPECT_EQ(readable_bytes(15'000'000'000'000), "15.0 TB");
+    EXPECT_EQ(readable_bytes(std::numeric_limits<std::int64_t>::max()), "9.2 EB");
+}
+
+TEST(Readable, SharesOfNothingAreNothing) {
+    EXPECT_EQ(readable_share(1, 3), "33.3 %");
+    EXPECT_EQ(readable_share(0, 0), "0.0 %");
+}
+
+}  // namespace
+}  // namespace peterka
