@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Draws the pictures of peterka's map files.
+
+    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf]
+
+A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force); a basin gives STEM_basin (by
+attractor) and STEM_basin_impact (impact or not). An unfinished file is drawn as far as it is computed, and says so.
+Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
+"""
+
+import argparse
+import gc
+import os
+import sys
+import warnings
+from pathlib import Path
+
+# A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from peterka_pictures import axes, basin_map, force_map, peterka_map  # noqa: E402
+from peterka_pictures.read import NotDrawable, PeterkaFile  # noqa: E402
+
+FORMATS = ("png", "pdf")
+PICTURES = {
+    "map": {
+        "map": peterka_map.draw,
+        "force_1_1": force_map.draw_single_impact,
+        "force_all": force_map.draw_all_impacts,
+    },
+    "basin": {"basin": basin_map.draw_attractors, "basin_impact": basin_map.draw_impact},
+}
+DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
+
+
+class OneLineParser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(BAD_INPUT, f"draw.py: {message}; --help shows the arguments\n")
+
+
+def main():
+    arguments = read_arguments()
+    warnings.filterwarnings("ignore", message="Glyph .* missing")  # a title may use letters the font lacks
+    outcome = DONE
+    for path in arguments.files:
+        try:
+            draw_file(path, arguments.output_dir, arguments.formats)
+        except NotDrawable as refusal:
+            complain(refusal)
+            outcome = outcome or BAD_INPUT
+        except OSError as error:
+            complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+            return BAD_OUTPUT
+    return outcome
+
+
+def read_arguments():
+    parser = OneLineParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
+    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
+    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    arguments = parser.parse_args()
+    stems = [path.stem for path in arguments.files]
+    if len(set(stems)) < len(stems):
+        parser.error("two of the files have the same name, so their pictures would overwrite each other")
+    return arguments
+
+
+def read_formats(text):
+    formats = text.split(",")
+    if not set(formats) <= set(FORMATS):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
+    return formats
+
+
+def draw_file(path, output_dir, formats):
+    with PeterkaFile(path) as file:
+        if file.computed < 1:
+            print(f"{path}: {axes.incomplete_text(file)}")
+        output_dir.mkdir(parents=True, exist_ok=True)
+        for name, draw in PICTURES[file.kind].items():
+            figure = draw(file)
+            if figure is None:
+                print(f"{path}: no cell to draw, {name} is left out")
+                continue
+            for suffix in formats:
+                picture = output_dir / f"{path.stem}_{name}.{suffix}"
+                axes.save(figure, picture)
+                print(picture)
+            # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
+            del figure
+            gc.collect()
+
+
+def complain(message):
+    print(f"draw.py: {' '.join(str(message).split())}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,104 @@
+"""Reads single things out of an HDF5 file that may come from anybody.
+
+Sizes and types are checked before anything is read, and links and data that lie in other files are refused, so that a
+file can neither ask for any amount of memory nor make this program read what is not its own. Every refusal is a
+NotDrawable whose message is one sentence with the file's name.
+"""
+
+import re
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
+INTEGER, REAL = "iu", "f"  # kinds of numpy types
+_ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on damaged files
+
+
+class NotDrawable(Exception):
+    """The file cannot be drawn; the message says why in one line."""
+
+
+class CheckedFile:
+    """An open HDF5 file; close() it."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        self._file = self._open()
+        self.close = self._file.close
+
+    def refusal(self, reason):
+        """The exception to raise: 'FILE reason'."""
+        return NotDrawable(f"{self.path} {reason}")
+
+    def attribute(self, name):
+        """A scalar root attribute as str, int or float; None where it is absent or anything else."""
+        try:
+            value = self._file.attrs.get(name)
+        except _ERRORS:
+            return None
+        if isinstance(value, np.ndarray) and value.size == 1:
+            value = value.reshape(())[()]
+        if isinstance(value, bytes):
+            value = value.decode("utf-8", "replace")
+        return value if isinstance(value, str) or is_number(value) else None
+
+    def dataset(self, name, shape, kinds):
+        """The dataset `name`, of this shape (None: any) and of one of these kinds of numbers, stored in this file."""
+        try:
+            dataset = self._own(name)
+            if dataset.is_virtual or dataset.external:
+                raise self.refusal(f"keeps {name} in another file")
+            if dataset.dtype.kind not in kinds:
+                raise self.refusal(f"has {name} of type {dataset.dtype}")
+            if shape is not None and dataset.shape != shape:
+                raise self.refusal(f"has {name} of shape {dataset.shape} instead of {shape}")
+            if np.prod(dataset.chunks or (1,), dtype=float) * dataset.dtype.itemsize > MAX_CHUNK_BYTES:
+                raise self.refusal(f"keeps {name} in chunks that are too large to read")
+            return dataset
+        except _ERRORS as error:
+            raise self.refusal(f"is damaged: {name} cannot be opened ({_first_line(error)})") from error
+
+    def values(self, name, rows):
+        """These rows (a slice, or () for a scalar) of a dataset that was checked before."""
+        try:
+            return self._file[name][rows]
+        except (*_ERRORS, MemoryError) as error:
+            raise self.refusal(f"is damaged: {name} cannot be read ({_first_line(error)})") from error
+
+    def _own(self, name):
+        parts = name.split("/")
+        links = ["/".join(parts[: depth + 1]) for depth in range(len(parts))]
+        if all(isinstance(self._file.get(link, getlink=True), h5py.HardLink) for link in links):
+            found = self._file[name]
+            if isinstance(found, h5py.Dataset):
+                return found
+        raise self.refusal(f"has no dataset {name}")
+
+    def _open(self):
+        if not self.path.exists():
+            raise self.refusal("does not exist")
+        if self.path.is_dir():
+            raise self.refusal("is a directory; a map file (.h5) is needed")
+        if not self.path.is_file():
+            raise self.refusal("is not a regular file")
+        try:
+            return h5py.File(self.path, "r")
+        except PermissionError as error:
+            raise self.refusal("may not be read (permission denied)") from error
+        except _ERRORS as error:
+            raise self.refusal("is cut short" if "truncated" in str(error) else "is not an HDF5 file") from error
+
+
+def is_number(value):
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
+
+
+def shown(value):
+    """A value out of the file, short and in one line, for a message."""
+    return re.sub(r"\s+", " ", repr(value))[:60]
+
+
+def _first_line(error):
+    return (str(error).splitlines() or [type(error).__name__])[0][:120]

@@ -1,0 +1,89 @@
+"""Brings a map of any size down to a picture of at most LIMIT cells along each axis, one band of rows at a time.
+
+A map within LIMIT is taken cell by cell. A larger one is cut into square blocks of `block` x `block` cells (the last
+ones smaller): a block gets the class that most of its cells have; in a tie, the class that stands first in the table.
+Class numbers are never averaged. A block of a force map gets the largest force in it. Shares and the largest force are
+always taken from all cells. Memory: one band and the picture, whatever the size of the map.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+LIMIT = 2000
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """`image` (rows, columns) of the picture; `row_edges` and `column_edges`, one longer, in the units of the axes."""
+
+    image: np.ndarray
+    row_edges: np.ndarray
+    column_edges: np.ndarray
+
+
+@dataclass(frozen=True)
+class Largest:
+    """The largest value of a field and the cell centre where it is."""
+
+    value: float
+    row_value: float
+    column_value: float
+
+
+def block_size(shape, limit=LIMIT):
+    return max(1, -(-max(shape) // limit))
+
+
+def majority(labels, block, class_count):
+    """Most frequent label of each block: (rows, columns) numbers below class_count to (ceil(rows/block), ...)."""
+    if block == 1:
+        return labels.astype(np.uint8)
+    rows, columns = (-(-size // block) for size in labels.shape)
+    row, column = (np.arange(size) // block for size in labels.shape)
+    place = (row[:, None] * columns + column[None, :]) * class_count + labels
+    votes = np.bincount(place.ravel(), minlength=rows * columns * class_count)
+    return votes.reshape(rows, columns, class_count).argmax(axis=2).astype(np.uint8)
+
+
+def largest(values, block):
+    """Largest value of each block, NaN where it has none: (rows, columns) to (ceil(rows/block), ...)."""
+    row_starts, column_starts = (np.arange(0, size, block) for size in values.shape)
+    return np.fmax.reduceat(np.fmax.reduceat(values, row_starts, axis=0), column_starts, axis=1)
+
+
+def class_picture(file, names, classify, class_count, limit=LIMIT):
+    """The classes of a file, reduced, and the number of its cells in each class, (class_count,).
+
+    `classify` takes the band's arrays `names` and returns labels below class_count, in the shape of the band."""
+    block = block_size(file.shape, limit)
+    counts = np.zeros(class_count, dtype=np.int64)
+    pieces = []
+    for _, band in file.bands(names, block):
+        labels = classify(*(band[name] for name in names))
+        counts += np.bincount(labels.ravel(), minlength=class_count)
+        pieces.append(majority(labels, block, class_count))
+    return _with_edges(file, np.concatenate(pieces), block), counts
+
+
+def force_picture(file, wanted, limit=LIMIT):
+    """peak_force_ratio [F/(m g)] of the wanted cells, reduced, NaN elsewhere; and its Largest, None without such cells.
+
+    `wanted` takes regime, impacts and period of a band and returns a mask of its shape."""
+    block = block_size(file.shape, limit)
+    best, pieces = None, []
+    for first, band in file.bands(["regime", "impacts", "period", "peak_force_ratio"], block):
+        force = band["peak_force_ratio"]
+        usable = wanted(band["regime"], band["impacts"], band["period"]) & np.isfinite(force)
+        force = np.where(usable, force, np.nan)
+        if usable.any():
+            row, column = np.unravel_index(np.nanargmax(force), force.shape)
+            if best is None or force[row, column] > best.value:
+                best = Largest(float(force[row, column]), file.rows.values[first + row], file.columns.values[column])
+        pieces.append(largest(force, block))
+    return _with_edges(file, np.concatenate(pieces), block), best
+
+
+def _with_edges(file, image, block):
+    rows, columns = (np.append(axis.edges[:-1:block], axis.edges[-1]) for axis in (file.rows, file.columns))
+    return Reduced(image, rows, columns)

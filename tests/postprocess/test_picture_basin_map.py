@@ -1,0 +1,107 @@
+"""Basin maps: colours by attractor and by impact, the legend, and where attractors are marked."""
+
+import numpy as np
+import pytest
+from peterka_pictures import basin_map
+from peterka_pictures.read import PeterkaFile
+from picture_samples import CHAOTIC, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin
+
+CELLS = [
+    [orbit(1, 1), orbit(1, 1), orbit(1, 1), orbit(1, 2)],
+    [orbit(1, 1), orbit(1, 1), orbit(1, 1), orbit(1, 2)],
+    [NO_IMPACT, NO_IMPACT, CHAOTIC, CHAOTIC],
+    [NO_IMPACT, NO_IMPACT, UNRESOLVED, SUSTAINED],
+]
+ATTRACTOR = [[1, 1, 2, 3], [1, 1, 2, 3], [0, 0, 4, 4], [0, 0, -1, -1]]
+
+
+def row(regime, impacts, period, force, cells, displacement=0.5, velocity=-1.0):
+    return dict(regime=regime, impacts=impacts, period=period, peak_force_ratio=force, cells=cells,
+                orbit_displacement=displacement, orbit_velocity=velocity)
+
+
+TABLE = [
+    row(0, 0, 1, 0.0, 4), row(1, 1, 1, 41.25, 4), row(1, 1, 1, 20.0, 2), row(1, 1, 2, 60.0, 2), row(2, 0, 0, 9.0, 2),
+]
+
+
+@pytest.fixture
+def basin(tmp_path):
+    with PeterkaFile(write_basin(tmp_path / "a.h5", CELLS, TABLE, ATTRACTOR)) as file:
+        yield file
+
+
+def test_attractors_have_the_colours_of_their_class(basin, tmp_path):
+    drawn = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png")
+    expected = {(0, 0): "1/1", (0, 3): "1/2", (2, 0): "no impact", (2, 3): "chaotic", (3, 2): "unresolved",
+                (3, 3): "sustained contact"}
+    for (line, column), label in expected.items():
+        assert drawn.colour_of(basin, line, column) == colour_named(label), label
+
+
+def test_a_second_attractor_of_a_class_has_its_own_shade(basin, tmp_path):
+    drawn = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png")
+    second = drawn.colour_of(basin, 0, 2)
+    assert second == "#EAAE80"  # half-way from 1/1 to white
+    assert second not in (drawn.colour_of(basin, 0, 0), drawn.colour_of(basin, 0, 3))
+
+
+def test_the_legend_names_attractors_largest_first(basin, tmp_path):
+    texts = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").legend_texts()
+    assert texts[:4] == [
+        "no impact (25.0 %)",
+        r"$z$ = 1/1, $F/(m\,g)$ = 41.2 (25.0 %)",
+        r"$z$ = 1/1, $F/(m\,g)$ = 20 (12.5 %)",
+        r"$z$ = 1/2, $F/(m\,g)$ = 60 (12.5 %)",
+    ]
+    assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 (12.5 %)"
+    assert texts[5:] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
+
+
+def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
+    # At phase 0 the cart moves at A0 Omega: the relative velocity -1 is -1 + 1.8 of a start.
+    marks = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").map_axes.lines
+    assert len(marks) == 4, "all but the chaotic one"
+    for mark in marks:
+        assert np.ravel(mark.get_data()) == pytest.approx([0.5, 0.8])
+
+
+def test_a_mark_outside_the_picture_does_not_widen_it(tmp_path):
+    table = [row(0, 0, 1, 0.0, 16, displacement=100.0)]
+    with PeterkaFile(write_basin(tmp_path / "a.h5", [[NO_IMPACT] * 4] * 4, table, np.zeros((4, 4)))) as file:
+        drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
+    assert drawn.map_axes.get_xlim() == pytest.approx((-4, 4))
+
+
+def test_before_the_table_is_written_classes_are_drawn(tmp_path):
+    cells = [*CELLS[:3], [MISSING] * 4]
+    with PeterkaFile(write_basin(tmp_path / "a.h5", cells)) as file:
+        drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
+        assert drawn.colour_of(file, 0, 0) == colour_named("1/1")
+    assert drawn.map_texts() == ["incomplete: 75.0 % computed"]
+    assert "1/1 (37.5 %)" in drawn.legend_texts()
+
+
+def test_many_attractors_share_one_colour(tmp_path):
+    table = [row(1, 1, 1, 10.0 + n, 30 - n) for n in range(30)]
+    numbers = np.arange(36).reshape(6, 6) % 30
+    with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(1, 1)] * 6] * 6, table, numbers)) as file:
+        drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
+        assert drawn.colour_of(file, 4, 5) == basin_map.OTHER_COLOUR
+    assert len(drawn.legend_texts()) == basin_map.NAMED_ATTRACTORS + 1
+    assert "other attractors (27.8 %)" in drawn.legend_texts()
+
+
+def test_two_colours(basin, tmp_path):
+    drawn = Drawn(basin_map.draw_impact(basin), tmp_path / "a.png")
+    for line, column in ((0, 0), (0, 2), (0, 3), (2, 2)):  # both 1/1, 1/2, chaotic
+        assert drawn.colour_of(basin, line, column) == "#0072B2"
+    assert drawn.colour_of(basin, 3, 0) == basin_map.NO_IMPACT_COLOUR
+    assert drawn.colour_of(basin, 3, 2) == colour_named("unresolved")
+    assert drawn.legend_texts() == [
+        "impact (62.5 %)", "no impact (25.0 %)", "sustained contact (6.2 %)", "unresolved (6.2 %)",
+    ]
+
+
+def test_the_operating_point_is_in_the_title(basin):
+    assert basin_map.draw_impact(basin)._suptitle.get_text() == "Sample\nΩ/ω = 1.8, gap/A₀ = 1.6"
