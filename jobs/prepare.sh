@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Installs what is missing and builds peterka into build/. Safe to repeat. Used by quickstart.sh and tests/run.sh.
+#   jobs/prepare.sh [EXTRA_PACKAGE...]      on Debian 12, Ubuntu 24.04 or later; as root or with sudo
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(g++ cmake ninja-build git
+    libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libsundials-dev libeigen3-dev libfmt-dev libxxhash-dev
+    libcli11-dev libtomlplusplus-dev libgtest-dev
+    python3 python3-numpy python3-h5py python3-xarray python3-netcdf4 python3-h5netcdf python3-matplotlib python3-pytest "$@")
+
+missing=()
+for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+    if ! command -v apt-get >/dev/null; then
+        echo "prepare.sh installs packages with apt-get, which is not here. Install these by other means: ${missing[*]}" >&2
+        exit 1
+    fi
+    as_root=()
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || { echo "Installing ${missing[*]} needs root or sudo." >&2; exit 1; }
+        as_root=(sudo)
+    fi
+    echo "Installing ${#missing[@]} packages: ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
+fi
+
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 ||
+    { cat build.log; exit 1; }
+cmake --build build
+rm -f build.log

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# From a fresh clone to a coloured Peterka map: installs what is missing, builds, computes the map of the paper's
+# 170 mm rig on 2 ranks, and draws it. Safe to repeat: what is done already is not done again.
+#   jobs/quickstart.sh [JOB.toml]           default: jobs/peterka_170mm.toml
+set -euo pipefail
+cd "$(dirname "$0")/.."
+job=${1:-jobs/peterka_170mm.toml}
+
+jobs/prepare.sh
+. jobs/mpi_environment.sh
+
+map=$(basename "$job" .toml).h5
+mpirun -n 2 build/peterka run "$job" --output "$map" </dev/null
+/usr/bin/python3 postprocess/draw.py "$map" --output-dir pictures
+echo
+echo "The map is $PWD/$map, the pictures are in $PWD/pictures:"
+ls pictures/"${map%.h5}"*
