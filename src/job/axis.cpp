@@ -34,7 +34,7 @@ bool resolves_its_points(const Axis& axis) {
     // A value carries a rounding error of an ulp or two; 16 ulps between neighbours keep the order and the
     // spacing.
     constexpr double resolution = 16 * std::numeric_limits<double>::epsilon();
-    const double intervals = static_cast<double>(axis.points - 1);
+    const auto intervals = static_cast<double>(axis.points - 1);
     if (axis.scale == Spacing::linear) {
         const double magnitude = std::max(std::abs(axis.from), std::abs(axis.to));
         return (axis.to - axis.from) / intervals > resolution * magnitude;

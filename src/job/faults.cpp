@@ -1,7 +1,6 @@
 #include "job/faults.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,9 +13,9 @@ std::string line(const std::string& file, const Fault& fault) {
     return fmt::format("{}:{}:{}: {}", file, where.line, where.column, fault.text);
 }
 
-std::string message(const std::string& file, std::vector<Fault> faults) {
-    std::stable_sort(faults.begin(), faults.end(),
-                     [](const Fault& a, const Fault& b) { return a.where < b.where; });
+std::string message(const std::string& file, const std::vector<Fault>& unsorted) {
+    std::vector<Fault> faults = unsorted;
+    std::ranges::stable_sort(faults, {}, &Fault::where);
     std::string text;
     for (const Fault& fault : faults) text += (text.empty() ? "" : "\n") + line(file, fault);
     return text;
@@ -24,7 +23,7 @@ std::string message(const std::string& file, std::vector<Fault> faults) {
 
 }  // namespace
 
-JobFaults::JobFaults(const std::string& file, std::vector<Fault> faults)
+JobFaults::JobFaults(const std::string& file, const std::vector<Fault>& faults)
     : Failure(ExitCode::bad_job, message(file, faults)), count_(faults.size()) {}
 
 JobFaults::JobFaults(const std::string& file, const std::string& text)

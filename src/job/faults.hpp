@@ -29,7 +29,7 @@ struct Fault {
 class JobFaults : public Failure {
   public:
     // `file` as the user named it. The message lists the faults one per line, in the order of their places.
-    JobFaults(const std::string& file, std::vector<Fault> faults);
+    JobFaults(const std::string& file, const std::vector<Fault>& faults);
     // The file as a whole cannot be read as a job.
     JobFaults(const std::string& file, const std::string& text);
 

@@ -15,7 +15,7 @@
 namespace peterka::job {
 namespace {
 
-constexpr std::uintmax_t largest_file = 1024 * 1024;  // [bytes]
+constexpr std::uintmax_t largest_file = 1 << 20;  // [bytes]
 
 void refuse_what_is_no_file(const std::filesystem::path& path) {
     std::error_code error;

@@ -77,6 +77,7 @@ template <typename Choice>
 template <typename Choice>
 [[nodiscard]] std::vector<std::string_view> all_names() {
     std::vector<std::string_view> names;
+    names.reserve(std::size(Names<Choice>::all));
     for (const auto& named : Names<Choice>::all) names.push_back(named.name);
     return names;
 }

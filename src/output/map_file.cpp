@@ -38,9 +38,9 @@ void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
 
 }  // namespace
 
-MapFile::MapFile(const Checked& check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+MapFile::MapFile(Checked check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
                  Access access)
-    : check_(check),
+    : check_(std::move(check)),
       kind_(job.kind),
       force_ratio_per_unit_(force_ratio_per_unit),
       communicator_(communicator),
@@ -91,7 +91,7 @@ void MapFile::record(const RunFacts& facts) {
 }
 
 Statistics MapFile::finish(std::span<const std::string> omitted, const RunFacts& facts) {
-    const Statistics all = statistics();
+    Statistics all = statistics();
     std::string failures = failure_text(all.counts);
     if (kind_ == job::Kind::basin) {
         failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));

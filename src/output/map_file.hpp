@@ -72,7 +72,7 @@ class MapFile {
     void close();
 
   private:
-    MapFile(const Checked& check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+    MapFile(Checked check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
             Access access);
 
     Checked check_;

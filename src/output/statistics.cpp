@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 #include "support/readable.hpp"
 
@@ -21,7 +22,8 @@ void add_each(std::array<std::int64_t, size>& sums, const std::array<std::int64_
 
 template <std::size_t size>
 void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
-    if (value >= 0 && static_cast<std::size_t>(value) < size) ++counts[static_cast<std::size_t>(value)];
+    const auto index = static_cast<std::uint8_t>(value);  // a fill value lands beyond every class
+    if (index < size) ++counts[index];
 }
 
 void add_cell(Statistics& statistics, const StoredCell& cell, std::int64_t row, std::int64_t column) {

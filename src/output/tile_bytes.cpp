@@ -2,6 +2,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace peterka::output {
@@ -28,7 +29,7 @@ std::vector<std::byte> encode(std::span<const Field> fields, std::span<const Sto
 }
 
 std::vector<StoredCell> decode(std::span<const Field> fields, std::span<const std::byte> bytes) {
-    std::vector<StoredCell> cells(bytes.size() / bytes_per_cell(fields));
+    std::vector<StoredCell> cells(bytes.size() / std::max(bytes_per_cell(fields), std::size_t{1}));
     const std::byte* next = bytes.data();
     for (const Field& field : fields) {
         visit_number(field.variable.number, [&](auto value) {

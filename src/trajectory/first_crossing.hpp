@@ -39,13 +39,15 @@ Real parabola_step(Real value, Real slope, Real curvature) {
 template <class Real>
 Real safe_step(Real value, Real slope, Real curvature, const typename Probe<Real>::Bounds& bounds) {
     Real step = parabola_step(value, slope, bounds.curvature);
-    for (Real window = 2 * step; window > 0; window *= 4) {
+    Real window = 2 * step;
+    while (window > 0) {
         const Real local = curvature + bounds.jerk * window;
         if (!(local < bounds.curvature)) return step;
         const bool never = slope * slope < 2 * local * value || (slope <= 0 && local <= 0);
         const Real reach = never ? window : parabola_step(value, slope, local);
         if (reach < window) return std::max(step, reach);
         step = window;
+        window *= 4;
     }
     return step;
 }

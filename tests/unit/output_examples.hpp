@@ -84,7 +84,8 @@ inline regime::CellResult made_up_cell(std::int64_t row, std::int64_t column, in
     const std::int64_t number = row * 31 + column * 17;
     cell.regime = static_cast<regime::Regime>(number % 6);
     cell.cycles = static_cast<std::int32_t>(row + 2 * column);
-    cell.peak_force = 0.25 * static_cast<double>(row) + 0.5 * static_cast<double>(column);
+    // Largest somewhere in the middle.
+    cell.peak_force = 0.25 * static_cast<double>(row * 13 % 50) + 0.5 * static_cast<double>(column * 29 % 70);
     cell.impact_rate = 0.5;
     if (cell.regime == regime::Regime::periodic) {
         const auto orbit = static_cast<int>(number / 6 % orbits);

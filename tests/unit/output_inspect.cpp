@@ -108,8 +108,8 @@ TEST_F(OutputInspect, Directory) {
     expect_refused("is a directory");
 }
 
-TEST_F(OutputInspect, Pipe) {
-    ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+TEST_F(OutputInspect, Socket) {
+    ASSERT_EQ(mknod(path_.c_str(), S_IFSOCK | 0600, 0), 0);
     expect_refused("is not a regular file");
 }
 
@@ -181,8 +181,8 @@ TEST_F(OutputInspect, MissingGroup) {
 
 TEST_F(OutputInspect, WrongType) {
     make();
-    replace_dataset(path::done, H5T_STD_I32LE, {4});
-    expect_refused("dataset /tiles/done is missing or not of its kind");
+    replace_dataset(path::checksum, H5T_IEEE_F64LE, {4});
+    expect_refused("dataset /tiles/checksum is missing or not of its kind");
 }
 
 TEST_F(OutputInspect, WrongSize) {

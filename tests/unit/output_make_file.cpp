@@ -37,6 +37,15 @@ TEST(OutputMakeFile, TwoFilesOfOneJobAreTheSameBytes) {
     make_file(folder / "a.h5", examples::small_basin(20, 4), examples::made_by());
     make_file(folder / "b.h5", examples::small_basin(20, 4), examples::made_by());
     EXPECT_EQ(content_of(folder / "a.h5"), content_of(folder / "b.h5"));
+
+    const Checked check(folder / "a.h5");  // made within one second, they could hide the time of making
+    const FileId file(check(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
+    for (const char* object : {"/", "/tiles", "/attractors/regime", "/cycles"}) {
+        H5O_info_t info;
+        check(H5Oget_info_by_name2(file.id(), object, &info, H5O_INFO_TIME, H5P_DEFAULT),
+              "H5Oget_info_by_name2");
+        EXPECT_EQ(info.ctime, 0) << object;
+    }
 }
 
 TEST(OutputMakeFile, CompleteMapIsKeptUnderAnotherName) {
