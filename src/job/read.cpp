@@ -1,6 +1,5 @@
 #include "job/read.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "job/document.hpp"
@@ -26,7 +25,7 @@ Job read_job_text(std::string_view text, const std::string& name, std::span<cons
     describe(reader, job);
     reader.finish();
 
-    if (!faults.empty()) throw JobFaults(name, std::move(faults));
+    if (!faults.empty()) throw JobFaults(name, faults);
     return job;
 }
 

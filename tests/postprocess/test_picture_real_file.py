@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -9,17 +10,7 @@ RIG = """
 schema = 1
 kind = "{kind}"
 title = "Four by four"
-[hammer]
-mass_kg = 0.298
-natural_frequency_hz = 4.5
-damping_ns_per_m = 0.06
-[cart]
-amplitude_m = 0.89e-3
-[contact]
-law = "kelvin_voigt"
-stiffness_n_per_m = 5.5e6
-damping_ns_per_m = 1.2e3
-"""
+""" + (Path(__file__).parents[1] / "data" / "rig.toml").read_text()
 AXIS = """
 [axes.{name}]
 from = {first}
