@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "output/make_file.hpp"
 #include "output/map_file.hpp"
 #include "output/provenance.hpp"
 #include "parallel/hosts.hpp"
+#include "program/omitted.hpp"
 #include "program/solve_missing.hpp"
 #include "program/summary.hpp"
 #include "scene/scene.hpp"
@@ -31,16 +35,15 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
 }
 
 void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene,
-               const output::Statistics& statistics, const Stopwatch& wall) {
+               const output::Statistics& statistics, std::span<const std::string> omitted,
+               const Stopwatch& wall) {
     if (!session.is_root() || plan.quiet) return;
     if (plan.existing == Existing::complete)
         fmt::print("{} is complete: nothing is computed\n", plan.file.string());
-    fmt::print("{}", summary_text({plan.job,
-                                   scene.scales(),
-                                   statistics,
-                                   scene.omitted(),
-                                   plan.file,
-                                   {session.size(), wall.seconds()}}));
+    fmt::print(
+        "{}",
+        summary_text(
+            {plan.job, scene.scales(), statistics, omitted, plan.file, {session.size(), wall.seconds()}}));
 }
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
@@ -74,9 +77,10 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
         const bool solved = complete || solve_missing_tiles(session, plan, scene, stop, file);
         const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
         if (solved) {
-            const output::Statistics statistics =
-                complete ? file.statistics() : file.finish(scene.omitted(), facts);
-            summarise(session, plan, scene, statistics, wall);
+            const output::Statistics statistics = file.statistics();
+            const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
+            if (!complete) file.finish(statistics, omitted, facts);
+            summarise(session, plan, scene, statistics, omitted, wall);
             code = judge(session, plan, statistics);
         } else {
             file.record(facts);

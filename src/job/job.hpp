@@ -15,7 +15,7 @@ namespace peterka::job {
 enum class Kind { map, basin };
 enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
 enum class Spacing { linear, log };
-enum class EngineChoice { automatic, exact };
+enum class EngineChoice { automatic, exact, split, cvode, arkode };
 
 // The hammer on its beam springs: m x'' + c (x' - y') + k (x - y) + k3 (x - y)^3 = -F.
 // Exactly one of natural_frequency_hz and stiffness_n_per_m, and one of damping_ns_per_m and damping_ratio, is

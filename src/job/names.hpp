@@ -40,9 +40,10 @@ struct Names<ContactLaw> {
 
 template <>
 struct Names<EngineChoice> {
-    static constexpr std::array all{Named{EngineChoice::automatic, "auto"},
-                                    Named{EngineChoice::exact, "exact"}};
-    static LaterNames later() { return {"split", "cvode", "arkode"}; }
+    static constexpr std::array all{Named{EngineChoice::automatic, "auto"}, Named{EngineChoice::exact, "exact"},
+                                    Named{EngineChoice::split, "split"}, Named{EngineChoice::cvode, "cvode"},
+                                    Named{EngineChoice::arkode, "arkode"}};
+    static LaterNames later() { return {}; }
 };
 
 template <>

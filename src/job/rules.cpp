@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "job/axis.hpp"
+#include "job/names.hpp"
 #include "job/toml_text.hpp"
 
 namespace peterka::job {
@@ -33,11 +34,21 @@ std::string rule_of_resolution(std::string_view axis_name, const Axis& axis) {
         axis_name, axis.points, toml_text(axis.from), toml_text(axis.to));
 }
 
-std::string rule_of_linear_spring(const Hammer& hammer) {
-    if (hammer.cubic_stiffness_n_per_m3 == 0) return {};
+std::string rule_of_engine(const Hammer& hammer, const Solver& solver) {
+    const bool integrates = solver.engine == EngineChoice::cvode || solver.engine == EngineChoice::arkode;
+    if (integrates && solver.tolerance < 1e-12) {
+        return fmt::format(
+            "solver.engine = \"{}\" cannot reach solver.tolerance = {}; an integrator's steps add up rounding "
+            "errors; ask "
+            "for 1e-12 or more",
+            name(solver.engine), toml_text(solver.tolerance));
+    }
+    if (hammer.cubic_stiffness_n_per_m3 == 0 || solver.engine != EngineChoice::exact) return {};
     return fmt::format(
-        "hammer.cubic_stiffness_n_per_m3 = {} cannot be solved; this version has the exact engine "
-        "only, whose closed form needs a linear spring; leave the key out or set it to 0",
+        "solver.engine = \"exact\" has no cubic spring, and hammer.cubic_stiffness_n_per_m3 = {}; its closed "
+        "form is "
+        "that of a linear one; use \"auto\", which leaves the term out where that is safe, or set the "
+        "stiffness to 0",
         toml_text(hammer.cubic_stiffness_n_per_m3));
 }
 

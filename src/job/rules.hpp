@@ -12,7 +12,7 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_direction(std::string_view axis_name, const Axis& axis);
 [[nodiscard]] std::string rule_of_logarithm(std::string_view axis_name, const Axis& axis);
 [[nodiscard]] std::string rule_of_resolution(std::string_view axis_name, const Axis& axis);
-[[nodiscard]] std::string rule_of_linear_spring(const Hammer& hammer);
+[[nodiscard]] std::string rule_of_engine(const Hammer& hammer, const Solver& solver);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

@@ -66,7 +66,6 @@ void describe(Walker& table, Hammer& hammer) {
         from_to(-largest_magnitude, largest_magnitude, "a cubic stiffness is a finite physical magnitude"));
     table.choice({"cubic", "form of the cubic term: relative k3 (x - y)^3, absolute k3 (x^3 - y^3)"},
                  hammer.cubic);
-    table.rule({"cubic_stiffness_n_per_m3"}, [&] { return rule_of_linear_spring(hammer); });
 }
 
 template <typename Walker>
@@ -166,7 +165,7 @@ void describe(Walker& table, SteadyState& steady_state) {
 
 template <typename Walker>
 void describe(Walker& table, Solver& solver) {
-    table.choice({"engine", "how a trajectory is computed, auto or exact"}, solver.engine);
+    table.choice({"engine", "how a trajectory is computed"}, solver.engine);
     table.number({"tolerance", "relative error asked for in peak force [1]"}, solver.tolerance,
                  between(0.0, 1.0, "a relative error of 0 is never reached, and one of 1 says nothing"));
     table.number({"omit_tolerance", "what leaving a term out may change in peak force, 0 keeps all [1]"},
@@ -209,7 +208,10 @@ void describe(Walker& file, Job& job) {
 
     file.table({"steady_state", "when a regime counts as proved"},
                [&](auto& table) { describe(table, job.steady_state); });
-    file.table({"solver", "engine and tolerances"}, [&](auto& table) { describe(table, job.solver); });
+    file.table({"solver", "engine and tolerances"}, [&](auto& table) {
+        describe(table, job.solver);
+        table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.solver); });
+    });
     file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
         table.choices({"fields", "extra fields: multiplier, lyapunov, sensitivity, orbit"}, job.output.fields);
     });

@@ -20,6 +20,7 @@ constexpr double nan = regime::unknown;
 constexpr Field fields[] = {
     {{"regime", Number::int8, not_computed, "", "regime of the steady state", regime_names}, always, member<&CellResult::regime>, table_too},
     {{"status", Number::int8, not_computed, "", "why a cell is unresolved or failed", status_names}, always, member<&CellResult::status>},
+    {{"engine", Number::int8, not_computed, "", "engine that carried the cell; exact leaves a cubic spring out", engine_names}, always, member<&CellResult::engine>},
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
     {{"period", Number::int32, -1, "1", "period q of z = p/q in forcing cycles"}, always, member<&CellResult::period>, table_too},
     {{"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight, F/(m g0)"}, always, member<&CellResult::peak_force>, table_too},

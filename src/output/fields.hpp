@@ -19,8 +19,9 @@ using StoredCell = regime::CellResult;
 
 inline constexpr std::array<const char*, 6> regime_names{"no_impact",         "periodic",   "chaotic",
                                                          "sustained_contact", "unresolved", "failed"};
-inline constexpr std::array<const char*, 5> status_names{"proved", "budget", "conservative", "too_many_events",
-                                                         "not_finite"};
+inline constexpr std::array<const char*, 6> status_names{"proved",          "budget",     "conservative",
+                                                         "too_many_events", "not_finite", "solver_failed"};
+inline constexpr std::array<const char*, 4> engine_names{"exact", "split", "cvode", "arkode"};
 
 // The member of a cell that a field stores, as a double (each number type used fits one exactly).
 struct Member {

@@ -90,9 +90,9 @@ void MapFile::record(const RunFacts& facts) {
     on_first_rank(communicator_, [&] { write_facts(check_, file_.id(), facts); });
 }
 
-Statistics MapFile::finish(std::span<const std::string> omitted, const RunFacts& facts) {
-    Statistics all = statistics();
-    std::string failures = failure_text(all.counts);
+void MapFile::finish(const Statistics& statistics, std::span<const std::string> omitted,
+                     const RunFacts& facts) {
+    std::string failures = failure_text(statistics.counts);
     if (kind_ == job::Kind::basin) {
         failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));
     }
@@ -107,7 +107,6 @@ Statistics MapFile::finish(std::span<const std::string> omitted, const RunFacts&
         std::error_code ignored;
         std::filesystem::remove(previous_name(check_.path()), ignored);
     });
-    return all;
 }
 
 void MapFile::close() {

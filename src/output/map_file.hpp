@@ -65,8 +65,9 @@ class MapFile {
     void record(const RunFacts& facts);
 
     // Collective, once all tiles are written: numbers a basin's attractors, stores texts and facts, marks the
-    // file finished and removes previous_name(path). `omitted`: sentences. Returns statistics().
-    Statistics finish(std::span<const std::string> omitted, const RunFacts& facts);
+    // file finished and removes previous_name(path). `statistics` are those of statistics(), `omitted`
+    // sentences.
+    void finish(const Statistics& statistics, std::span<const std::string> omitted, const RunFacts& facts);
 
     // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
     void close();

@@ -31,6 +31,7 @@ void add_cell(Statistics& statistics, const StoredCell& cell, std::int64_t row, 
     ++counts.cells;
     counts.cycles += cell.cycles;
     count(counts.by_regime, static_cast<std::int8_t>(cell.regime));
+    count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.regime == Regime::failed) count(counts.failed_by_status, static_cast<std::int8_t>(cell.status));
@@ -72,6 +73,7 @@ void Counts::add(const Counts& other) {
     add_each(by_regime, other.by_regime);
     add_each(unresolved_by_status, other.unresolved_by_status);
     add_each(failed_by_status, other.failed_by_status);
+    add_each(by_engine, other.by_engine);
     cells += other.cells;
     cycles += other.cycles;
 }

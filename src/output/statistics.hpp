@@ -38,6 +38,7 @@ struct Counts {
     std::array<std::int64_t, regime_names.size()> by_regime{};
     std::array<std::int64_t, status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, status_names.size()> failed_by_status{};
+    std::array<std::int64_t, engine_names.size()> by_engine{};
     std::int64_t cells = 0;   // computed
     std::int64_t cycles = 0;  // forcing cycles spent on them
 

@@ -2,7 +2,6 @@
 
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace peterka::output {
@@ -28,8 +27,9 @@ std::vector<std::byte> encode(std::span<const Field> fields, std::span<const Sto
     return bytes;
 }
 
-std::vector<StoredCell> decode(std::span<const Field> fields, std::span<const std::byte> bytes) {
-    std::vector<StoredCell> cells(bytes.size() / std::max(bytes_per_cell(fields), std::size_t{1}));
+std::vector<StoredCell> decode(std::span<const Field> fields, std::span<const std::byte> bytes,
+                               std::size_t count) {
+    std::vector<StoredCell> cells(count);
     const std::byte* next = bytes.data();
     for (const Field& field : fields) {
         visit_number(field.variable.number, [&](auto value) {

@@ -15,8 +15,9 @@ namespace peterka::output {
 
 [[nodiscard]] std::vector<std::byte> encode(std::span<const Field> fields, std::span<const StoredCell> cells);
 
-// The inverse: members of no stored field keep the defaults of CellResult.
-[[nodiscard]] std::vector<StoredCell> decode(std::span<const Field> fields, std::span<const std::byte> bytes);
+// The inverse, for `count` cells: members of no stored field keep the defaults of CellResult.
+[[nodiscard]] std::vector<StoredCell> decode(std::span<const Field> fields, std::span<const std::byte> bytes,
+                                             std::size_t count);
 
 // Bytes that one cell takes in all fields together.
 [[nodiscard]] std::size_t bytes_per_cell(std::span<const Field> fields);

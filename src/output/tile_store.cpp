@@ -45,7 +45,7 @@ void TileStore::write(const parallel::Tile& tile, std::span<const StoredCell> ce
 }
 
 std::vector<StoredCell> TileStore::read(const parallel::Tile& tile) const {
-    return decode(fields_, read_bytes(tile));
+    return decode(fields_, read_bytes(tile), static_cast<std::size_t>(tile.size()));
 }
 
 TileState TileStore::state(const parallel::Tile& tile) const {

@@ -24,6 +24,15 @@ enum class Status : std::int8_t {
     conservative = 2,     // nothing dissipates, so nothing settles
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers
+    solver_failed = 5,    // the integrator gave up
+};
+
+// Which engine carried the cell. Stored as int8; part of the file format.
+enum class Engine : std::int8_t {
+    exact = 0,   // closed form; a cubic spring is left out
+    split = 1,   // closed form with the cubic spring as kicks
+    cvode = 2,   // Adams, or BDF where the contact is stiff
+    arkode = 3,  // explicit Runge-Kutta, or implicit where the contact is stiff
 };
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -31,15 +40,17 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct CellResult {
     Regime regime = Regime::failed;
     Status status = Status::proved;
+    Engine engine = Engine::exact;
     std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
     std::int32_t period =
         0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none
-    std::int32_t cycles = 0;       // forcing cycles integrated in all: trajectory, Newton steps and measurement
-    double peak_force = unknown;   // F/(k A0), largest over the steady state; NaN where failed
-    double impact_rate = 0;        // impacts per forcing cycle, any regime; NaN where failed
-    double multiplier = unknown;   // largest |Floquet multiplier| of the proved orbit
-    double lyapunov = unknown;     // largest Lyapunov exponent per forcing cycle
-    double sensitivity = unknown;  // ln G, the largest growth of a start perturbation during the run
+    std::int32_t cycles = 0;      // forcing cycles integrated in all: trajectory, Newton steps and measurement
+    double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed
+    double largest_displacement = unknown;  // of |u| = |x - y|/A0 over the same time, an upper bound
+    double impact_rate = 0;                 // impacts per forcing cycle, any regime; NaN where failed
+    double multiplier = unknown;            // largest |Floquet multiplier| of the proved orbit
+    double lyapunov = unknown;              // largest Lyapunov exponent per forcing cycle
+    double sensitivity = unknown;           // ln G, the largest growth of a start perturbation during the run
     double orbit_displacement =
         unknown;                      // (x - y)/A0 at forcing phase 0, on the orbit's point of smallest value
     double orbit_velocity = unknown;  // (x' - y')/(A0 omega) there

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace peterka::regime {
 
@@ -13,64 +14,59 @@ constexpr double newton_residual = 1e-11;    // relative; some thousand times th
 constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
 constexpr double same_orbit = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
 
-struct NewtonResult {
-    Point point;
-    Passage passage;
-};
+PeriodicOrbit orbit_of(const Point& point, std::int64_t q, const Passage& passage) {
+    return {point, q, passage.jacobian, spectral_radius(passage.jacobian), passage.pattern, passage.touched};
+}
 
-// Solves M^q(x) = x. The last step is taken when the residual is already small, so the point is better than the
-// residual.
-std::optional<NewtonResult> solve_orbit(StroboscopicMap& map, Point x, std::int64_t q) {
-    double last_residual = std::numeric_limits<double>::infinity();
+}  // namespace
+
+// Newton's method on M^q(x) = x. It goes on until rounding stops it, so the point is better than the residual
+// asked for.
+std::optional<PeriodicOrbit> find_orbit(StroboscopicMap& map, const Point& guess, std::int64_t q) {
+    Point x = guess;
+    const double residual_asked = std::max(newton_residual, 10 * map.noise());
+    double last_size = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= newton_steps; ++step) {
         const Passage passage = map.advance(x, q);
         if (!passage.ok) return std::nullopt;
         const Point residual = passage.end - x;
         const double size = residual.lpNorm<Eigen::Infinity>() / magnitude(x);
-        const bool stalled = size > last_residual / 2;
-        if (size < newton_residual && (stalled || size < 1e-15)) return NewtonResult{x, passage};
-        last_residual = size;
+        const bool small = size < residual_asked;
+        if (small && (size > last_size / 2 || size < 1e-15 || step == newton_steps))
+            return orbit_of(x, q, passage);
+        last_size = size;
         const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - passage.jacobian;
         const Point correction = system.partialPivLu().solve(residual);
         if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(x)) return std::nullopt;
-        if (step == newton_steps) {
-            if (size < newton_residual) return NewtonResult{x, passage};
-            break;
-        }
         x += correction;
     }
     return std::nullopt;
 }
 
-PeriodicOrbit make_orbit(const NewtonResult& result, std::int64_t q) {
-    return {result.point, q, result.passage.jacobian, spectral_radius(result.passage.jacobian),
-            result.passage.pattern};
-}
-
-}  // namespace
-
 std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                std::int64_t q) {
-    const auto found = solve_orbit(map, trajectory.state(), q);
-    if (!found || found->passage.pattern != trajectory.pattern(q)) return std::nullopt;
+    const auto found = find_orbit(map, trajectory.state(), q);
+    if (!found || found->pattern != trajectory.pattern(q)) return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0) continue;
         const Passage passage = map.advance(found->point, divisor);
         const double tolerance = same_orbit * magnitude(found->point);
         if (!passage.ok || (passage.end - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
-        const auto smaller = solve_orbit(map, found->point, divisor);
+        const auto smaller = find_orbit(map, found->point, divisor);
         if (!smaller || (smaller->point - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
-        const PeriodicOrbit orbit = make_orbit(*smaller, divisor);
-        if (orbit.multiplier < largest_stable && orbit.pattern == trajectory.pattern(divisor)) return orbit;
+        if (smaller->multiplier < largest_stable && smaller->pattern == trajectory.pattern(divisor))
+            return smaller;
     }
-    const PeriodicOrbit orbit = make_orbit(*found, q);
-    if (!(orbit.multiplier < largest_stable)) return std::nullopt;
-    return orbit;
+    if (!(found->multiplier < largest_stable)) return std::nullopt;
+    return found;
 }
 
-ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state)
-    : orbit_(orbit), contraction_((1 + orbit.multiplier) / 2), error_(state - orbit.point) {
+ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)
+    : orbit_(orbit),
+      contraction_((1 + orbit.multiplier) / 2),
+      at_rest_(std::max(1e-9, 100 * noise) * magnitude(orbit.point)),
+      error_(state - orbit.point) {
     // The metric P = sum of (J/mu)^kT (J/mu)^k solves P - (J/mu)^T P (J/mu) = I, and in it ||J x|| <= mu ||x||.
     const Eigen::Matrix2d j = orbit.jacobian / contraction_;
     Eigen::Matrix3d system;
@@ -84,15 +80,13 @@ ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state)
 ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPattern pattern) {
     constexpr int needed_in_a_row = 2;
     constexpr int allowed_failures = 12;
-    // Below this distance the remainder is rounding; both points lie on the same smooth branch.
-    const double rounding = 1e-9 * magnitude(orbit_.point);
 
     const Point before = error_;
     error_ = state - orbit_.point;
     if (pattern != orbit_.pattern) return Verdict::refuted;
     const double remainder = norm(error_ - orbit_.jacobian * before);
     const bool at_rest =
-        std::max(before.lpNorm<Eigen::Infinity>(), error_.lpNorm<Eigen::Infinity>()) < rounding;
+        std::max(before.lpNorm<Eigen::Infinity>(), error_.lpNorm<Eigen::Infinity>()) < at_rest_;
     if (at_rest || remainder <= (1 - contraction_) / 2 * norm(before)) {
         return ++in_a_row_ >= needed_in_a_row ? Verdict::proved : Verdict::open;
     }

@@ -16,7 +16,11 @@ struct PeriodicOrbit {
     Eigen::Matrix2d jacobian;  // of the q-cycle map at the point
     double multiplier = 0;     // spectral radius of the Jacobian, < 1
     EventPattern pattern = 0;  // of the q cycles
+    bool touched = false;      // the stop presses at some time
 };
+
+// The orbit of period q, stable or not, that Newton's method reaches from a guess.
+std::optional<PeriodicOrbit> find_orbit(StroboscopicMap& map, const Point& guess, std::int64_t q);
 
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.
@@ -30,7 +34,8 @@ class ConvergenceTest {
   public:
     enum class Verdict { open, proved, refuted };
 
-    ConvergenceTest(const PeriodicOrbit& orbit, const Point& state);
+    // noise: relative error of a cycle beyond rounding.
+    ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise);
 
     [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
     // The state one orbit period later, and the pattern of the cycles in between.
@@ -42,6 +47,7 @@ class ConvergenceTest {
     PeriodicOrbit orbit_;
     Eigen::Matrix2d metric_;
     double contraction_;  // mu: the Jacobian shrinks every vector to mu of its norm or less
+    double at_rest_;  // below this distance the remainder is rounding, and both points lie on one smooth branch
     Point error_;
     int in_a_row_ = 0;
     int failures_ = 0;

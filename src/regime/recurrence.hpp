@@ -14,8 +14,10 @@ namespace peterka::regime {
 
 class Recurrence {
   public:
-    explicit Recurrence(std::int64_t longest)
+    // untouched: whether motions without contact are candidates too.
+    Recurrence(std::int64_t longest, bool untouched)
         : longest_(longest),
+          untouched_(untouched),
           entries_(static_cast<std::size_t>(2 * longest + 1)),
           tried_at_(static_cast<std::size_t>(longest + 1), first_distance) {}
 
@@ -39,7 +41,8 @@ class Recurrence {
     [[nodiscard]] std::optional<std::int64_t> candidate() {
         const Entry& now = entry(recorded_);
         for (std::int64_t q = 1; q <= longest_ && 2 * q < recorded_; ++q) {
-            if (entry(recorded_ - q).pattern != now.pattern || recorded_ - last_touch_ >= q) continue;
+            if (entry(recorded_ - q).pattern != now.pattern) continue;
+            if (recorded_ - last_touch_ >= q && !untouched_) continue;
             const double distance = (now.state - entry(recorded_ - q).state).lpNorm<Eigen::Infinity>();
             const double tried_at = tried_at_[static_cast<std::size_t>(q)];
             if (!(distance < retry_factor * tried_at) || !patterns_repeat(q) || stretches(q)) continue;
@@ -86,6 +89,7 @@ class Recurrence {
     }
 
     std::int64_t longest_;
+    bool untouched_;
     std::vector<Entry> entries_;
     std::vector<double> tried_at_;
     std::int64_t recorded_ = 0;

@@ -8,6 +8,7 @@
 #include "regime/growth.hpp"
 #include "regime/periodic_orbit.hpp"
 #include "regime/recurrence.hpp"
+#include "regime/settling.hpp"
 #include "regime/stroboscopic_map.hpp"
 
 namespace peterka::regime {
@@ -21,21 +22,39 @@ struct Window {
     std::int64_t cycles = 0;
     std::int64_t impacts = 0;
     double peak_force = 0;
+    double largest_displacement = 0;
 
     void add(const Passage& cycle) {
         ++cycles;
         impacts += cycle.impacts;
         peak_force = std::max(peak_force, cycle.peak_force);
+        largest_displacement = std::max(largest_displacement, cycle.largest_displacement);
     }
 };
 
+Status status_of(Cycle<double>::Outcome outcome) {
+    switch (outcome) {
+        case Cycle<double>::Outcome::too_many_events:
+            return Status::too_many_events;
+        case Cycle<double>::Outcome::not_finite:
+            return Status::not_finite;
+        case Cycle<double>::Outcome::solver_failed:
+            return Status::solver_failed;
+        case Cycle<double>::Outcome::done:
+            break;
+    }
+    return Status::proved;
+}
+
 class Search {
   public:
-    Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget)
+    Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
+           const EngineSettings& engine)
         : scene_(scene),
           budget_(budget),
-          map_(scene),
-          recurrence_(budget.max_period),
+          map_(scene, engine),
+          settling_(map_),
+          recurrence_(budget.max_period, scene.cubic != 0),
           state_(map_.scaled(start)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
           conservative_(scene.damping_ratio == 0 && scene.contact_damping == 0) {}
@@ -43,9 +62,13 @@ class Search {
     CellResult run() {
         for (std::int64_t cycle = 0;; ++cycle) {
             const auto state = map_.unscaled(state_);
-            if (map_.cycle().stays_free(state)) return no_impact();
-            if (map_.cycle().stays_in_contact(state)) return sustained_contact(state);
-            if (cycle == budget_.max_cycles) return unproved(Regime::unresolved, Status::budget);
+            if (const auto free = settling_.stays_free(state)) return settled(*free, Regime::no_impact);
+            if (const auto contact = settling_.stays_in_contact(state)) {
+                return settled(*contact, Regime::sustained_contact);
+            }
+            const bool ends = cycle == budget_.max_cycles || (conservative_ && cycle == budget_.chaos_cycles);
+            if (ends)
+                return unproved(Regime::unresolved, conservative_ ? Status::conservative : Status::budget);
             const bool measured = cycle >= measure_from_;
             const Passage passage = map_.advance(state_, 1, measured);
             if (!passage.ok) return failed(passage.outcome);
@@ -53,11 +76,7 @@ class Search {
             growth_.advance(passage.jacobian);
             if (measured) window_.add(passage);
 
-            if (conservative_) {
-                if (cycle + 1 >= budget_.chaos_cycles)
-                    return unproved(Regime::unresolved, Status::conservative);
-                continue;
-            }
+            if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
             if (converged(passage)) return periodic(test_->orbit());
             if (cycle + 1 >= budget_.chaos_cycles && growth_.block_just_closed() && growth_.surely_positive()) {
@@ -74,7 +93,7 @@ class Search {
             if (!q) return false;
             const auto orbit = find_stable_orbit(map_, recurrence_, *q);
             if (!orbit) return false;
-            test_.emplace(*orbit, state_);
+            test_.emplace(*orbit, state_, map_.noise());
             tested_cycles_ = 0;
             pattern_ = 0;
             return false;
@@ -90,11 +109,17 @@ class Search {
 
     CellResult periodic(const PeriodicOrbit& orbit) {
         const Passage passage = map_.advance(orbit.point, orbit.period, true);
-        CellResult result = settled(orbit.jacobian, orbit.period, map_.unscaled(lowest_point(orbit)));
-        result.regime = passage.separated ? Regime::periodic : Regime::sustained_contact;
+        if (!passage.touched || !passage.separated) {
+            return settled(
+                {map_.unscaled(orbit.point), orbit.jacobian, passage.peak_force, passage.largest_displacement},
+                passage.touched ? Regime::sustained_contact : Regime::no_impact);
+        }
+        CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest_point(orbit)));
+        result.regime = Regime::periodic;
         result.impacts = passage.impacts;
-        result.period = static_cast<std::int32_t>(passage.separated ? orbit.period : 1);
+        result.period = static_cast<std::int32_t>(orbit.period);
         result.peak_force = passage.peak_force;
+        result.largest_displacement = passage.largest_displacement;
         result.impact_rate = static_cast<double>(passage.impacts) / static_cast<double>(orbit.period);
         return result;
     }
@@ -110,20 +135,12 @@ class Search {
         return lowest;
     }
 
-    CellResult no_impact() {
-        CellResult result = settled(map_.cycle().flight_jacobian(), 1, map_.cycle().steady_flight());
-        result.regime = Regime::no_impact;
+    CellResult settled(const SettledMotion& motion, Regime regime) {
+        CellResult result = on_orbit(motion.jacobian, 1, motion.point);
+        result.regime = regime;
         result.period = 1;
-        result.peak_force = 0;
-        return result;
-    }
-
-    CellResult sustained_contact(const scene::State<double>& state) {
-        CellResult result = settled(map_.cycle().contact_jacobian(), 1, map_.cycle().steady_contact());
-        result.regime = Regime::sustained_contact;
-        result.period = 1;
-        result.peak_force =
-            conservative_ ? map_.cycle().largest_contact_force(state) : map_.cycle().steady_contact_force();
+        result.peak_force = motion.peak_force;
+        result.largest_displacement = motion.largest_displacement;
         return result;
     }
 
@@ -132,6 +149,7 @@ class Search {
         result.regime = regime;
         result.status = status;
         result.peak_force = window_.peak_force;
+        result.largest_displacement = window_.largest_displacement;
         const auto cycles = static_cast<double>(std::max<std::int64_t>(window_.cycles, 1));
         result.impact_rate = static_cast<double>(window_.impacts) / cycles;
         result.lyapunov = growth_.exponent();
@@ -141,14 +159,13 @@ class Search {
     CellResult failed(Cycle<double>::Outcome outcome) {
         CellResult result = counted();
         result.regime = Regime::failed;
-        result.status =
-            outcome == Cycle<double>::Outcome::not_finite ? Status::not_finite : Status::too_many_events;
+        result.status = status_of(outcome);
         result.impact_rate = unknown;
         return result;
     }
 
-    CellResult settled(const Eigen::Matrix2d& jacobian, std::int64_t period,
-                       const scene::State<double>& point) {
+    CellResult on_orbit(const Eigen::Matrix2d& jacobian, std::int64_t period,
+                        const scene::State<double>& point) {
         CellResult result = counted();
         result.multiplier = spectral_radius(jacobian);
         result.lyapunov = std::log(result.multiplier) / static_cast<double>(period);
@@ -159,6 +176,7 @@ class Search {
 
     CellResult counted() {
         CellResult result;
+        result.engine = map_.engine();
         result.cycles = static_cast<std::int32_t>(
             std::min<std::int64_t>(map_.cycles_spent(), std::numeric_limits<std::int32_t>::max()));
         result.sensitivity = growth_.sensitivity();
@@ -168,6 +186,7 @@ class Search {
     scene::Oscillator<double> scene_;
     Budget budget_;
     StroboscopicMap map_;
+    Settling settling_;
     Recurrence recurrence_;
     Growth growth_;
     Window window_;
@@ -182,8 +201,8 @@ class Search {
 }  // namespace
 
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                             const Budget& budget) {
-    return Search(scene, start, budget).run();
+                             const Budget& budget, const EngineSettings& engine) {
+    return Search(scene, start, budget, engine).run();
 }
 
 }  // namespace peterka::regime

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "regime/cell_result.hpp"
+#include "regime/engine.hpp"
 #include "scene/oscillator.hpp"
 
 namespace peterka::regime {
@@ -26,6 +27,6 @@ struct Budget {
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                             const Budget& budget);
+                             const Budget& budget, const EngineSettings& engine = {});
 
 }  // namespace peterka::regime

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <variant>
 
-#include "trajectory/exact_cycle_map.hpp"
+#include "regime/engine.hpp"
 
 namespace peterka::regime {
 
@@ -27,43 +28,63 @@ struct Passage {
     bool touched = false;
     bool separated = false;
     double peak_force = 0;
+    double largest_displacement = 0;
 };
 
 class StroboscopicMap {
   public:
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
-    explicit StroboscopicMap(const scene::Oscillator<double>& scene) : cycle_(scene) {
+    StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings)
+        : scene_(scene), settings_(settings), cycle_(make_cycle_map(scene, settings)) {
         const double length = scene.drive() / (1 + scene.drive());
         scale_ = {length, length * std::max(1.0, scene.frequency)};
     }
 
-    [[nodiscard]] const trajectory::ExactCycleMap<double>& cycle() const { return cycle_; }
+    // The same engine on another scene.
+    [[nodiscard]] StroboscopicMap with_scene(const scene::Oscillator<double>& scene) const {
+        return {scene, settings_};
+    }
+
+    [[nodiscard]] const scene::Oscillator<double>& scene() const { return scene_; }
     [[nodiscard]] Point scaled(const scene::State<double>& x) const { return x.cwiseQuotient(scale_); }
     [[nodiscard]] scene::State<double> unscaled(const Point& x) const { return x.cwiseProduct(scale_); }
+    [[nodiscard]] Eigen::Matrix2d unscaled(const Eigen::Matrix2d& jacobian) const {
+        return scale_.asDiagonal() * jacobian * scale_.cwiseInverse().asDiagonal();
+    }
+    // Relative error of a cycle beyond rounding: results of integrators are rough on this scale.
+    [[nodiscard]] double noise() const {
+        const bool integrates = settings_.engine == Engine::cvode || settings_.engine == Engine::arkode;
+        return integrates ? settings_.tolerance : 0;
+    }
+    [[nodiscard]] Engine engine() const { return settings_.engine; }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
-    [[nodiscard]] Passage advance(const Point& from, std::int64_t cycles, bool measure_force = false) {
+    [[nodiscard]] Passage advance(const Point& from, std::int64_t cycles, bool measure = false) {
         Passage passage;
         passage.end = from;
         for (std::int64_t n = 0; n < cycles && passage.ok; ++n) {
-            const auto cycle = cycle_(unscaled(passage.end), measure_force);
+            const trajectory::Cycle<double> cycle =
+                std::visit([&](auto& map) { return map(unscaled(passage.end), measure); }, cycle_);
             ++spent_;
             passage.ok = cycle.outcome == trajectory::Cycle<double>::Outcome::done;
             passage.outcome = cycle.outcome;
             passage.end = scaled(cycle.end);
             passage.jacobian = (cycle.jacobian * passage.jacobian).eval();
-            passage.pattern = trajectory::append(passage.pattern, cycle.pattern);
+            passage.pattern = append(passage.pattern, cycle.pattern);
             passage.impacts += cycle.impacts;
             passage.touched |= cycle.touched;
             passage.separated |= cycle.separated;
             passage.peak_force = std::max(passage.peak_force, cycle.peak_force);
+            passage.largest_displacement = std::max(passage.largest_displacement, cycle.largest_displacement);
         }
         passage.jacobian = scale_.cwiseInverse().asDiagonal() * passage.jacobian * scale_.asDiagonal();
         return passage;
     }
 
   private:
-    trajectory::ExactCycleMap<double> cycle_;
+    scene::Oscillator<double> scene_;
+    EngineSettings settings_;
+    CycleMap cycle_;
     Point scale_;
     std::int64_t spent_ = 0;
 };

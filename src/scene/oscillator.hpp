@@ -1,14 +1,17 @@
 // The nondimensional scene: one hammer, one stop, one harmonic cart.
 //
 // tau = omega t, u = (x - y)/A0, velocities in A0 omega, forces in k A0, with omega = sqrt(k/m):
-//     u'' + 2 zeta u' + u = eta^2 sin(eta tau) - f,   f = kappa delta + chi delta'  while the stop presses, 0
-//     otherwise,
-// where delta = u - gap is the penetration (eqs. 3-6 and 14-17 of Aguiar & Weber with k3 = 0).
+//     u'' + 2 zeta u' + u + r = eta^2 sin(eta tau) - f,
+//     f = kappa delta + chi delta' while the stop presses, 0 otherwise, with the penetration delta = u - gap
+// (eqs. 3-6 and 14-17 of Aguiar & Weber). The cubic part of the springs is r = cubic u^3 (relative, eq. 14) or
+// r = cubic (x^3 - y^3) with y = sin(eta tau) and x = u + y (absolute, eq. 3).
 // The state used everywhere is (delta, delta'), relative to the stop, so that nothing cancels at a stiff stop.
 #pragma once
 
 #include <Eigen/Core>
 #include <numbers>
+
+#include "job/job.hpp"
 
 namespace peterka::scene {
 
@@ -25,11 +28,12 @@ struct Oscillator {
     Real contact_damping = 0;    // chi = ci/(m omega)
     Real frequency = 0;          // eta = Omega/omega
     Real gap = 0;                // gap/A0
+    Real cubic = 0;              // k3 A0^2/k
+    job::CubicForm cubic_form = job::CubicForm::relative;
 
-    [[nodiscard]] Real drive() const { return frequency * frequency; }  // amplitude of the forcing
-    [[nodiscard]] Real period() const {
-        return 2 * std::numbers::pi_v<Real> / frequency;
-    }  // of the forcing, in tau
+    // Amplitude of the forcing, and its period in tau.
+    [[nodiscard]] Real drive() const { return frequency * frequency; }
+    [[nodiscard]] Real period() const { return 2 * std::numbers::pi_v<Real> / frequency; }
 };
 
 }  // namespace peterka::scene

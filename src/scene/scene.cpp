@@ -4,14 +4,7 @@
 
 namespace peterka::scene {
 
-Scene::Scene(const job::Job& job) : job_(job), scales_(scales_of(job)), oscillator_(oscillator_of(job)) {
-    omitted_.emplace_back("cubic spring: the job has none (k3 = 0), so every phase is linear");
-    omitted_.emplace_back(
-        "numerical integration: linear phases are solved in closed form, SUNDIALS is not called");
-    omitted_.emplace_back("the rest of each trajectory once its regime is proved");
-    omitted_.emplace_back(
-        "force maxima of transients: force is searched on proved orbits and in chaotic windows only");
-}
+Scene::Scene(const job::Job& job) : job_(job), scales_(scales_of(job)), oscillator_(oscillator_of(job)) {}
 
 Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const double across = job::axis_value(job_.columns, column);

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "job/job.hpp"
 #include "scene/oscillator.hpp"
@@ -27,14 +25,10 @@ class Scene {
     [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
     [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
 
-    // What was left out of the model or the work, and why that changes nothing asked for; one sentence each.
-    [[nodiscard]] const std::vector<std::string>& omitted() const { return omitted_; }
-
   private:
     job::Job job_;
     Scales scales_;
     Oscillator<double> oscillator_;
-    std::vector<std::string> omitted_;
 };
 
 }  // namespace peterka::scene

@@ -46,7 +46,7 @@ class OutputMapFile : public testing::TestWithParam<job::Kind> {
         for (std::int64_t i = 0; i < tiling_.count(); ++i) {
             map.write_tile(tiling_.tile(i), examples::made_up_cells(tiling_.tile(i), orbits_), 7.0);
         }
-        map.finish(omitted, {});
+        map.finish(map.statistics(), omitted, {});
         map.close();
     }
 
@@ -96,7 +96,7 @@ TEST_P(OutputMapFile, SameBytesAsByOneRankAlone) {
     EXPECT_EQ(std::ssize(remaining.tiles), tiling_.count());
     EXPECT_EQ(remaining.damaged, 0);
     write(map, remaining.tiles);
-    map.finish(omitted, {ranks_, 1.0, "here"});
+    map.finish(map.statistics(), omitted, {ranks_, 1.0, "here"});
     map.close();
     write_alone("alone.h5");
     EXPECT_EQ(content("together.h5"), content("alone.h5"));
@@ -150,7 +150,8 @@ TEST_P(OutputMapFile, WritingTilesChangesNothingButNumbersAtOnce) {
 TEST_P(OutputMapFile, FinishedFileIsCompleteAndCanBeReadAgain) {
     MapFile map = create("map.h5");
     write(map, map.remaining_tiles().tiles);
-    const Statistics at_the_end = map.finish(omitted, {ranks_, 1.0, "here"});
+    const Statistics at_the_end = map.statistics();
+    map.finish(at_the_end, omitted, {ranks_, 1.0, "here"});
     map.close();
     EXPECT_EQ(inspect(folder_ / "map.h5", job_), Existing::complete);
     MapFile again = open("map.h5", Access::read);
@@ -212,7 +213,7 @@ TEST_P(OutputMapFile, ResumeComputesWhatIsMissingOrDamagedAndNothingElse) {
               (std::vector<std::int64_t>{0, 2, 4, 6, 7, 9, 10, 11, 12, 14, 15, 16, 17, 18, 19}));
     EXPECT_EQ(remaining.damaged, 1);
     write(map, remaining.tiles);
-    map.finish(omitted, {ranks_, 3.0, "second host"});
+    map.finish(map.statistics(), omitted, {ranks_, 3.0, "second host"});
     map.close();
     write_alone("alone.h5");
     EXPECT_EQ(content("map.h5"), content("alone.h5"));
@@ -230,7 +231,7 @@ TEST_P(OutputMapFile, PreviousMapStaysUntilTheNewOneIsFinished) {
     const bool kept = std::filesystem::exists(previous_name(folder_ / "map.h5"));
     MPI_Barrier(MPI_COMM_WORLD);
     write(map, map.remaining_tiles().tiles);
-    map.finish(omitted, {});
+    map.finish(map.statistics(), omitted, {});
     map.close();
     EXPECT_TRUE(kept);
     EXPECT_FALSE(std::filesystem::exists(previous_name(folder_ / "map.h5")));
@@ -264,7 +265,7 @@ TEST_P(OutputBasinFile, EveryCellFindsItsRow) {
     orbits_ = 5;
     MapFile map = create("basin.h5");
     write(map, map.remaining_tiles().tiles);
-    map.finish(omitted, {});
+    map.finish(map.statistics(), omitted, {});
     map.close();
     // no_impact, five orbits (z = 1/1 before 2/1), chaotic, sustained_contact.
     const Block rows(0, 8);
@@ -297,7 +298,7 @@ TEST_P(OutputBasinFile, MoreAttractorsThanTheTableHolds) {
     orbits_ = 400;  // of which one periodic cell in every six of 3500 cells sees most
     MapFile map = create("basin.h5");
     write(map, map.remaining_tiles().tiles);
-    map.finish(omitted, {});
+    map.finish(map.statistics(), omitted, {});
     map.close();
     write_alone("alone.h5");
     const auto all = content("basin.h5");

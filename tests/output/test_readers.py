@@ -12,7 +12,7 @@ import xarray
 ENGINES = ["netcdf4", "h5netcdf"]
 GROUPS = {"map": ["tiles", "run", "summary"], "basin": ["tiles", "run", "summary", "attractors"]}
 ALWAYS = {
-    "regime": "int8", "status": "int8", "impacts": "int32", "period": "int32", "peak_force_ratio": "float64",
+    "regime": "int8", "status": "int8", "engine": "int8", "impacts": "int32", "period": "int32", "peak_force_ratio": "float64",
     "impact_rate": "float64", "cycles": "int32",
 }
 ON_REQUEST = ["multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity"]
@@ -25,7 +25,7 @@ AXES = {
     "basin": {"displacement_ratio": (-3.0, 0.0), "velocity_ratio": (-0.8, 2.2)},
 }
 REGIMES = "no_impact periodic chaotic sustained_contact unresolved failed"
-STATUSES = "proved budget conservative too_many_events not_finite"
+STATUSES = "proved budget conservative too_many_events not_finite solver_failed"
 
 
 @pytest.fixture(params=["map", "basin"])
@@ -62,12 +62,12 @@ def test_xarray_coordinates_are_linspace(dataset, kind):
 def test_xarray_units_and_names_of_fields(dataset):
     for name, variable in dataset.variables.items():
         assert variable.attrs["long_name"]
-        assert variable.attrs.get("units") == (None if name in ("regime", "status") else "1")
+        assert variable.attrs.get("units") == (None if name in ("regime", "status", "engine") else "1")
     assert dataset.peak_force_ratio.attrs["long_name"] == "peak impact force over hammer weight, F/(m g0)"
 
 
 def test_xarray_flags(dataset):
-    for name, meanings in [("regime", REGIMES), ("status", STATUSES)]:
+    for name, meanings in [("regime", REGIMES), ("status", STATUSES), ("engine", "exact split cvode arkode")]:
         attributes = dataset[name].attrs
         assert attributes["flag_meanings"] == meanings
         assert attributes["flag_values"].dtype == numpy.int8

@@ -21,6 +21,7 @@ title = "A map"
 mass_kg = 0.3
 natural_frequency_hz = 4.6
 damping_ns_per_m = 0.07
+cubic_stiffness_n_per_m3 = 238.5
 cubic = "absolute"
 [cart]
 amplitude_m = 0.9e-3
@@ -41,7 +42,7 @@ max_cycles = 3001
 max_period = 65
 chaos_cycles = 1001
 [solver]
-engine = "exact"
+engine = "split"
 tolerance = 2e-9
 omit_tolerance = 2e-3
 [output]
@@ -61,6 +62,7 @@ const std::map<std::string, std::string> other_values{
     {"hammer.stiffness_n_per_m", "241.0"},
     {"hammer.damping_ns_per_m", "0.08"},
     {"hammer.damping_ratio", "0.0042"},
+    {"hammer.cubic_stiffness_n_per_m3", "239.5"},
     {"hammer.cubic", "\"relative\""},
     {"cart.amplitude_m", "0.001"},
     {"contact.stiffness_n_per_m", "5700000.0"},
@@ -79,7 +81,7 @@ const std::map<std::string, std::string> other_values{
     {"limits.failed_cells", "8"},
 };
 // Keys with one value only in this version.
-const std::set<std::string> fixed{"schema", "kind", "contact.law", "hammer.cubic_stiffness_n_per_m3"};
+const std::set<std::string> fixed{"schema", "kind", "contact.law"};
 
 std::string other_value(const std::string& key, const std::string& value) {
     if (key.ends_with(".from")) return "1.25";

@@ -40,6 +40,8 @@ class RandomJobs {
         job.steady_state = {integer(1, 1'000'000'000), integer(1, 1024), integer(1, 1'000'000'000)};
         job.solver = {coin() ? EngineChoice::automatic : EngineChoice::exact, std::exp(uniform(-700, -0.1)),
                       coin() ? 0.0 : std::exp(uniform(-744, 0))};
+        if (job.solver.engine != EngineChoice::exact && coin())
+            job.hammer.cubic_stiffness_n_per_m3 = magnitude();
         for (const auto& field : Names<OptionalField>::all) {
             if (coin()) job.output.fields.push_back(field.value);
         }

@@ -26,8 +26,8 @@ std::vector<std::string> names(const std::vector<Field>& fields) {
     return all;
 }
 
-const std::vector<std::string> always{"regime",           "status",      "impacts", "period",
-                                      "peak_force_ratio", "impact_rate", "cycles"};
+const std::vector<std::string> always{"regime", "status",           "engine",      "impacts",
+                                      "period", "peak_force_ratio", "impact_rate", "cycles"};
 
 TEST(OutputFields, MapStoresWhatItMustAndNoMore) {
     EXPECT_EQ(names(stored_fields(examples::small_map(4, 4))), always);
@@ -58,7 +58,20 @@ TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
 
 // Every member differs from every other, so that two fields that store the same member are found out.
 regime::CellResult distinct_cell() {
-    return {regime::Regime::chaotic, regime::Status::budget, 11, 12, 13, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5};
+    return {.regime = regime::Regime::chaotic,
+            .status = regime::Status::budget,
+            .engine = regime::Engine::arkode,
+            .impacts = 11,
+            .period = 12,
+            .cycles = 13,
+            .peak_force = 1.5,
+            .largest_displacement = 8.5,
+            .impact_rate = 2.5,
+            .multiplier = 3.5,
+            .lyapunov = 4.5,
+            .sensitivity = 5.5,
+            .orbit_displacement = 6.5,
+            .orbit_velocity = 7.5};
 }
 
 TEST(OutputFields, EachFieldStoresItsOwnMember) {
@@ -67,15 +80,15 @@ TEST(OutputFields, EachFieldStoresItsOwnMember) {
                          OptionalField::orbit};
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2, 1, 11, 12, 1.5, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5}));
+    EXPECT_EQ(values, (std::vector<double>{2, 1, 3, 11, 12, 1.5, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5}));
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {
     const std::vector<Field> fields = stored_fields(examples::small_basin(4, 4));
     std::vector<StoredCell> cells{distinct_cell(), examples::made_up_cell(1, 2), examples::made_up_cell(2, 2)};
     const std::vector<std::byte> bytes = encode(fields, cells);
-    EXPECT_EQ(bytes.size(), 3 * (2 * 1 + 3 * 4 + 4 * 8));
-    const std::vector<StoredCell> back = decode(fields, bytes);
+    EXPECT_EQ(bytes.size(), 3 * (3 * 1 + 3 * 4 + 4 * 8));
+    const std::vector<StoredCell> back = decode(fields, bytes, 3);
     ASSERT_EQ(back.size(), 3);
     EXPECT_EQ(encode(fields, back), bytes);
     EXPECT_EQ(back[0].regime, regime::Regime::chaotic);

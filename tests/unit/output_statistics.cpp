@@ -43,8 +43,8 @@ TEST(OutputStatistics, CountsRegimesReasonsCyclesAndClasses) {
     EXPECT_EQ(statistics.cells_of(Regime::periodic), 3);
     EXPECT_EQ(statistics.cells_of(Regime::no_impact), 1);
     EXPECT_EQ(statistics.cells_of(Regime::chaotic), 0);
-    EXPECT_EQ(statistics.counts.failed_by_status, (std::array<std::int64_t, 5>{0, 0, 0, 0, 1}));
-    EXPECT_EQ(statistics.counts.unresolved_by_status, (std::array<std::int64_t, 5>{0, 0, 1, 0, 0}));
+    EXPECT_EQ(statistics.counts.failed_by_status, (std::array<std::int64_t, 6>{0, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(statistics.counts.unresolved_by_status, (std::array<std::int64_t, 6>{0, 0, 1, 0, 0, 0}));
     EXPECT_EQ(statistics.periodic_cells, (std::map<ImpactClass, std::int64_t>{{{1, 1}, 1}, {{2, 2}, 2}}));
 }
 

@@ -1,0 +1,34 @@
+// Which engine carries a cell from cycle to cycle, chosen by a fixed rule.
+#pragma once
+
+#include <variant>
+
+#include "job/job.hpp"
+#include "regime/cell_result.hpp"
+#include "scene/oscillator.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/integrated_cycle_map.hpp"
+#include "trajectory/split_cycle_map.hpp"
+
+namespace peterka::regime {
+
+using CycleMap = std::variant<trajectory::ExactCycleMap<double>, trajectory::SplitCycleMap<double>,
+                              trajectory::IntegratedCycleMap>;
+
+struct EngineSettings {
+    Engine engine = Engine::exact;
+    double tolerance = 1e-9;           // relative error asked for in peak force; `exact` has none
+    double largest_displacement = 10;  // of |u|: what the number of kicks of `split` is chosen for
+};
+
+CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings);
+
+// Largest relative change of the springs' stiffness by the cubic term at a displacement u, 3 cubic u^2: what
+// leaving the term out may change in peak force, away from bifurcations. (absolute form: at |x| <= |u| + 1)
+double effect_of_cubic(const scene::Oscillator<double>& scene, double largest_displacement);
+
+// The engine that keeps the cubic term: what the job names, or the cheapest that is fit for its strength.
+Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                         double largest_displacement);
+
+}  // namespace peterka::regime

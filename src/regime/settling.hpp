@@ -1,0 +1,49 @@
+// What can be said of all later times: motions that never touch the stop again, and contacts that never end.
+//
+// Without a cubic spring both are linear, and what is left of their transients only decays: a closed-form
+// proof. With one, the motion without a stop is a periodic orbit o(t) found by Newton's method, and the
+// distance e = u - o obeys the linear equation with a right-hand side of at most L |e|, L = 3 cubic M^2 for
+// |u|, |o| <= M. The response to a bounded right-hand side is at most H times the bound, H = integral of
+// |impulse response|, so |e| <= R/(1 - L H) for ever, with R the linear amplitude of the present e (small-gain
+// theorem). Contacts that last are then proved as orbits.
+#pragma once
+
+#include <optional>
+
+#include "regime/periodic_orbit.hpp"
+#include "regime/stroboscopic_map.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+
+namespace peterka::regime {
+
+// A motion of one forcing period that a trajectory never leaves.
+struct SettledMotion {
+    scene::State<double> point;       // (delta, delta') at forcing phase 0
+    Eigen::Matrix2d jacobian;         // of one cycle
+    double peak_force = 0;            // F/(k A0)
+    double largest_displacement = 0;  // of |u|
+};
+
+class Settling {
+  public:
+    explicit Settling(const StroboscopicMap& map);
+
+    // Proved for every later time, from the state at forcing phase 0; nothing where it isn't.
+    [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x) const;
+    [[nodiscard]] std::optional<SettledMotion> stays_in_contact(const scene::State<double>& x) const;
+
+  private:
+    struct FreeOrbit {
+        scene::State<double> point;
+        Eigen::Matrix2d jacobian;
+        double largest_displacement;
+    };
+    void find_free_orbit(const StroboscopicMap& map);
+    [[nodiscard]] bool close_enough(const scene::State<double>& x) const;
+
+    scene::Oscillator<double> scene_;
+    trajectory::ExactCycleMap<double> linear_;  // of the scene without its cubic spring
+    std::optional<FreeOrbit> free_orbit_;       // of a scene with one
+};
+
+}  // namespace peterka::regime

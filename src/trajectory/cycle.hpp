@@ -1,0 +1,58 @@
+// What every engine gives for one forcing cycle, and the parts of the model that don't depend on the engine.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/oscillator.hpp"
+
+namespace peterka::trajectory {
+
+using scene::Jacobian;
+using scene::Oscillator;
+using scene::State;
+
+enum class Phase : std::uint8_t { flight, contact, unloaded };
+
+// kappa delta + chi delta': what the stop would exert at this state while it presses. In k A0.
+template <class Real>
+Real contact_force(const Oscillator<Real>& scene, const State<Real>& x) {
+    return scene.contact_stiffness * x[0] + scene.contact_damping * x[1];
+}
+
+// The phase is a function of the state alone, so that a cycle is a map.
+template <class Real>
+Phase phase_of(const Oscillator<Real>& scene, const State<Real>& x) {
+    if (x[0] < 0 || (x[0] == 0 && x[1] <= 0)) return Phase::flight;
+    return contact_force(scene, x) > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
+}
+
+// Order and kind of the contacts in a cycle; two cycles with equal patterns lie on one smooth branch of the
+// map. A hash of the sequence: equal sequences are told apart from unequal ones with a chance of error of
+// 2^-64.
+using EventPattern = std::uint64_t;
+
+constexpr EventPattern append(EventPattern pattern, EventPattern next) {
+    return pattern == 0 ? next : (pattern ^ next) * 0x100000001b3ULL;
+}
+
+// A phase as part of a pattern. Where the hammer leaves delta > 0 while unloaded makes no difference to the
+// map, so flight is only appended at the start of a cycle.
+constexpr EventPattern pattern_of(Phase phase) {
+    return static_cast<EventPattern>(phase) + 1;
+}
+
+template <class Real>
+struct Cycle {
+    enum class Outcome { done, too_many_events, not_finite, solver_failed };
+    Outcome outcome = Outcome::done;
+    State<Real> end = State<Real>::Zero();
+    Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // of the end by the start
+    EventPattern pattern = 0;
+    int impacts = 0;                // upward crossings of delta = 0
+    bool touched = false;           // the stop pressed at some time
+    bool separated = false;         // delta < 0 at some time
+    Real peak_force = 0;            // largest F/(k A0), where asked for
+    Real largest_displacement = 0;  // an upper bound of |u| = |delta + gap|, where asked for
+};
+
+}  // namespace peterka::trajectory

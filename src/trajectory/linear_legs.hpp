@@ -1,0 +1,180 @@
+// The legs of a forcing cycle: stretches of linear motion between the events at which the stop starts or ends
+// to press.
+//
+// A cycle is a chain of legs: flight (delta < 0), contact (the stop presses), and unloaded (delta > 0 but kappa
+// delta + chi delta' < 0: the stop has let go and doesn't pull; eqs. 8-12 of Aguiar & Weber). Contact starts
+// when delta rises through 0 and ends when the force falls through 0; while unloaded it resumes when the force
+// would rise through 0, which belongs to the same impact. The phase is a function of the state alone, so a
+// cycle is a map.
+//
+// The Jacobian is the product of the legs' flows and of the saltation matrix [[1, 0], [-chi, 1]] at each entry,
+// where the force jumps by chi v; release and renewed contact are continuous and have the identity.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/linear_motion.hpp"
+#include "motion/signal.hpp"
+#include "trajectory/cycle.hpp"
+#include "trajectory/first_crossing.hpp"
+#include "trajectory/peak_force.hpp"
+
+namespace peterka::trajectory {
+
+using motion::LinearEquation;
+using motion::LinearMotion;
+using motion::Signal;
+
+// A cycle on its way.
+template <class Real>
+struct Journey {
+    Journey(const Oscillator<Real>& scene, const State<Real>& start) : phase(phase_of(scene, start)) {
+        cycle.end = start;
+        cycle.pattern = pattern_of(phase);
+    }
+
+    Cycle<Real> cycle;  // up to now
+    Phase phase;
+    Real time = 0;  // tau since the cycle began
+    int events = 0;
+
+    // Ends the journey before its time.
+    bool stop(typename Cycle<Real>::Outcome why) {
+        cycle.outcome = why;
+        return false;
+    }
+};
+
+template <class Real>
+class LinearLegs {
+  public:
+    // The equations of flight and contact, in the penetration.
+    LinearLegs(const Oscillator<Real>& scene, const LinearEquation<Real>& flight,
+               const LinearEquation<Real>& contact)
+        : scene_(scene),
+          flight_(flight),
+          contact_(contact),
+          touch_({.position = 1}, flight_),
+          leave_({.position = -1}, flight_),
+          resume_(force(), flight_),
+          release_(-force(), contact_),
+          depth_({.position = 1}, contact_),
+          peak_(force(), contact_) {}
+
+    [[nodiscard]] const LinearMotion<Real>& flight() const { return flight_; }
+    [[nodiscard]] const LinearMotion<Real>& contact() const { return contact_; }
+    [[nodiscard]] const Probe<Real>& touch() const { return touch_; }
+    [[nodiscard]] const Probe<Real>& release() const { return release_; }
+    [[nodiscard]] const Probe<Real>& depth() const { return depth_; }
+
+    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
+    // says why.
+    bool run(Journey<Real>& journey, Real end, bool measure) const;
+
+  private:
+    struct LegEnd {
+        typename Search<Real>::Outcome outcome;
+        Phase next;
+        Moment<Real> moment;
+    };
+
+    [[nodiscard]] Signal<Real> force() const {
+        return {.position = scene_.contact_stiffness, .velocity = scene_.contact_damping};
+    }
+
+    // Largest |u| from the start of a leg on: u rests at 0 in flight, and at the stop in contact.
+    [[nodiscard]] Real displacement_bound(Phase phase, const Leg<Real>& leg) const {
+        const Probe<Real>& position = phase == Phase::contact ? depth_ : touch_;
+        return std::abs(position.rest() + scene_.gap) + position.swing() + position.transient(leg.start());
+    }
+
+    [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
+    void enter(Phase next, Journey<Real>& journey) const;
+
+    Oscillator<Real> scene_;
+    LinearMotion<Real> flight_;
+    LinearMotion<Real> contact_;
+    Probe<Real> touch_;
+    Probe<Real> leave_;
+    Probe<Real> resume_;
+    Probe<Real> release_;
+    Probe<Real> depth_;
+    PeakForce<Real> peak_;
+};
+
+template <class Real>
+typename LinearLegs<Real>::LegEnd LinearLegs<Real>::end_of_leg(Phase phase, const Leg<Real>& leg,
+                                                               Real end) const {
+    using Outcome = typename Search<Real>::Outcome;
+    if (phase == Phase::unloaded) {
+        const auto out = first_crossing(leg, leave_, leg.start(), end);
+        const bool leaves = out.outcome == Outcome::crossing;
+        const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
+        if (back.outcome != Outcome::none) return {back.outcome, Phase::contact, back.moment};
+        return {out.outcome, Phase::flight, out.moment};
+    }
+    const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
+    return {found.outcome, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
+}
+
+// Each event puts the state exactly on its surface: in a stiff stop a rounding error of the position is energy.
+template <class Real>
+void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey) const {
+    Cycle<Real>& cycle = journey.cycle;
+    if (next == Phase::flight) cycle.end[0] = 0;
+    if (next == Phase::contact) {
+        // rising, it can only be a new touch
+        const bool resumes = journey.phase == Phase::unloaded && cycle.end[1] < 0;
+        if (resumes) {
+            cycle.end[0] = -scene_.contact_damping / scene_.contact_stiffness * cycle.end[1];
+        } else {
+            ++cycle.impacts;
+            cycle.end[0] = 0;
+            cycle.jacobian.row(1) -= scene_.contact_damping * cycle.jacobian.row(0);
+        }
+    }
+    journey.phase = next;
+    if (next != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(next));
+}
+
+template <class Real>
+bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, bool measure) const {
+    using Outcome = typename Search<Real>::Outcome;
+    constexpr int most_events = 20'000;  // a cycle with more contacts than this has left physics
+
+    Cycle<Real>& cycle = journey.cycle;
+    while (journey.events < most_events) {
+        const Phase phase = journey.phase;
+        const Leg<Real> leg(phase == Phase::contact ? contact_ : flight_, cycle.end,
+                            scene_.frequency * journey.time);
+        const Real left = end_time - journey.time;
+        const LegEnd event = end_of_leg(phase, leg, left);
+        if (event.outcome == Outcome::exhausted) break;
+        if (event.outcome == Outcome::not_finite) return journey.stop(Cycle<Real>::Outcome::not_finite);
+        const bool last = event.outcome == Outcome::none;
+        const Moment<Real> end = last ? leg.at(left) : event.moment;
+
+        cycle.touched |= phase == Phase::contact;
+        cycle.separated |= phase == Phase::flight;
+        if (measure) {
+            if (phase == Phase::contact) cycle.peak_force = peak_.over(leg, end, cycle.peak_force);
+            cycle.largest_displacement = std::max(cycle.largest_displacement, displacement_bound(phase, leg));
+        }
+        cycle.jacobian = end.flow * cycle.jacobian;
+        cycle.end = end.state;
+        if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
+            return journey.stop(Cycle<Real>::Outcome::not_finite);
+        }
+        if (last) {
+            journey.time = end_time;
+            return true;
+        }
+        enter(event.next, journey);
+        journey.time += end.time;
+        ++journey.events;
+    }
+    return journey.stop(Cycle<Real>::Outcome::too_many_events);
+}
+
+}  // namespace peterka::trajectory

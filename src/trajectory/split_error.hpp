@@ -1,0 +1,48 @@
+// The error of a split cycle map, told by halving its step.
+//
+// At second order the error with step h/2 is a quarter of that with h, so their difference is 3/4 of the
+// latter.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "trajectory/split_cycle_map.hpp"
+
+namespace peterka::trajectory {
+
+template <class Real>
+struct SplitError {
+    State<Real> end = State<Real>::Zero();  // of the state after the cycles, (delta, delta')
+    Real peak_force = 0;                    // relative, of the largest force during them
+    bool comparable = false;                // both step lengths gave the same contacts, and no failure
+};
+
+// Runs `cycles` forcing cycles from the state x at phase 0 with the map and with half its step, each after
+// `settling` cycles of its own: none for the error of the cycles themselves, enough for the transient to die
+// for the error of a stable orbit.
+template <class Real>
+SplitError<Real> split_error(const SplitCycleMap<Real>& map, const State<Real>& x, int cycles,
+                             int settling = 0) {
+    const SplitCycleMap<Real> fine(map.scene(), 2 * map.steps_per_cycle());
+    State<Real> state[2] = {x, x};
+    Real force[2] = {0, 0};
+    SplitError<Real> error{.comparable = true};
+    for (int n = 0; n < settling + cycles && error.comparable; ++n) {
+        const bool counts = n >= settling;
+        const Cycle<Real> coarse_cycle = map(state[0], counts);
+        const Cycle<Real> fine_cycle = fine(state[1], counts);
+        state[0] = coarse_cycle.end;
+        state[1] = fine_cycle.end;
+        force[0] = std::max(force[0], coarse_cycle.peak_force);
+        force[1] = std::max(force[1], fine_cycle.peak_force);
+        using Outcome = typename Cycle<Real>::Outcome;
+        error.comparable = coarse_cycle.outcome == Outcome::done && fine_cycle.outcome == Outcome::done &&
+                           (!counts || coarse_cycle.pattern == fine_cycle.pattern);
+    }
+    error.end = Real(4) / 3 * (state[0] - state[1]).cwiseAbs();
+    if (force[1] > 0) error.peak_force = Real(4) / 3 * std::abs(force[0] / force[1] - 1);
+    return error;
+}
+
+}  // namespace peterka::trajectory

@@ -1,0 +1,67 @@
+#include <cvode/cvode.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include "trajectory/sundials_steppers.hpp"
+
+namespace peterka::trajectory {
+
+namespace {
+
+void require(int flag, const char* call) {
+    sundials_library::require(flag, call, CVodeGetReturnFlagName);
+}
+
+}  // namespace
+
+void CvodeStepper::FreeSolver::operator()(void* memory) const {
+    CVodeFree(&memory);
+}
+
+CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
+    : unknowns_(sundials_library::make_vector(leg_unknowns, context_)),
+      dense_(unknowns_.get(), context_),
+      solver_(CVodeCreate(method == Method::adams ? CV_ADAMS : CV_BDF, context_)) {
+    sundials_library::require_object(solver_.get(), "CVodeCreate");
+    void* solver = solver_.get();
+    require(CVodeSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr), "CVodeSetErrHandlerFn");
+    store({}, unknowns_.get());
+    require(CVodeInit(solver, leg_slope, 0, unknowns_.get()), "CVodeInit");
+    require(CVodeSetUserData(solver, &leg), "CVodeSetUserData");
+    require(CVodeWFtolerances(solver, leg_weights), "CVodeWFtolerances");
+    if (method == Method::adams) {
+        functional_iteration_.reset(SUNNonlinSol_FixedPoint(unknowns_.get(), 0, context_));
+        sundials_library::require_object(functional_iteration_.get(), "SUNNonlinSol_FixedPoint");
+        require(CVodeSetNonlinearSolver(solver, functional_iteration_.get()), "CVodeSetNonlinearSolver");
+    } else {
+        require(CVodeSetLinearSolver(solver, dense_.solver.get(), dense_.matrix.get()), "CVodeSetLinearSolver");
+        require(CVodeSetJacFn(solver, leg_jacobian), "CVodeSetJacFn");
+    }
+}
+
+void CvodeStepper::start(const State<double>& x, double length, double longest_step) {
+    length_ = length;
+    now_ = {0, x, Jacobian<double>::Identity()};
+    before_ = now_;
+    store(now_, unknowns_.get());
+    require(CVodeReInit(solver_.get(), 0, unknowns_.get()), "CVodeReInit");
+    require(CVodeSetMaxStep(solver_.get(), longest_step), "CVodeSetMaxStep");
+    require(CVodeSetStopTime(solver_.get(), length), "CVodeSetStopTime");
+}
+
+bool CvodeStepper::step() {
+    before_ = now_;
+    double time = 0;
+    const int flag = CVode(solver_.get(), length_, unknowns_.get(), &time, CV_ONE_STEP);
+    if (sundials_library::is_failed_integration(flag)) return false;
+    require(flag, "CVode");
+    now_ = load(unknowns_.get(), time);
+    return true;
+}
+
+bool CvodeStepper::look(double time, LegPoint& point) {
+    require(CVodeGetDky(solver_.get(), time, 0, unknowns_.get()), "CVodeGetDky");
+    point = load(unknowns_.get(), time);
+    return true;
+}
+
+}  // namespace peterka::trajectory

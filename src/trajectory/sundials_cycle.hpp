@@ -1,0 +1,132 @@
+// A cycle as a chain of integrated legs, for either integrator of trajectory/sundials_steppers.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "trajectory/sundials_events.hpp"
+#include "trajectory/sundials_steppers.hpp"
+
+namespace peterka::trajectory {
+
+template <class Stepper>
+class CycleIntegration {
+  public:
+    CycleIntegration(const Oscillator<double>& scene, typename Stepper::Method method, double local_tolerance)
+        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, contact_rates(scene), local_tolerance})),
+          stepper_(std::make_unique<Stepper>(*leg_, method)),
+          events_(*leg_, *stepper_) {}
+
+    [[nodiscard]] const Oscillator<double>& scene() const { return leg_->scene; }
+    [[nodiscard]] Cycle<double> cycle(const State<double>& x, bool measure);
+
+  private:
+    using Outcome = typename Cycle<double>::Outcome;
+
+    struct LegEnd {
+        enum class Kind { event, cycle, failure };
+        Kind kind = Kind::failure;
+        Phase next = Phase::flight;
+        LegPoint point{};
+    };
+
+    LegEnd integrate_leg(const State<double>& x, double length, bool measure, Cycle<double>& cycle);
+    void enter(Phase from, Phase next, Cycle<double>& cycle) const;
+
+    std::unique_ptr<SundialsLeg> leg_;
+    std::unique_ptr<Stepper> stepper_;
+    StepEvents<Stepper> events_;
+    int steps_ = 0;  // in this cycle
+};
+
+template <class Stepper>
+auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double length, bool measure,
+                                              Cycle<double>& cycle) -> LegEnd {
+    constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
+    constexpr double longest_step =
+        0.5;  // in radians of the spring and of the forcing: events are looked for in it
+    stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
+    while (++steps_ <= most_steps && stepper_->step()) {
+        if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
+        const auto event = events_.first_event();
+        const LegPoint end = event ? event->point : stepper_->now();
+        if (measure) {
+            if (leg_->phase == Phase::contact) cycle.peak_force = events_.largest_force(end, cycle.peak_force);
+            cycle.largest_displacement = events_.largest_displacement(end, cycle.largest_displacement);
+        }
+        if (events_.failed()) break;
+        if (event) return {LegEnd::Kind::event, event->next, end};
+        if (end.time >= length) return {LegEnd::Kind::cycle, leg_->phase, end};
+    }
+    return {};
+}
+
+// Puts the state exactly on the surface of the event that leads into a phase, and counts it.
+template <class Stepper>
+void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cycle) const {
+    const auto& scene = leg_->scene;
+    if (next == Phase::flight) cycle.end[0] = 0;
+    if (next == Phase::contact) {
+        const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
+        if (resumes) {
+            cycle.end[0] = -scene.contact_damping / scene.contact_stiffness * cycle.end[1];
+        } else {
+            ++cycle.impacts;
+            cycle.end[0] = 0;
+            cycle.jacobian.row(1) -= scene.contact_damping * cycle.jacobian.row(0);
+        }
+    }
+    if (next != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(next));
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, bool measure) {
+    constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
+    const auto& scene = leg_->scene;
+    const double period = scene.period();
+    const double instant = 1e-14 * period;  // too short for an integrator
+    events_.forget_failure();
+    steps_ = 0;
+    Cycle<double> cycle;
+    cycle.end = x;
+    if (!x.allFinite() || !std::isfinite(period)) {
+        cycle.outcome = Outcome::not_finite;
+        return cycle;
+    }
+    Phase phase = phase_of(scene, x);
+    cycle.pattern = pattern_of(phase);
+    double time = 0;
+    for (int legs = 0; legs < most_legs; ++legs) {
+        leg_->phase = phase;
+        leg_->start_angle = scene.frequency * time;
+        cycle.touched |= phase == Phase::contact;
+        cycle.separated |= phase == Phase::flight;
+        const double left = period - time;
+        const LegEnd end = left > instant ? integrate_leg(cycle.end, left, measure, cycle)
+                                          : LegEnd{LegEnd::Kind::cycle, phase,
+                                                   extrapolated(*leg_, {.state = cycle.end}, left)};
+        if (end.kind == LegEnd::Kind::failure) {
+            cycle.outcome = Outcome::solver_failed;
+            return cycle;
+        }
+        cycle.end = end.point.state;
+        cycle.jacobian = (end.point.flow * cycle.jacobian).eval();
+        if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
+            cycle.outcome = Outcome::not_finite;
+            return cycle;
+        }
+        if (end.kind == LegEnd::Kind::cycle) return cycle;
+        enter(phase, end.next, cycle);
+        phase = end.next;
+        if (phase == Phase::unloaded && scene.contact_damping == 0) {  // an elastic stop lets go at delta = 0
+            cycle.end[0] = 0;
+            phase = Phase::flight;
+        }
+        time += end.point.time;
+    }
+    cycle.outcome = Outcome::too_many_events;
+    return cycle;
+}
+
+}  // namespace peterka::trajectory

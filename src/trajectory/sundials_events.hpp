@@ -1,0 +1,180 @@
+// What happens within an integrator's last step: its first event, and the largest force and displacement.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "trajectory/first_crossing.hpp"
+#include "trajectory/sundials_leg.hpp"
+#include "trajectory/sundials_search.hpp"
+
+namespace peterka::trajectory {
+
+// Taylor's series of a step so short that nothing beyond it can be told from rounding.
+inline LegPoint extrapolated(const SundialsLeg& leg, const LegPoint& point, double step) {
+    const auto a = leg.acceleration_at(point.state, point.time);
+    const double velocity = point.state[1];
+    const double jerk = a.jerk(velocity);
+    LegPoint end = point;
+    end.time += step;
+    end.state[0] += step * (velocity + step * (a.value / 2 + step * jerk / 6));
+    end.state[1] += step * (a.value + step * jerk / 2);
+    Jacobian<double> rate;
+    rate << 0, 1, a.by_position, a.by_velocity;
+    const Jacobian<double> once = step * rate * point.flow;
+    end.flow += once + step / 2 * rate * once;
+    return end;
+}
+
+// Leg and stepper must outlive it.
+template <class Stepper>
+class StepEvents {
+  public:
+    StepEvents(const SundialsLeg& leg, Stepper& stepper) : leg_(&leg), stepper_(&stepper) {}
+
+    struct Event {
+        Phase next = Phase::flight;
+        LegPoint point{};
+    };
+    [[nodiscard]] std::optional<Event> first_event();
+
+    // Over the step up to `end`; never less than what was the largest before.
+    [[nodiscard]] double largest_force(const LegPoint& end, double largest);
+    [[nodiscard]] double largest_displacement(const LegPoint& end, double largest) const;
+
+    // An integration to a point within the step failed: what was found is void.
+    [[nodiscard]] bool failed() const { return failed_; }
+    void forget_failure() { failed_ = false; }
+
+  private:
+    enum class Signal { touch, leave, release, resume };  // each rises through zero at its event
+
+    [[nodiscard]] std::optional<LegPoint> locate(Signal signal, const LegPoint& end);
+    [[nodiscard]] LegPoint refine(Signal signal, Bracket bracket);
+    [[nodiscard]] Sample force(const LegPoint& point) const;
+    [[nodiscard]] Sample sample(Signal signal, const LegPoint& point) const;
+    [[nodiscard]] LegPoint look(double time) {
+        LegPoint point = stepper_->before();
+        if (!stepper_->look(time, point)) failed_ = true;
+        return point;
+    }
+
+    // Steps that pass over the fast decay of a contact: the motion follows the balance of forces.
+    [[nodiscard]] bool passes_over_transients() const {
+        return leg_->phase == Phase::contact &&
+               (stepper_->now().time - stepper_->before().time) * leg_->contact.fast > 3;
+    }
+
+    const SundialsLeg* leg_;
+    Stepper* stepper_;
+    bool failed_ = false;
+};
+
+// The force that the stop exerts or would exert at this point of the present phase, and its derivatives.
+template <class Stepper>
+Sample StepEvents<Stepper>::force(const LegPoint& point) const {
+    const auto& scene = leg_->scene;
+    const State<double>& x = point.state;
+    if (passes_over_transients()) {
+        // f = eta^2 sin(theta) - u - r but for inertia, which is small; what the state says of it is noise
+        const double angle = leg_->start_angle + scene.frequency * point.time;
+        const auto free = acceleration(scene, Phase::flight, x, angle);
+        return {point.time, contact_force(scene, x), free.by_time + free.by_position * x[1],
+                std::numeric_limits<double>::quiet_NaN()};
+    }
+    const auto a = leg_->acceleration_at(x, point.time);
+    return {point.time, contact_force(scene, x),
+            scene.contact_stiffness * x[1] + scene.contact_damping * a.value,
+            scene.contact_stiffness * a.value + scene.contact_damping * a.jerk(x[1])};
+}
+
+template <class Stepper>
+Sample StepEvents<Stepper>::sample(Signal signal, const LegPoint& point) const {
+    Sample s{};
+    if (signal == Signal::touch || signal == Signal::leave) {
+        s = {point.time, point.state[0], point.state[1], leg_->acceleration_at(point.state, point.time).value};
+    } else {
+        s = force(point);
+    }
+    if (signal == Signal::leave || signal == Signal::release) s = {s.time, -s.value, -s.slope, -s.curvature};
+    return s;
+}
+
+// Newton's method with curvature inside a bracket. The last correction is a Taylor step, so that the point is
+// as exact as the integration and not only as the time of the event.
+template <class Stepper>
+LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
+    constexpr int most_looks = 50;
+    constexpr double short_step = 1e-4;  // of the fastest time: the fourth power is beyond rounding
+    auto& [below, above] = bracket;
+    const SignalCurve curve(below, above);
+    const double share = sign_change([&](double s) { return curve.value(s); }, true);
+    double time = below.time + share * (above.time - below.time);
+    const double rate =
+        std::max({1.0, leg_->scene.frequency, leg_->phase == Phase::contact ? leg_->contact.fast : 1.0});
+    LegPoint point;
+    for (int n = 0; n < most_looks; ++n) {
+        point = look(time);
+        const Sample s = sample(signal, point);
+        (s.value > 0 ? above : below) = s;
+        const bool rough = std::isnan(s.curvature);
+        const double correction = rough ? -s.value / s.slope : parabola_step(s.value, s.slope, s.curvature);
+        if (!rough && std::abs(correction) * rate < short_step) return extrapolated(*leg_, point, correction);
+        if (above.time - below.time <= 4 * std::numeric_limits<double>::epsilon() * above.time) break;
+        const double noise = leg_->local_tolerance * leg_->scene.contact_stiffness * std::abs(point.state[0]);
+        if (rough && std::abs(s.value) <= noise / 10) break;
+        time += correction;
+        if (!(time > below.time && time < above.time)) time = (below.time + above.time) / 2;
+    }
+    return point;
+}
+
+// The event of this signal in the last step, up to `end`.
+template <class Stepper>
+std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoint& end) {
+    Sample start = sample(signal, stepper_->before());
+    start.value = std::min(start.value, 0.0);  // a leg starts on a surface, give or take rounding
+    const auto bracket =
+        first_rise(start, sample(signal, end), [&](double time) { return sample(signal, look(time)); });
+    if (!bracket) return std::nullopt;
+    return refine(signal, *bracket);
+}
+
+template <class Stepper>
+auto StepEvents<Stepper>::first_event() -> std::optional<Event> {
+    const LegPoint end = stepper_->now();
+    if (leg_->phase != Phase::unloaded) {
+        const bool flight = leg_->phase == Phase::flight;
+        const auto point = locate(flight ? Signal::touch : Signal::release, end);
+        if (!point) return std::nullopt;
+        return Event{.next = flight ? Phase::contact : Phase::unloaded, .point = *point};
+    }
+    const auto leaves = locate(Signal::leave, end);
+    const auto back = locate(Signal::resume, end);
+    if (back && (!leaves || back->time < leaves->time)) return Event{.next = Phase::contact, .point = *back};
+    if (leaves) return Event{.next = Phase::flight, .point = *leaves};
+    return std::nullopt;
+}
+
+template <class Stepper>
+double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
+    const LegPoint& start = stepper_->before();
+    if (!(end.time > start.time)) return std::max(largest, force(end).value);
+    const auto between = [&](double time) { return force(look(time)); };
+    return largest_between(force(start), force(end), between, leg_->local_tolerance, largest);
+}
+
+template <class Stepper>
+double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double largest) const {
+    const LegPoint& start = stepper_->before();
+    const double gap = leg_->scene.gap;
+    largest = std::max({largest, std::abs(start.state[0] + gap), std::abs(end.state[0] + gap)});
+    if (!(end.time > start.time) || passes_over_transients()) return largest;
+    const SignalCurve position(sample(Signal::touch, start), sample(Signal::touch, end));
+    for (const double bound : position.at) largest = std::max(largest, std::abs(bound + gap));
+    return largest;
+}
+
+}  // namespace peterka::trajectory

@@ -1,0 +1,54 @@
+// One leg of a cycle as SUNDIALS sees it: right-hand side, its analytic Jacobian, and error weights.
+//
+// Six unknowns: the state (delta, delta') and, column by column, its derivatives by the state at the start of
+// the leg (the variational equations). Time is local, from 0 at the start of the leg; the forcing phase at
+// that start is kept apart, so that nothing loses digits late in a run.
+#pragma once
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_matrix.h>
+
+#include "trajectory/equation_of_motion.hpp"
+
+namespace peterka::trajectory {
+
+// A point of a leg.
+struct LegPoint {
+    double time = 0;  // from the start of the leg, in 1/omega
+    State<double> state = State<double>::Zero();
+    Jacobian<double> flow = Jacobian<double>::Identity();  // of the state by the leg's first state
+};
+
+// The rates of a linear phase without forcing: of its slow and its fast decay, or twice its natural frequency
+// where it oscillates. In omega.
+struct Rates {
+    double slow = 1;
+    double fast = 1;
+};
+Rates contact_rates(const Oscillator<double>& scene);
+
+struct SundialsLeg {
+    Oscillator<double> scene;
+    Rates contact;
+    double local_tolerance = 1e-9;
+    Phase phase = Phase::flight;
+    double start_angle = 0;  // forcing phase at local time 0
+
+    [[nodiscard]] Acceleration<double> acceleration_at(const State<double>& x, double time) const {
+        return acceleration(scene, phase, x, start_angle + scene.frequency * time);
+    }
+};
+
+constexpr int leg_unknowns = 6;
+void store(const LegPoint& point, N_Vector unknowns);
+LegPoint load(N_Vector unknowns, double time);
+
+// Callbacks; user data is a SundialsLeg. A state that is not finite stops the integration.
+int leg_slope(double time, N_Vector unknowns, N_Vector slope, void* leg);
+int leg_jacobian(double time, N_Vector unknowns, N_Vector slope, SUNMatrix jacobian, void* leg, N_Vector,
+                 N_Vector, N_Vector);
+// Errors are relative to the energy of the motion, position and velocity together: a position that passes
+// through zero is no more exact than its neighbours. Each column of the flow is judged in the same way.
+int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data);
+
+}  // namespace peterka::trajectory

@@ -1,0 +1,54 @@
+// Thin move-only owners of SUNDIALS objects, and the check of every call.
+//
+// Three outcomes of a call are kept apart: success; an integration that failed (a step size that vanished, an
+// iteration that diverged), which is data of a cell; and a broken call (bad arguments, no memory), which throws
+// peterka::Failure with the call's name and the library's own word for it.
+#pragma once
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_nonlinearsolver.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <memory>
+#include <type_traits>
+
+namespace peterka::trajectory::sundials_library {
+
+// Throws where a call failed. `word` is what the library calls the flag; the owner of the call knows how to
+// ask.
+void require(int flag, const char* call, char* (*word)(long int));
+
+// Throws where a constructor of the library returned nothing.
+void require_object(const void* object, const char* call);
+
+// Flags from -1 to -19 tell that the integration failed, those below that the call was wrong.
+constexpr bool is_failed_integration(int flag) {
+    return flag < 0 && flag > -20;
+}
+
+struct Free {
+    void operator()(N_Vector v) const { N_VDestroy(v); }
+    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+    void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
+};
+using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, Free>;
+using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, Free>;
+using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Free>;
+using NonlinearSolver = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free>;
+
+Vector make_vector(sunindextype size, const sundials::Context& context);
+
+// A dense matrix and the direct solver that works on it.
+struct DenseSolver {
+    DenseSolver(N_Vector pattern, const sundials::Context& context);
+    Matrix matrix;
+    LinearSolver solver;
+};
+
+// For the library's error messages: they are told through flags.
+void say_nothing(int code, const char* module, const char* function, char* message, void* data);
+
+}  // namespace peterka::trajectory::sundials_library

@@ -1,0 +1,154 @@
+// Engines behind one decision procedure: they agree where their scenes are the same, and the rule that chooses
+// one of them leaves the cubic spring out only where that is safe.
+#include "regime/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "regime/solve_cell.hpp"
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using testing::beam_170mm;
+using testing::paper_rig;
+using testing::start_at;
+
+constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // k3 A0^2/k with k3 = k * 1 m^-2
+
+struct EngineCase {
+    Engine engine;
+    double tolerance;
+};
+
+std::string name_of(const ::testing::TestParamInfo<EngineCase>& info) {
+    const std::string names[] = {"exact", "split", "cvode", "arkode"};
+    return names[static_cast<std::size_t>(info.param.engine)] + "_1e" +
+           std::to_string(static_cast<int>(std::lround(-std::log10(info.param.tolerance))));
+}
+
+class Engines : public ::testing::TestWithParam<EngineCase> {
+  protected:
+    [[nodiscard]] static CellResult solve(const scene::Oscillator<double>& scene) {
+        return find_steady_state(scene, start_at(scene), {}, {GetParam().engine, GetParam().tolerance, 10});
+    }
+};
+
+// Some engines go wrong here at every tolerance: a hop that hides between two steps.
+TEST_P(Engines, SeeTheShortHop) {
+    const CellResult cell = solve(paper_rig(beam_170mm, 3.1, 0));
+    EXPECT_EQ(cell.impacts, 3);
+    EXPECT_EQ(cell.period, 2);
+    EXPECT_EQ(cell.engine, GetParam().engine);
+}
+
+TEST_P(Engines, AgreeWithTheClosedForm) {
+    const std::pair<double, double> places[] = {{2.0, 0},  {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3},
+                                                {2.75, 0}, {0.8, 0.2}, {4.2, 0.5}, {0.6, 0.8}};
+    for (const auto& [frequency, gap] : places) {
+        SCOPED_TRACE(::testing::Message() << frequency << " " << gap);
+        const auto scene = paper_rig(beam_170mm, frequency, gap);
+        const CellResult expected = find_steady_state(scene, start_at(scene), {});
+        const CellResult cell = solve(scene);
+        EXPECT_EQ(cell.regime, expected.regime);
+        EXPECT_EQ(cell.impacts, expected.impacts);
+        EXPECT_EQ(cell.period, expected.period);
+        EXPECT_NEAR(cell.peak_force, expected.peak_force, 2 * GetParam().tolerance * expected.peak_force);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Engines,
+                         ::testing::Values(EngineCase{Engine::split, 1e-9}, EngineCase{Engine::cvode, 1e-5},
+                                           EngineCase{Engine::cvode, 1e-8}, EngineCase{Engine::arkode, 1e-5},
+                                           EngineCase{Engine::arkode, 1e-8}),
+                         name_of);
+
+// With a cubic spring the engines that keep it agree with each other, and none with the closed form.
+TEST(CubicSpring, ShiftsTheForceAlikeInEveryEngine) {
+    for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        auto scene = paper_rig(beam_170mm, 2.0, 0.0);
+        const double linear = find_steady_state(scene, start_at(scene), {}).peak_force;
+        scene.cubic = 100 * paper_cubic;
+        scene.cubic_form = form;
+        const auto force = [&](Engine engine, double tolerance) {
+            const CellResult cell = find_steady_state(scene, start_at(scene), {}, {engine, tolerance, 8});
+            EXPECT_EQ(cell.impacts, 1);
+            EXPECT_EQ(cell.period, 1);
+            return cell.peak_force;
+        };
+        const double kept = force(Engine::cvode, 1e-8);
+        EXPECT_GT(std::abs(kept / linear - 1), 1e-4);
+        EXPECT_NEAR(force(Engine::arkode, 1e-8) / kept, 1, 2e-8);
+        // the moving cart makes the absolute form dearer to split
+        const double tolerance = form == job::CubicForm::relative ? 1e-6 : 1e-4;
+        EXPECT_NEAR(force(Engine::split, tolerance) / kept, 1, tolerance);
+    }
+}
+
+// Told to split a cubic that is too strong for it, a cell fails rather than gives less than was asked for.
+TEST(CubicSpring, TooStrongToSplitIsAFailedCell) {
+    auto scene = paper_rig(beam_170mm, 2.0, 0.0);
+    scene.cubic = 1;
+    const CellResult cell = find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 8});
+    EXPECT_EQ(cell.regime, Regime::failed);
+    EXPECT_EQ(cell.status, Status::solver_failed);
+}
+
+TEST(CubicSpring, NoImpactIsProvedWithIt) {
+    auto scene = paper_rig(beam_170mm, 3.0, 2.0);
+    scene.cubic = paper_cubic;
+    const CellResult cell = find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 10});
+    EXPECT_EQ(cell.regime, Regime::no_impact);
+    EXPECT_NEAR(cell.multiplier, std::exp(-scene.damping_ratio * scene.period()), 1e-6);
+    // a hardening spring moves the resonance up: above it the free amplitude grows
+    scene.gap = testing::free_amplitude(scene) * (1 - 1e-4);
+    EXPECT_NE(find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 10}).regime,
+              Regime::no_impact);
+}
+
+job::Job paper_job(double cubic_stiffness) {
+    job::Job job;
+    job.hammer.mass_kg = 0.298;
+    job.hammer.natural_frequency_hz = 4.5;
+    job.hammer.damping_ns_per_m = 0.06;
+    job.hammer.cubic_stiffness_n_per_m3 = cubic_stiffness;
+    job.cart.amplitude_m = 0.89e-3;
+    job.contact = {5.5e6, 1.2e3};
+    job.columns = {1.5, 2.5, 3};
+    job.rows = {0.0, 1.0, 3};
+    return job;
+}
+
+TEST(AutomaticEngine, LeavesThePapersCubicOut) {
+    const CellResult with = solve_cell(scene::Scene(paper_job(238.2325)), 0, 1);
+    const CellResult without = solve_cell(scene::Scene(paper_job(0)), 0, 1);
+    EXPECT_EQ(with.engine, Engine::exact);
+    EXPECT_EQ(with.peak_force, without.peak_force);
+}
+
+TEST(AutomaticEngine, KeepsEveryTermWhereNothingMayBeLeftOut) {
+    job::Job job = paper_job(238.2325);
+    job.solver.omit_tolerance = 0;
+    const CellResult kept = solve_cell(scene::Scene(job), 0, 1);
+    EXPECT_EQ(kept.engine, Engine::split);
+    const double linear = solve_cell(scene::Scene(paper_job(0)), 0, 1).peak_force;
+    EXPECT_GT(std::abs(kept.peak_force / linear - 1), 1e-6);
+    EXPECT_LT(std::abs(kept.peak_force / linear - 1), 2e-4);
+}
+
+TEST(AutomaticEngine, SolvesAgainWhereTheTermMatters) {
+    EXPECT_NE(solve_cell(scene::Scene(paper_job(238.2325e4)), 0, 1).engine, Engine::exact);
+    EXPECT_EQ(solve_cell(scene::Scene(paper_job(238.2325e7)), 0, 1).engine, Engine::cvode);
+}
+
+TEST(AutomaticEngine, DoesWhatItIsTold) {
+    job::Job job = paper_job(0);
+    job.solver.engine = job::EngineChoice::arkode;
+    EXPECT_EQ(solve_cell(scene::Scene(job), 0, 1).engine, Engine::arkode);
+}
+
+}  // namespace
+}  // namespace peterka::regime

@@ -1,0 +1,282 @@
+// Kicks by the cubic spring between exact legs: order, Jacobian, and agreement with a Taylor integration.
+#include "trajectory/split_cycle_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "rig.hpp"
+#include "taylor_oracle.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/split_error.hpp"
+
+namespace peterka::trajectory {
+namespace {
+
+using job::CubicForm;
+using testing::beam_170mm;
+using testing::paper_rig;
+using testing::TaylorOracle;
+
+constexpr double paper_cubic = 7.921e-7;  // A0^2 k3/k for k3 = k * 1 m^-2
+
+struct Place {
+    double frequency;
+    double gap;
+};
+// one stable orbit each, of period 1 or 2
+constexpr std::array<Place, 8> regular_cells{
+    {{2.0, 0.0}, {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3}, {2.75, 0.0}, {0.8, 0.2}, {3.1, 0.0}, {4.2, 0.5}}};
+
+Oscillator<double> rig(const Place& place, double cubic, CubicForm form = CubicForm::relative) {
+    auto scene = paper_rig(beam_170mm, place.frequency, place.gap);
+    scene.cubic = cubic;
+    scene.cubic_form = form;
+    return scene;
+}
+
+struct Orbit {
+    State<double> point;
+    double peak_force = 0;
+    double largest_displacement = 0;
+    int impacts = 0;
+};
+
+// Where a start has settled; force and impacts over four cycles.
+template <class Map>
+Orbit settle(const Map& map, const State<double>& start) {
+    Orbit orbit{start};
+    for (int n = 0; n < 1500; ++n) orbit.point = map(orbit.point, false).end;
+    State<double> x = orbit.point;
+    for (int n = 0; n < 4; ++n) {
+        const auto cycle = map(x, true);
+        x = cycle.end;
+        orbit.impacts += cycle.impacts;
+        orbit.peak_force = std::max(orbit.peak_force, cycle.peak_force);
+        orbit.largest_displacement = std::max(orbit.largest_displacement, cycle.largest_displacement);
+    }
+    return orbit;
+}
+
+template <class Map>
+Orbit settle(const Map& map) {
+    return settle(map, testing::start_at(map.scene()));
+}
+
+// The stable orbit near a point, by the oracle, over four cycles.
+TaylorOracle settled_oracle(const Oscillator<double>& scene, const State<double>& near, int settling = 60) {
+    TaylorOracle oracle(scene, near);
+    oracle.advance(settling);
+    oracle.advance(4);
+    return oracle;
+}
+
+TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> frequency(0.5, 4.5);
+    std::uniform_real_distribution<double> gap(-1, 3);
+    std::normal_distribution<double> state(0, 3);
+    int impacts = 0;
+    for (int n = 0; n < 200; ++n) {
+        const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
+        const auto scene = rig({frequency(random), gap(random)}, 0, form);
+        const State<double> x(state(random), state(random));
+        const auto exact = ExactCycleMap<double>(scene)(x, true);
+        const auto one_step = SplitCycleMap<double>(scene, 1)(x, true);
+        EXPECT_EQ(one_step.end, exact.end) << n;
+        EXPECT_EQ(one_step.peak_force, exact.peak_force) << n;
+        EXPECT_EQ(one_step.largest_displacement, exact.largest_displacement) << n;
+        const auto steps = SplitCycleMap<double>(scene, 12)(x, true);
+        impacts += exact.impacts;
+        EXPECT_EQ(steps.pattern, exact.pattern) << n;
+        EXPECT_EQ(steps.impacts, exact.impacts) << n;
+        // errors of the start grow by the Jacobian
+        const double rounding = 1e-13 * (1 + exact.jacobian.norm());
+        EXPECT_LT((steps.end - exact.end).norm(), rounding) << n;
+        EXPECT_NEAR(steps.peak_force, exact.peak_force, rounding * (1 + exact.peak_force)) << n;
+    }
+    EXPECT_GT(impacts, 150);
+}
+
+TEST(SplitCycleMap, IsSecondOrderInTheStep) {
+    for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
+        for (const Place& place : {Place{2.0, 0.0}, Place{2.75, 0.0}, Place{4.2, 0.5}}) {
+            const auto scene = rig(place, 1e3 * paper_cubic, form);
+            const auto near = settle(SplitCycleMap<double>(scene, 256)).point;
+            TaylorOracle oracle(scene, near);
+            oracle.advance(100);
+            std::array<State<double>, 2> points;  // an orbit of two cycles has two points
+            for (State<double>& point : points) {
+                oracle.advance(1);
+                point = {static_cast<double>(oracle.delta()), static_cast<double>(oracle.velocity())};
+            }
+            double coarse = 0;
+            for (const int steps : {64, 128, 256}) {
+                const auto orbit = settle(SplitCycleMap<double>(scene, steps), near);
+                const double error =
+                    std::min((orbit.point - points[0]).norm(), (orbit.point - points[1]).norm());
+                if (steps > 64) {
+                    EXPECT_NEAR(coarse / error, 4, 0.4) << place.frequency << " " << steps;
+                }
+                coarse = error;
+            }
+        }
+    }
+}
+
+TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> frequency(0.6, 4.0);
+    std::uniform_real_distribution<double> gap(-0.5, 2);
+    std::uniform_real_distribution<double> speed(-3, 3);
+    int impacts = 0;
+    for (int n = 0; n < 60; ++n) {
+        const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
+        auto scene = rig({frequency(random), gap(random)}, 0.02, form);
+        if (n % 4 == 1) scene.contact_damping *= 12;   // an overdamped stop
+        if (n % 4 == 2) scene.contact_stiffness = 50;  // a soft one
+        if (n % 4 == 3) scene.cubic = -0.004;          // a softening spring
+        if (n % 5 == 0) scene.contact_damping = 0;     // an elastic stop
+        const State<double> start(-std::abs(speed(random)), speed(random));
+        const auto cycle = SplitCycleMap<double>(scene, 512)(start, true);
+        TaylorOracle expected(scene, start);
+        expected.advance(1);
+        ASSERT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
+        impacts += cycle.impacts;
+        EXPECT_EQ(cycle.impacts, expected.impacts()) << n;
+        const double tolerance = 2e-5 * (1 + cycle.jacobian.norm());
+        EXPECT_NEAR(cycle.end[0], static_cast<double>(expected.delta()), tolerance) << n;
+        EXPECT_NEAR(cycle.end[1], static_cast<double>(expected.velocity()), tolerance) << n;
+        const auto force = static_cast<double>(expected.peak_force());
+        EXPECT_NEAR(cycle.peak_force, force, tolerance * (1 + force)) << n;
+    }
+    EXPECT_GT(impacts, 50);
+}
+
+TEST(SplitCycleMap, JacobianIsTheDerivative) {
+    constexpr double h = 1e-6;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> frequency(0.5, 4.5);
+    std::uniform_real_distribution<double> gap(-1, 3);
+    std::normal_distribution<double> state(0, 3);
+    int compared = 0;
+    for (int n = 0; n < 300; ++n) {
+        const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
+        const SplitCycleMap<double> map(rig({frequency(random), gap(random)}, 0.03, form), 12);
+        const State<double> x(state(random), state(random));
+        const auto cycle = map(x, false);
+        Jacobian<double> expected;
+        bool smooth = true;
+        for (int i = 0; i < 2; ++i) {
+            State<double> shift = State<double>::Zero();
+            shift[i] = h;
+            const auto up = map(x + shift, false);
+            const auto down = map(x - shift, false);
+            smooth &= up.pattern == down.pattern && up.pattern == cycle.pattern;
+            expected.col(i) = (up.end - down.end) / (2 * h);
+        }
+        const double size = cycle.jacobian.norm();
+        if (!smooth || size > 50) continue;  // next to grazing the differences themselves are off
+        ++compared;
+        EXPECT_LT((cycle.jacobian - expected).norm(), 1e-4 * (1 + size)) << n << " " << x.transpose();
+    }
+    EXPECT_GT(compared, 200);
+}
+
+TEST(SplitCycleMap, ThePapersCubicShiftsPeakForceAsTaylorIntegrationSays) {
+    for (const Place& place : regular_cells) {
+        const auto linear = settle(ExactCycleMap<double>(rig(place, 0)));
+        const auto scene = rig(place, paper_cubic);
+        const auto orbit = settle(SplitCycleMap<double>(scene, 64));
+        const auto expected = settled_oracle(scene, orbit.point);
+        const auto force = static_cast<double>(expected.peak_force());
+        EXPECT_EQ(orbit.impacts, expected.impacts());
+        EXPECT_NEAR(orbit.peak_force / force, 1, 3e-10) << place.frequency;
+        const double shift = std::abs(orbit.peak_force / linear.peak_force - 1);
+        EXPECT_GT(shift, 2e-7) << place.frequency;
+        EXPECT_LT(shift, 1.1e-4) << place.frequency;
+    }
+}
+
+TEST(SplitCycleMap, KeepsThreeImpactsInTwoCycles) {
+    for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
+        for (const int steps : {4, 14, 21, 33, 100}) {
+            const auto orbit = settle(SplitCycleMap<double>(rig({3.1, 0.0}, paper_cubic, form), steps));
+            EXPECT_EQ(orbit.impacts, 6) << steps;
+        }
+    }
+}
+
+TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
+    // a spring that presses the hammer on the stop; the cubic adds cubic * |gap|^3 to the load
+    auto scene = rig({0.5, -3.0}, 0.01);
+    auto linear = scene;
+    linear.cubic = 0;
+    const ExactCycleMap<double> exact(linear);
+    const auto pressed = settle(SplitCycleMap<double>(scene, 16), exact.steady_contact());
+    const auto expected = settled_oracle(scene, pressed.point, 1);
+    EXPECT_EQ(pressed.impacts, 0);
+    const auto force = static_cast<double>(expected.peak_force());
+    EXPECT_NEAR(pressed.peak_force / force, 1, 1e-6);
+    EXPECT_NEAR(pressed.peak_force - exact.steady_contact_force(), 0.01 * 27, 1e-3);
+}
+
+TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {
+    int fit = 0;
+    for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
+        for (const double stronger : {1.0, 1e3, 1e5}) {
+            for (const Place& place : regular_cells) {
+                const auto scene = rig(place, stronger * paper_cubic, form);
+                // strong cubics have several stable orbits: all start near the same one
+                const auto guess = settle(SplitCycleMap<double>(scene, 128));
+                if (guess.impacts == 0) continue;
+                const auto expected = settled_oracle(scene, guess.point);
+                const auto force = static_cast<double>(expected.peak_force());
+                for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+                    const int steps = split_steps(scene, guess.largest_displacement, tolerance);
+                    if (steps == 0) continue;
+                    ++fit;
+                    const auto orbit = settle(SplitCycleMap<double>(scene, steps), guess.point);
+                    EXPECT_LT(std::abs(orbit.peak_force / force - 1), tolerance)
+                        << place.frequency << " " << stronger << " " << steps;
+                }
+            }
+        }
+    }
+    EXPECT_GT(fit, 40);
+}
+
+TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
+    auto scene = rig({2.0, 0.5}, 0);
+    EXPECT_EQ(split_steps(scene, 7, 1e-9), 1);
+    scene.cubic = paper_cubic;
+    const int weak = split_steps(scene, 7, 1e-9);
+    EXPECT_GT(weak, 8);
+    EXPECT_LT(weak, 128);
+    EXPECT_GT(split_steps(scene, 14, 1e-9), weak);
+    EXPECT_LT(split_steps(scene, 7, 1e-6), weak);
+    scene.cubic = 1e5 * paper_cubic;
+    EXPECT_EQ(split_steps(scene, 7, 1e-9), 0);
+    scene.cubic = -0.01;  // gives way at |u| = 10
+    EXPECT_EQ(split_steps(scene, 7, 1e-2), 0);
+    EXPECT_EQ(SplitCycleMap<double>(scene, 0)({-1, 0}, false).outcome, Cycle<double>::Outcome::solver_failed);
+}
+
+TEST(SplitError, TellsTheErrorByHalvingTheStep) {
+    for (const Place& place : {Place{3.1, 0.0}, Place{4.2, 0.5}, Place{3.5, 0.3}}) {
+        const auto scene = rig(place, 1e3 * paper_cubic);
+        const SplitCycleMap<double> map(scene, 32);
+        const auto orbit = settle(map);
+        const auto expected = settled_oracle(scene, orbit.point, 100);
+        const double error = std::abs(orbit.peak_force / static_cast<double>(expected.peak_force()) - 1);
+        const auto told = split_error(map, orbit.point, 4, 400);
+        ASSERT_TRUE(told.comparable);
+        EXPECT_NEAR(told.peak_force / error, 1, 0.15) << place.frequency;
+        EXPECT_GT(told.end.norm(), 0);
+    }
+}
+
+}  // namespace
+}  // namespace peterka::trajectory
