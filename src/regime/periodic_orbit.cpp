@@ -45,7 +45,7 @@ std::optional<PeriodicOrbit> find_orbit(StroboscopicMap& map, const Point& guess
 
 std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                std::int64_t q) {
-    const auto found = find_orbit(map, trajectory.state(), q);
+    auto found = find_orbit(map, trajectory.state(), q);
     if (!found || found->pattern != trajectory.pattern(q)) return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
@@ -53,7 +53,7 @@ std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recur
         const Passage passage = map.advance(found->point, divisor);
         const double tolerance = same_orbit * magnitude(found->point);
         if (!passage.ok || (passage.end - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
-        const auto smaller = find_orbit(map, found->point, divisor);
+        auto smaller = find_orbit(map, found->point, divisor);
         if (!smaller || (smaller->point - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
         if (smaller->multiplier < largest_stable && smaller->pattern == trajectory.pattern(divisor))
             return smaller;

@@ -83,10 +83,16 @@ class LinearLegs {
         return {.position = scene_.contact_stiffness, .velocity = scene_.contact_damping};
     }
 
-    // Largest |u| from the start of a leg on: u rests at 0 in flight, and at the stop in contact.
-    [[nodiscard]] Real displacement_bound(Phase phase, const Leg<Real>& leg) const {
+    // Bound of |u| over a leg of this duration: from the parts of its motion, or, where these nearly cancel
+    // close to resonance, from its energy at the start and the work that the drive can do.
+    [[nodiscard]] Real displacement_bound(Phase phase, const Leg<Real>& leg, Real duration) const {
         const Probe<Real>& position = phase == Phase::contact ? depth_ : touch_;
-        return std::abs(position.rest() + scene_.gap) + position.swing() + position.transient(leg.start());
+        const Real natural = leg.motion().natural_frequency();
+        const State<Real>& x = leg.start().state;
+        const Real by_parts = position.swing() + position.transient(leg.start());
+        const Real by_energy =
+            std::hypot(x[0] - position.rest(), x[1] / natural) + scene_.drive() * duration / natural;
+        return std::abs(position.rest() + scene_.gap) + (by_parts < by_energy ? by_parts : by_energy);
     }
 
     [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
@@ -159,7 +165,8 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, bool measure) 
         cycle.separated |= phase == Phase::flight;
         if (measure) {
             if (phase == Phase::contact) cycle.peak_force = peak_.over(leg, end, cycle.peak_force);
-            cycle.largest_displacement = std::max(cycle.largest_displacement, displacement_bound(phase, leg));
+            cycle.largest_displacement =
+                std::max(cycle.largest_displacement, displacement_bound(phase, leg, end.time));
         }
         cycle.jacobian = end.flow * cycle.jacobian;
         cycle.end = end.state;

@@ -49,7 +49,7 @@ class SplitCycleMap {
             const Real end = step + 1 < steps_ ? period * Real(step + 1) / Real(steps_) : period;
             const LinearLegs<Real>& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
             if (!legs.run(journey, end, measure)) break;
-            half_kick(cart_[static_cast<std::size_t>(step + 1)], journey);
+            half_kick(cart_[static_cast<std::size_t>(step) + 1], journey);
         }
         return journey.cycle;
     }
