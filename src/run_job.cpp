@@ -17,6 +17,7 @@
 #include "scene/scene.hpp"
 #include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
+#include "support/tell.hpp"
 
 namespace peterka {
 namespace {
@@ -34,6 +35,16 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
     return MapFile::open(plan.file, plan.job, scene.scales().force_ratio(), session.communicator(), access);
 }
 
+// A finished map is shown as it is, so it must be what was computed.
+void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining) {
+    if (remaining.tiles.empty()) return;
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: {} tiles of this finished map are damaged (wrong checksum); don't trust it, and "
+                    "compute it again with --fresh",
+                    plan.file.string(), remaining.tiles.size()));
+}
+
 void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene,
                const output::Statistics& statistics, std::span<const std::string> omitted,
                const Stopwatch& wall) {
@@ -48,16 +59,16 @@ void summarise(const Session& session, const RunPlan& plan, const scene::Scene& 
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
     if (!session.is_root()) return;
-    fmt::print(stderr, "peterka: stopped early ({}); the same command{} goes on from {}\n", stop.reason(),
-               plan.fresh ? " without --fresh" : "", plan.file.string());
+    tell("peterka: stopped early ({}); the same command{} goes on from {}\n", stop.reason(),
+         plan.fresh ? " without --fresh" : "", plan.file.string());
 }
 
 ExitCode judge(const Session& session, const RunPlan& plan, const output::Statistics& statistics) {
     const std::int64_t failed = statistics.cells_of(regime::Regime::failed);
     if (failed <= plan.job.limits.failed_cells) return ExitCode::done;
     if (session.is_root()) {
-        fmt::print(stderr, "peterka: {} cells failed, and the job allows {} (limits.failed_cells)\n", failed,
-                   plan.job.limits.failed_cells);
+        tell("peterka: {} cells failed, and the job allows {} (limits.failed_cells)\n", failed,
+             plan.job.limits.failed_cells);
     }
     return ExitCode::too_many_failures;
 }
@@ -74,6 +85,7 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     // Ranks work alone from here on, and the file's destructor would wait for all of them.
     parallel::failing_ends_all(session, [&] {
         const bool complete = plan.existing == Existing::complete;
+        if (complete) refuse_damage(plan, file.remaining_tiles());
         const bool solved = complete || solve_missing_tiles(session, plan, scene, stop, file);
         const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
         if (solved) {

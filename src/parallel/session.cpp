@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "parallel/checked.hpp"
+#include "support/tell.hpp"
 
 namespace peterka::parallel {
 namespace {
@@ -20,7 +21,7 @@ class AgreedFailure : public Failure {
 
 void say(const std::string& message) {
     std::fflush(stdout);
-    fmt::print(stderr, "peterka: {}\n", message);
+    tell("peterka: {}\n", message);
     std::fflush(stderr);
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "regime/solve_cell.hpp"
 #include "support/progress.hpp"
 #include "support/stopwatch.hpp"
+#include "support/tell.hpp"
 #include "support/terminal.hpp"
 
 namespace peterka {
@@ -47,8 +47,7 @@ std::vector<parallel::TileRange> find_missing_tiles(const Session& session, cons
     if (!session.is_root()) return missing;
     for (const std::int64_t tile : remaining.tiles) parallel::append_tile(missing, tile);
     if (remaining.damaged > 0 && !plan.quiet) {
-        fmt::print(stderr, "peterka: {} tiles are damaged (wrong checksum) and are computed again\n",
-                   remaining.damaged);
+        tell("peterka: {} tiles are damaged (wrong checksum) and are computed again\n", remaining.damaged);
     }
     return missing;
 }

@@ -12,6 +12,8 @@ class Growth {
   public:
     static constexpr int settling_cycles = 100;  // left out of the exponent: the transient's own growth
     static constexpr int block_cycles = 25;      // long enough that blocks scatter independently
+    static constexpr double least_growth =
+        20;  // ln of what separates chaos from a transient that merely drifts
 
     // Advances by one cycle, whose Jacobian is given in scaled coordinates.
     void advance(const Eigen::Matrix2d& jacobian) {
@@ -22,7 +24,7 @@ class Growth {
         log_size_ += std::log(size);
         log_largest_ = std::max(log_largest_, log_size_);
         ++cycles_;
-        if (cycles_ == settling_cycles) block_start_ = log_size_;
+        if (cycles_ == settling_cycles) block_start_ = log_settled_ = log_size_;
         if (cycles_ > settling_cycles && (cycles_ - settling_cycles) % block_cycles == 0) close_block();
     }
 
@@ -32,9 +34,11 @@ class Growth {
     [[nodiscard]] bool block_just_closed() const {
         return blocks_ > 1 && (cycles_ - settling_cycles) % block_cycles == 0;
     }
-    // Positive by more than three standard errors.
+    // Positive by more than three standard errors, and a perturbation really grew: blocks of a slow drift
+    // scatter little.
     [[nodiscard]] bool surely_positive() const {
-        return blocks_ > 1 && mean_ > 3 * std::sqrt(squares_ / (blocks_ - 1.0) / blocks_);
+        return blocks_ > 1 && log_size_ - log_settled_ > least_growth &&
+               mean_ > 3 * std::sqrt(squares_ / (blocks_ - 1.0) / blocks_);
     }
 
   private:
@@ -51,8 +55,9 @@ class Growth {
     double log_size_ = 0;
     double log_largest_ = 0;
     double block_start_ = 0;
-    double mean_ = 0;     // of the blocks' rates
-    double squares_ = 0;  // sum of their squared deviations
+    double log_settled_ = 0;  // ln of the growth while settling
+    double mean_ = 0;         // of the blocks' rates
+    double squares_ = 0;      // sum of their squared deviations
     long cycles_ = 0;
     int blocks_ = 0;
 };

@@ -1,10 +1,12 @@
 // The decision procedure: follow one start until its regime is proved, or the budget ends.
 //
-//   no impact          the decaying rest of the free flight can't reach the stop any more
-//   sustained contact  the decaying rest of the contact can't make the force vanish, or a proved orbit never
-//   separates periodic           a near-recurrence led Newton's method to a stable orbit, and the trajectory
-//   contracts to it chaotic            after chaos_cycles the largest Lyapunov exponent is positive by three
-//   standard errors unresolved         the budget ran out, or nothing in the scene dissipates
+// - no impact: the decaying rest of the free flight can't reach the stop any more
+// - sustained contact: the decaying rest of the contact can't make the force vanish, or a proved orbit never
+//   separates
+// - periodic: a near-recurrence led Newton's method to a stable orbit, and the trajectory contracts to it
+// - chaotic: after chaos_cycles the largest Lyapunov exponent is positive by three standard errors, and a
+//   perturbation grew by e^20
+// - unresolved: the budget ran out, or nothing in the scene dissipates
 //
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
 // the gap), it may be a long transient. Peak force and impact rate of chaotic and unresolved cells are those of

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "support/readable.hpp"
+#include "support/tell.hpp"
 
 namespace peterka {
 namespace {
@@ -43,8 +44,8 @@ std::string progress_bar(const ProgressCounts& counts, int width) {
 Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before)
     : style_(style), counts_{cells, cells_before, cells_before} {
     if (style_ == ProgressStyle::lines) {
-        fmt::print(stderr, "peterka: {} cells to compute, {} already in the file\n",
-                   readable_count(cells - cells_before), readable_count(cells_before));
+        tell("peterka: {} cells to compute, {} already in the file\n", readable_count(cells - cells_before),
+             readable_count(cells_before));
         next_print_seconds_ = line_interval_seconds;
     }
 }
@@ -67,9 +68,9 @@ void Progress::print() const {
     const std::string text = progress_text(counts_, since_start_.seconds());
     if (style_ == ProgressStyle::bar) {
         // Back to the line's start, and blank out what a longer text may have left behind.
-        fmt::print(stderr, "\r{} {:<45}", progress_bar(counts_, bar_width), text);
+        tell("\r{} {:<45}", progress_bar(counts_, bar_width), text);
     } else {
-        fmt::print(stderr, "peterka: {}\n", text);
+        tell("peterka: {}\n", text);
     }
     std::fflush(stderr);
 }

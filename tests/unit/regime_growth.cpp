@@ -26,6 +26,14 @@ TEST(Growth, IsNotSureOfAnExponentNearZero) {
     EXPECT_FALSE(growth.surely_positive());
 }
 
+// 1000 cycles of a drift that scatters not at all, and grows a perturbation threefold only.
+TEST(Growth, DoesNotTakeASlowDriftForChaos) {
+    Growth growth;
+    for (int n = 0; n < 1000; ++n) growth.advance(std::exp(0.001) * Eigen::Matrix2d::Identity());
+    EXPECT_NEAR(growth.exponent(), 0.001, 1e-12);
+    EXPECT_FALSE(growth.surely_positive());
+}
+
 TEST(Growth, RemembersTheLargestGrowth) {
     Growth growth;
     for (int n = 0; n < 10; ++n) growth.advance(2 * Eigen::Matrix2d::Identity());

@@ -62,6 +62,15 @@ TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
     EXPECT_EQ(cell.period, 0);
 }
 
+// Slow transients with a slightly positive exponent over the first thousand cycles: 2/4 and 2/2 in the end.
+TEST(Regimes, SlowDriftIsNotChaos) {
+    const auto drifting = paper_rig(beam_150mm, 0.8992172211350293, 2.495107632093933);
+    const CellResult doubled = solve(drifting);
+    EXPECT_EQ(std::make_pair(doubled.impacts, doubled.period), std::make_pair(2, 4));
+    const CellResult alternating = solve(paper_rig(beam_170mm, 0.5 + 4.0 * 10 / 99, 5.0 * 37 / 99));
+    EXPECT_EQ(std::make_pair(alternating.impacts, alternating.period), std::make_pair(2, 2));
+}
+
 TEST(Regimes, BudgetEndsInUnresolved) {
     const CellResult cell = solve(paper_rig(beam_170mm, 2.0, 0.0), 0, 0, {.max_cycles = 2});
     EXPECT_EQ(cell.regime, Regime::unresolved);

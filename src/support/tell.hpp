@@ -1,0 +1,18 @@
+// Messages on stderr. They must never end a run: a log on a full disk, or none at all, is not the map's fault.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace peterka {
+
+template <class... Values>
+void tell(fmt::format_string<Values...> format, Values&&... values) {
+    const std::string text = fmt::format(format, std::forward<Values>(values)...);
+    static_cast<void>(std::fputs(text.c_str(), stderr));
+}
+
+}  // namespace peterka
