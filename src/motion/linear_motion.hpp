@@ -38,8 +38,8 @@ LinearEquation<Real> flight_equation(const scene::Oscillator<Real>& scene) {
 
 template <class Real>
 LinearEquation<Real> contact_equation(const scene::Oscillator<Real>& scene) {
-    return {scene.damping_ratio + scene.contact_damping / 2, 1 + scene.contact_stiffness, -scene.gap,
-            scene.drive(), scene.frequency};
+    return {scene.damping_ratio + scene.kelvin_voigt().damping / 2, 1 + scene.kelvin_voigt().stiffness,
+            -scene.gap, scene.drive(), scene.frequency};
 }
 
 // A point of a motion: where it is, which part of that is homogeneous, and the forcing's phase.

@@ -10,8 +10,8 @@ namespace {
 // about 1/(2 b). An implicit one is cheaper where that is much faster than the contact's own frequency, or
 // where a contact that lasts for a whole cycle would take more steps than an implicit method ever does.
 bool contact_is_stiff(const scene::Oscillator<double>& scene) {
-    const double rate = 2 * scene.damping_ratio + scene.contact_damping;
-    return rate > 20 * std::sqrt(1 + scene.contact_stiffness) || rate * scene.period() > 1e4;
+    const double rate = 2 * scene.damping_ratio + scene.kelvin_voigt().damping;
+    return rate > 20 * std::sqrt(1 + scene.kelvin_voigt().stiffness) || rate * scene.period() > 1e4;
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x)
 
 std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<double>& x) const {
     if (scene_.cubic != 0 || !linear_.stays_in_contact(x)) return std::nullopt;
-    const bool decays = scene_.damping_ratio > 0 || scene_.contact_damping > 0;
+    const bool decays = scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0;
     return SettledMotion{linear_.steady_contact(), linear_.contact_jacobian(),
                          decays ? linear_.steady_contact_force() : linear_.largest_contact_force(x),
                          linear_.largest_contact_displacement(x)};

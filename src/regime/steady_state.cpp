@@ -57,7 +57,7 @@ class Search {
           recurrence_(budget.max_period, scene.cubic != 0),
           state_(map_.scaled(start)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
-          conservative_(scene.damping_ratio == 0 && scene.contact_damping == 0) {}
+          conservative_(scene.damping_ratio == 0 && scene.kelvin_voigt().damping == 0) {}
 
     CellResult run() {
         for (std::int64_t cycle = 0;; ++cycle) {

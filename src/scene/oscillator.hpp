@@ -2,7 +2,7 @@
 //
 // tau = omega t, u = (x - y)/A0, velocities in A0 omega, forces in k A0, with omega = sqrt(k/m):
 //     u'' + 2 zeta u' + u + r = eta^2 sin(eta tau) - f,
-//     f = kappa delta + chi delta' while the stop presses, 0 otherwise, with the penetration delta = u - gap
+// with the penetration delta = u - gap and the force f(delta, delta') of the stop, see scene/contact_law.hpp
 // (eqs. 3-6 and 14-17 of Aguiar & Weber). The cubic part of the springs is r = cubic u^3 (relative, eq. 14) or
 // r = cubic (x^3 - y^3) with y = sin(eta tau) and x = u + y (absolute, eq. 3).
 // The state used everywhere is (delta, delta'), relative to the stop, so that nothing cancels at a stiff stop.
@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "job/job.hpp"
+#include "scene/contact_law.hpp"
 
 namespace peterka::scene {
 
@@ -23,17 +24,20 @@ using Jacobian = Eigen::Matrix<Real, 2, 2>;
 
 template <class Real>
 struct Oscillator {
-    Real damping_ratio = 0;      // zeta = c/(2 m omega)
-    Real contact_stiffness = 0;  // kappa = ki/k
-    Real contact_damping = 0;    // chi = ci/(m omega)
-    Real frequency = 0;          // eta = Omega/omega
-    Real gap = 0;                // gap/A0
-    Real cubic = 0;              // k3 A0^2/k
+    Real damping_ratio = 0;  // zeta = c/(2 m omega)
+    ContactLaw<Real> contact = {};
+    Real frequency = 0;  // eta = Omega/omega
+    Real gap = 0;        // gap/A0
+    Real cubic = 0;      // k3 A0^2/k
     job::CubicForm cubic_form = job::CubicForm::relative;
 
     // Amplitude of the forcing, and its period in tau.
     [[nodiscard]] Real drive() const { return frequency * frequency; }
     [[nodiscard]] Real period() const { return 2 * std::numbers::pi_v<Real> / frequency; }
+
+    // The spring-dashpot stop, for what is written for it alone; std::bad_variant_access for another law.
+    [[nodiscard]] const KelvinVoigt<Real>& kelvin_voigt() const { return std::get<KelvinVoigt<Real>>(contact); }
+    [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }
 };
 
 }  // namespace peterka::scene

@@ -15,8 +15,7 @@ Oscillator<double> oscillator_of(const job::Job& job) {
     const job::DerivedNumbers numbers = derive(job.hammer, job.contact);
     const double amplitude = job.cart.amplitude_m;
     return {.damping_ratio = numbers.zeta,
-            .contact_stiffness = numbers.kappa,
-            .contact_damping = numbers.chi,
+            .contact = KelvinVoigt<double>{numbers.kappa, numbers.chi},
             .cubic = job.hammer.cubic_stiffness_n_per_m3 * amplitude * amplitude / job.hammer.stiffness(),
             .cubic_form = job.hammer.cubic};
 }

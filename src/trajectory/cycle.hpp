@@ -16,7 +16,7 @@ enum class Phase : std::uint8_t { flight, contact, unloaded };
 // kappa delta + chi delta': what the stop would exert at this state while it presses. In k A0.
 template <class Real>
 Real contact_force(const Oscillator<Real>& scene, const State<Real>& x) {
-    return scene.contact_stiffness * x[0] + scene.contact_damping * x[1];
+    return scene.kelvin_voigt().stiffness * x[0] + scene.kelvin_voigt().damping * x[1];
 }
 
 // The phase is a function of the state alone, so that a cycle is a map.

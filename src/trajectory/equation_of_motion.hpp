@@ -52,8 +52,8 @@ Acceleration<Real> acceleration(const Oscillator<Real>& scene, Phase phase, cons
     }
     if (phase == Phase::contact) {
         a.value -= contact_force(scene, x);
-        a.by_position -= scene.contact_stiffness;
-        a.by_velocity -= scene.contact_damping;
+        a.by_position -= scene.kelvin_voigt().stiffness;
+        a.by_velocity -= scene.kelvin_voigt().damping;
     }
     return a;
 }

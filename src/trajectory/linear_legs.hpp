@@ -80,7 +80,7 @@ class LinearLegs {
     };
 
     [[nodiscard]] Signal<Real> force() const {
-        return {.position = scene_.contact_stiffness, .velocity = scene_.contact_damping};
+        return {.position = scene_.kelvin_voigt().stiffness, .velocity = scene_.kelvin_voigt().damping};
     }
 
     // Bound of |u| over a leg of this duration: from the parts of its motion, or, where these nearly cancel
@@ -133,11 +133,11 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey) const {
         // rising, it can only be a new touch
         const bool resumes = journey.phase == Phase::unloaded && cycle.end[1] < 0;
         if (resumes) {
-            cycle.end[0] = -scene_.contact_damping / scene_.contact_stiffness * cycle.end[1];
+            cycle.end[0] = -scene_.kelvin_voigt().damping / scene_.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
             cycle.end[0] = 0;
-            cycle.jacobian.row(1) -= scene_.contact_damping * cycle.jacobian.row(0);
+            cycle.jacobian.row(1) -= scene_.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
     }
     journey.phase = next;

@@ -121,7 +121,7 @@ inline int split_steps(const Oscillator<double>& scene, double largest_displacem
     if (scene.cubic < 0 && share > 0.5) return 0;
     const double fast = std::max(1.0, scene.frequency);
     const double second = 0.7 * std::min(share, share * share) + 0.6 * cart * share * fast * fast +
-                          3 * share / (1 + scene.contact_stiffness);
+                          3 * share / (1 + scene.kelvin_voigt().stiffness);
     const double third = 0.1 * share_at_stop;
     const double fourth = 0.03 * share;
     const double part = tolerance / 3;

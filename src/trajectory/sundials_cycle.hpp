@@ -70,11 +70,11 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
     if (next == Phase::contact) {
         const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
         if (resumes) {
-            cycle.end[0] = -scene.contact_damping / scene.contact_stiffness * cycle.end[1];
+            cycle.end[0] = -scene.kelvin_voigt().damping / scene.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
             cycle.end[0] = 0;
-            cycle.jacobian.row(1) -= scene.contact_damping * cycle.jacobian.row(0);
+            cycle.jacobian.row(1) -= scene.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
     }
     if (next != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(next));
@@ -119,7 +119,8 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, bool meas
         if (end.kind == LegEnd::Kind::cycle) return cycle;
         enter(phase, end.next, cycle);
         phase = end.next;
-        if (phase == Phase::unloaded && scene.contact_damping == 0) {  // an elastic stop lets go at delta = 0
+        if (phase == Phase::unloaded &&
+            scene.kelvin_voigt().damping == 0) {  // an elastic stop lets go at delta = 0
             cycle.end[0] = 0;
             phase = Phase::flight;
         }

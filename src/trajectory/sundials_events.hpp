@@ -86,8 +86,8 @@ Sample StepEvents<Stepper>::force(const LegPoint& point) const {
     }
     const auto a = leg_->acceleration_at(x, point.time);
     return {point.time, contact_force(scene, x),
-            scene.contact_stiffness * x[1] + scene.contact_damping * a.value,
-            scene.contact_stiffness * a.value + scene.contact_damping * a.jerk(x[1])};
+            scene.kelvin_voigt().stiffness * x[1] + scene.kelvin_voigt().damping * a.value,
+            scene.kelvin_voigt().stiffness * a.value + scene.kelvin_voigt().damping * a.jerk(x[1])};
 }
 
 template <class Stepper>
@@ -123,7 +123,8 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
         const double correction = rough ? -s.value / s.slope : parabola_step(s.value, s.slope, s.curvature);
         if (!rough && std::abs(correction) * rate < short_step) return extrapolated(*leg_, point, correction);
         if (above.time - below.time <= 4 * std::numeric_limits<double>::epsilon() * above.time) break;
-        const double noise = leg_->local_tolerance * leg_->scene.contact_stiffness * std::abs(point.state[0]);
+        const double noise =
+            leg_->local_tolerance * leg_->scene.kelvin_voigt().stiffness * std::abs(point.state[0]);
         if (rough && std::abs(s.value) <= noise / 10) break;
         time += correction;
         if (!(time > below.time && time < above.time)) time = (below.time + above.time) / 2;

@@ -8,8 +8,8 @@
 namespace peterka::trajectory {
 
 Rates contact_rates(const Oscillator<double>& scene) {
-    const double stiffness = 1 + scene.contact_stiffness;
-    const double damping = scene.damping_ratio + scene.contact_damping / 2;
+    const double stiffness = 1 + scene.kelvin_voigt().stiffness;
+    const double damping = scene.damping_ratio + scene.kelvin_voigt().damping / 2;
     const double discriminant = damping * damping - stiffness;
     if (discriminant <= 0) return {std::sqrt(stiffness), std::sqrt(stiffness)};
     const double fast = damping + std::sqrt(discriminant);
@@ -68,7 +68,7 @@ int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data) {
     const Rates rates = contact ? leg.contact : Rates{flight_rate, flight_rate};
     const double response = scene.drive() / (1 + scene.drive());
     const double length =
-        floor * (contact ? (response + std::abs(scene.gap)) / (1 + scene.contact_stiffness) : response);
+        floor * (contact ? (response + std::abs(scene.gap)) / (1 + scene.kelvin_voigt().stiffness) : response);
     for (int column = 0; column < leg_unknowns; column += 2) {
         const double smallest = column == 0 ? length : flow_floor / rates.fast;
         const double position = std::abs(y[column]);

@@ -72,8 +72,7 @@ TEST(LimitsOfOneToOne, BorderCollisionAtGapZero) {
 
 scene::Oscillator<double> compliant(double stiffness) {
     return {.damping_ratio = 0.02,
-            .contact_stiffness = stiffness,
-            .contact_damping = 2 * 0.2 * std::sqrt(stiffness),
+            .contact = scene::KelvinVoigt<double>{stiffness, 2 * 0.2 * std::sqrt(stiffness)},
             .frequency = 2,
             .gap = 0.5};
 }

@@ -38,8 +38,8 @@ ReferenceCell parse(const std::string& line) {
     ReferenceCell cell;
     cell.name = column.at(0) + ", frequency_ratio " + column.at(7) + ", gap " + column.at(8) + " m";
     cell.scene = {.damping_ratio = number(column.at(3)) / (2 * mass * omega),
-                  .contact_stiffness = number(column.at(5)) / stiffness,
-                  .contact_damping = number(column.at(6)) / (mass * omega),
+                  .contact = scene::KelvinVoigt<double>{number(column.at(5)) / stiffness,
+                                                        number(column.at(6)) / (mass * omega)},
                   .frequency = number(column.at(7)),
                   .gap = number(column.at(8)) / amplitude};
     cell.start = testing::start_at(cell.scene, number(column.at(9)) / amplitude,

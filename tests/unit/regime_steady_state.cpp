@@ -83,7 +83,7 @@ TEST(Regimes, BudgetEndsInUnresolved) {
 TEST(Regimes, NothingSettlesWithoutDissipation) {
     auto scene = paper_rig(beam_170mm, 1.7, 0.2);
     scene.damping_ratio = 0;
-    scene.contact_damping = 0;
+    scene.kelvin_voigt().damping = 0;
     const CellResult cell = solve(scene);
     EXPECT_EQ(cell.regime, Regime::unresolved);
     EXPECT_EQ(cell.status, Status::conservative);
@@ -137,9 +137,9 @@ TEST(Regimes, ExtremeScenesEnd) {
     for (int n = 0; n < 400; ++n) {
         scene::Oscillator<double> scene;
         scene.damping_ratio = n % 10 == 0 ? 0 : std::pow(10.0, -6 + 6.3 * share(random));
-        scene.contact_stiffness = std::pow(10.0, -2 + 17 * share(random));
+        scene.kelvin_voigt().stiffness = std::pow(10.0, -2 + 17 * share(random));
         const double contact_damping_ratio = n % 7 == 0 ? 0 : std::pow(10.0, -3 + 5 * share(random));
-        scene.contact_damping = 2 * contact_damping_ratio * std::sqrt(scene.contact_stiffness);
+        scene.kelvin_voigt().damping = 2 * contact_damping_ratio * std::sqrt(scene.kelvin_voigt().stiffness);
         scene.frequency = std::pow(10.0, -2 + 3.7 * share(random));
         scene.gap = n % 5 == 0 ? 0 : 6 * (share(random) - 0.3);
         const double spread = n % 11 == 0 ? 1e6 : 3;
@@ -149,7 +149,7 @@ TEST(Regimes, ExtremeScenesEnd) {
         ++found[cell.regime];
         if (cell.regime == Regime::failed) {
             EXPECT_EQ(cell.status, Status::too_many_events) << n;
-            EXPECT_EQ(scene.contact_damping, 0) << n;
+            EXPECT_EQ(scene.kelvin_voigt().damping, 0) << n;
         } else {
             EXPECT_TRUE(std::isfinite(cell.peak_force)) << n;
         }

@@ -20,8 +20,7 @@ inline scene::Oscillator<double> paper_rig(BeamSpring beam, double frequency_rat
     const double mass = 0.298;
     const double omega = 2 * std::numbers::pi * beam.natural_frequency_hz;
     return {.damping_ratio = beam.damping_ns_per_m / (2 * mass * omega),
-            .contact_stiffness = 5.5e6 / (mass * omega * omega),
-            .contact_damping = 1.2e3 / (mass * omega),
+            .contact = scene::KelvinVoigt<double>{5.5e6 / (mass * omega * omega), 1.2e3 / (mass * omega)},
             .frequency = frequency_ratio,
             .gap = gap_ratio};
 }

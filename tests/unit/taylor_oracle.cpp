@@ -8,8 +8,8 @@ namespace peterka::testing {
 
 TaylorOracle::TaylorOracle(const scene::Oscillator<double>& scene, const scene::State<double>& start)
     : zeta_(scene.damping_ratio),
-      stiffness_(scene.contact_stiffness),
-      damping_(scene.contact_damping),
+      stiffness_(scene.kelvin_voigt().stiffness),
+      damping_(scene.kelvin_voigt().damping),
       eta_(scene.frequency),
       gap_(scene.gap),
       cubic_(scene.cubic),

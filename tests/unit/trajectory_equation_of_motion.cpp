@@ -55,8 +55,8 @@ TEST(EquationOfMotion, CubicFormsDifferAsComputedByHand) {
     EXPECT_NEAR(absolute.by_position, -1 - 1.5 * 9.0 / 4, 1e-14);
     EXPECT_NEAR(absolute.by_time, 8 * cosine - 1.5 * (9.0 / 4 - 1.0 / 4) * 2 * cosine, 1e-14);
     EXPECT_NEAR(absolute.by_position_twice, -4.5, 1e-14);
-    scene.contact_stiffness = 100;
-    scene.contact_damping = 7;
+    scene.kelvin_voigt().stiffness = 100;
+    scene.kelvin_voigt().damping = 7;
     const auto contact = acceleration(scene, Phase::contact, x, theta);
     EXPECT_NEAR(contact.value, absolute.value - 75 - 14, 1e-12);
     EXPECT_NEAR(contact.by_position, absolute.by_position - 100, 1e-12);

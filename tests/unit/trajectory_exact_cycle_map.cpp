@@ -68,8 +68,8 @@ TEST(ExactCycleMap, AgreesWithIntegrationFromRandomStarts) {
     int impacts = 0;
     for (int n = 0; n < 40; ++n) {
         auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
-        if (n % 4 == 1) scene.contact_damping *= 12;  // an overdamped stop
-        if (n % 4 == 2) scene.contact_damping = 0;    // an elastic one
+        if (n % 4 == 1) scene.kelvin_voigt().damping *= 12;  // an overdamped stop
+        if (n % 4 == 2) scene.kelvin_voigt().damping = 0;    // an elastic one
         if (n % 4 == 3) scene.damping_ratio = 0.4;
         const State<double> start(speed(random) - scene.gap, speed(random));
         const auto cycle = ExactCycleMap<double>(scene)(start, true);

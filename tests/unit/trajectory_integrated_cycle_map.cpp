@@ -86,10 +86,10 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
     for (int n = 0; n < 40; ++n) {
         SCOPED_TRACE(n);
         auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
-        if (n % 5 == 1) scene.contact_damping *= 4;  // an overdamped stop
-        if (n % 5 == 2) scene.contact_damping = 0;   // an elastic one
+        if (n % 5 == 1) scene.kelvin_voigt().damping *= 4;  // an overdamped stop
+        if (n % 5 == 2) scene.kelvin_voigt().damping = 0;   // an elastic one
         if (n % 5 == 3) scene.damping_ratio = 0.4;
-        if (n % 5 == 4) scene.contact_stiffness = 3;  // a soft one
+        if (n % 5 == 4) scene.kelvin_voigt().stiffness = 3;  // a soft one
         const State<double> start(speed(random) - scene.gap, speed(random));
         const auto expected = ExactCycleMap<double>(scene)(start, true);
         const auto cycle = map(scene)(start, true);
@@ -155,8 +155,8 @@ TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
             const bool stiff = damping_ratio * damping_ratio * stiffness > 1e10;
             if (stiff && !is_implicit()) continue;
             auto scene = paper_rig(beam_170mm, 2.0, 0.5);
-            scene.contact_stiffness = stiffness;
-            scene.contact_damping = 2 * damping_ratio * std::sqrt(stiffness);
+            scene.kelvin_voigt().stiffness = stiffness;
+            scene.kelvin_voigt().damping = 2 * damping_ratio * std::sqrt(stiffness);
             SCOPED_TRACE(::testing::Message() << "stiffness " << stiffness << " damping " << damping_ratio);
             const State<double> start(-1, 2);
             const auto expected = ExactCycleMap<double>(scene)(start, true);
@@ -175,11 +175,11 @@ TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
         SCOPED_TRACE(n);
         const double stiffness = std::pow(10, 6 + 6 * unit(random));
         const double damping_ratio = std::pow(10, 0.5 + 1.5 * unit(random));
-        const Oscillator<double> scene{.damping_ratio = 0.2 * unit(random),
-                                       .contact_stiffness = stiffness,
-                                       .contact_damping = 2 * damping_ratio * std::sqrt(stiffness),
-                                       .frequency = 0.3 + 2.7 * unit(random),
-                                       .gap = -2 + 3 * unit(random)};
+        const Oscillator<double> scene{
+            .damping_ratio = 0.2 * unit(random),
+            .contact = scene::KelvinVoigt<double>{stiffness, 2 * damping_ratio * std::sqrt(stiffness)},
+            .frequency = 0.3 + 2.7 * unit(random),
+            .gap = -2 + 3 * unit(random)};
         const State<double> start(-1 - scene.gap, 1);
         const auto expected = ExactCycleMap<double>(scene)(start, true);
         const auto cycle = map(scene)(start, true);
@@ -191,8 +191,8 @@ TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
 TEST_P(EveryIntegrator, PressesForEverUnderPreload) {
     auto scene = paper_rig(beam_170mm, 0.3, -2.0);
     if (is_implicit()) {
-        scene.contact_stiffness = 1e10;
-        scene.contact_damping = 2 * 100 * 1e5;
+        scene.kelvin_voigt().stiffness = 1e10;
+        scene.kelvin_voigt().damping = 2 * 100 * 1e5;
     }
     const ExactCycleMap<double> exact(scene);
     const auto expected = exact(exact.steady_contact(), true);
@@ -254,7 +254,7 @@ State<double> by_runge_kutta(const Oscillator<double>& scene, const State<double
         const Number u = position + Number(scene.gap);
         const bool absolute = scene.cubic_form == job::CubicForm::absolute;
         const Number r = scene.cubic * (absolute ? std::pow(u + y, Number(3)) - y * y * y : u * u * u);
-        const Number f = scene.contact_stiffness * position + scene.contact_damping * velocity;
+        const Number f = scene.kelvin_voigt().stiffness * position + scene.kelvin_voigt().damping * velocity;
         return scene.drive() * y - 2 * scene.damping_ratio * velocity - u - r - (position > 0 && f > 0 ? f : 0);
     };
     Number x = start[0];
@@ -286,8 +286,8 @@ TEST_P(EveryIntegrator, AgreesWithRungeKuttaForBothCubicForms) {
             EXPECT_LT((free.end - by_runge_kutta(flight, far, 4000)).norm(),
                       10 * allowed({.jacobian = free.jacobian}));
             auto soft = cubic_rig(cubic, form);  // an elastic stop: without a jump the fixed steps converge
-            soft.contact_stiffness = 30;
-            soft.contact_damping = 0;
+            soft.kelvin_voigt().stiffness = 30;
+            soft.kelvin_voigt().damping = 0;
             const State<double> near(-1.5, 0.8);
             const auto struck = map(soft)(near, false);
             EXPECT_EQ(struck.impacts > 0, true);
@@ -310,7 +310,7 @@ TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
     EXPECT_EQ(map(overflowing)({-1e150, 0}, true).outcome, Outcome::solver_failed);
     // ten million oscillations of an elastic stop in one cycle
     if (tolerance() == 1e-4) {
-        Oscillator<double> ringing{.contact_stiffness = 1e14, .frequency = 1, .gap = -10};
+        Oscillator<double> ringing{.contact = scene::KelvinVoigt<double>{1e14, 0}, .frequency = 1, .gap = -10};
         EXPECT_EQ(map(ringing)({1.5e-13, 0}, true).outcome, Outcome::solver_failed);
     }
     EXPECT_EQ(engine(start_at(engine.scene()), true).outcome, Outcome::done);  // and it still works

@@ -19,8 +19,8 @@ class SingleImpact : public ::testing::TestWithParam<Collision> {
     static constexpr double stiffness = 1e26;
     [[nodiscard]] scene::Oscillator<double> scene() const {
         return {.damping_ratio = 0.05,  // later impacts are weaker
-                .contact_stiffness = stiffness,
-                .contact_damping = 2 * GetParam().damping_ratio * std::sqrt(stiffness),
+                .contact =
+                    scene::KelvinVoigt<double>{stiffness, 2 * GetParam().damping_ratio * std::sqrt(stiffness)},
                 .frequency = 0.1,
                 .gap = 0};
     }
@@ -30,7 +30,8 @@ TEST_P(SingleImpact, LosesSpeedByTheRestitution) {
     const auto oscillator = scene();
     const motion::LinearMotion<double> contact(motion::contact_equation(oscillator));
     const Leg<double> leg(contact, {0, 1}, 0);
-    const Probe<double> release({.position = -stiffness, .velocity = -oscillator.contact_damping}, contact);
+    const Probe<double> release({.position = -stiffness, .velocity = -oscillator.kelvin_voigt().damping},
+                                contact);
     const auto end = first_crossing(leg, release, leg.start(), 1.0);
     ASSERT_EQ(end.outcome, Search<double>::Outcome::crossing);
     EXPECT_NEAR(-end.moment.state[1], GetParam().restitution, 1e-12);

@@ -135,10 +135,10 @@ TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
     for (int n = 0; n < 60; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
         auto scene = rig({frequency(random), gap(random)}, 0.02, form);
-        if (n % 4 == 1) scene.contact_damping *= 12;   // an overdamped stop
-        if (n % 4 == 2) scene.contact_stiffness = 50;  // a soft one
-        if (n % 4 == 3) scene.cubic = -0.004;          // a softening spring
-        if (n % 5 == 0) scene.contact_damping = 0;     // an elastic stop
+        if (n % 4 == 1) scene.kelvin_voigt().damping *= 12;   // an overdamped stop
+        if (n % 4 == 2) scene.kelvin_voigt().stiffness = 50;  // a soft one
+        if (n % 4 == 3) scene.cubic = -0.004;                 // a softening spring
+        if (n % 5 == 0) scene.kelvin_voigt().damping = 0;     // an elastic stop
         const State<double> start(-std::abs(speed(random)), speed(random));
         const auto cycle = SplitCycleMap<double>(scene, 512)(start, true);
         TaylorOracle expected(scene, start);
