@@ -47,6 +47,7 @@ struct CellResult {
     std::int32_t cycles = 0;      // forcing cycles integrated in all: trajectory, Newton steps and measurement
     double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed
     double largest_displacement = unknown;  // of |u| = |x - y|/A0 over the same time, an upper bound
+    bool chatter = false;                   // of a rigid stop, completed; it counts as one impact
     double impact_rate = 0;                 // impacts per forcing cycle, any regime; NaN where failed
     double multiplier = unknown;            // largest |Floquet multiplier| of the proved orbit
     double lyapunov = unknown;              // largest Lyapunov exponent per forcing cycle
@@ -54,6 +55,13 @@ struct CellResult {
     double orbit_displacement =
         unknown;                      // (x - y)/A0 at forcing phase 0, on the orbit's point of smallest value
     double orbit_velocity = unknown;  // (x' - y')/(A0 omega) there
+
+    // On request, over the same time as the peak force; 0 where nothing impacts.
+    double impact_speed = unknown;   // largest delta' at first touch, in A0 omega
+    double impulse = unknown;        // largest of one impact, in k A0/omega
+    double contact_time = unknown;   // longest time for which the stop presses in one impact, in 1/omega
+    double contact_power = unknown;  // mean power that the stop takes from the relative motion, in k A0^2 omega
+    double max_displacement = unknown;  // largest |u|, in A0
 };
 
 }  // namespace peterka::regime

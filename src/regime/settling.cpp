@@ -36,12 +36,13 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
                                      linear_.steady_flight()[1]);
     const auto orbit = find_orbit(free_map, free_map.scaled(start), 1);
     if (!orbit || !(orbit->multiplier < 1)) return;
-    const Passage cycle = free_map.advance(orbit->point, 1, true);
+    Recorder<double> recorder;
+    const Passage cycle = free_map.advance(orbit->point, 1, &recorder);
     if (!cycle.ok || cycle.touched) return;
     const scene::State<double> point = free_map.unscaled(orbit->point);
     free_orbit_ = {{point[0] + far.gap - scene_.gap, point[1]},
                    free_map.unscaled(orbit->jacobian),
-                   cycle.largest_displacement};
+                   recorder.totals().displacement_bound};
 }
 
 bool Settling::close_enough(const scene::State<double>& x) const {
@@ -61,7 +62,9 @@ bool Settling::close_enough(const scene::State<double>& x) const {
 std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
     if (scene_.cubic == 0) {
         if (!linear_.stays_free(x)) return std::nullopt;
-        return SettledMotion{linear_.steady_flight(), linear_.flight_jacobian(), 0, linear_.free_amplitude()};
+        const bool decays = scene_.damping_ratio > 0;
+        return SettledMotion{linear_.steady_flight(), linear_.flight_jacobian(), 0,
+                             decays ? linear_.free_amplitude() : linear_.largest_free_displacement(x), decays};
     }
     if (!free_orbit_ || trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x))
         return std::nullopt;
@@ -73,7 +76,7 @@ std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<doubl
     const bool decays = scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0;
     return SettledMotion{linear_.steady_contact(), linear_.contact_jacobian(),
                          decays ? linear_.steady_contact_force() : linear_.largest_contact_force(x),
-                         linear_.largest_contact_displacement(x)};
+                         linear_.largest_contact_displacement(x), decays};
 }
 
 }  // namespace peterka::regime

@@ -22,6 +22,7 @@ struct SettledMotion {
     Eigen::Matrix2d jacobian;         // of one cycle
     double peak_force = 0;            // F/(k A0)
     double largest_displacement = 0;  // of |u|
+    bool decays = true;               // otherwise what the start left rings on for ever
 };
 
 class Settling {

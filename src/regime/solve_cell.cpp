@@ -18,7 +18,7 @@ Budget budget_of(const job::SteadyState& steady) {
 // Keeps the cubic term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, const Budget& budget,
-                            double largest_displacement) {
+                            double largest_displacement, trajectory::Detail detail) {
     constexpr int most_rounds = 3;
     constexpr double slack = 1.1;
     CellResult result;
@@ -26,7 +26,7 @@ CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, 
     for (int round = 0; round < most_rounds; ++round) {
         const Engine engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
         result = find_steady_state(cell.oscillator, cell.start, budget,
-                                   {engine, solver.tolerance, largest_displacement});
+                                   {engine, solver.tolerance, largest_displacement}, detail);
         cycles += result.cycles;
         result.cycles =
             static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
@@ -38,25 +38,27 @@ CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, 
 
 }  // namespace
 
-CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
+CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                      trajectory::Detail detail) {
     const job::Solver& solver = scene.job().solver;
     const Budget budget = budget_of(scene.job().steady_state);
     const scene::Cell cell = scene.cell(row, column);
     const bool automatic = solver.engine == job::EngineChoice::automatic;
     const bool is_linear = cell.oscillator.cubic == 0;
     if (!automatic || (!is_linear && solver.omit_tolerance == 0)) {
-        return solve_with_cubic(cell, solver, budget, EngineSettings{}.largest_displacement);
+        return solve_with_cubic(cell, solver, budget, EngineSettings{}.largest_displacement, detail);
     }
 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
-    const CellResult without = find_steady_state(linear, cell.start, budget);
+    const CellResult without = find_steady_state(linear, cell.start, budget, {}, detail);
     if (is_linear || effect_of_cubic(cell.oscillator, without.largest_displacement) <= solver.omit_tolerance) {
         return without;
     }
     const bool known = std::isfinite(without.largest_displacement);
-    CellResult with = solve_with_cubic(
-        cell, solver, budget, known ? without.largest_displacement : EngineSettings{}.largest_displacement);
+    CellResult with =
+        solve_with_cubic(cell, solver, budget,
+                         known ? without.largest_displacement : EngineSettings{}.largest_displacement, detail);
     with.cycles += without.cycles;
     return with;
 }

@@ -5,9 +5,12 @@
 
 #include "regime/cell_result.hpp"
 #include "scene/scene.hpp"
+#include "trajectory/recorder.hpp"
 
 namespace peterka::regime {
 
-CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
+// detail: how much of the impacts is measured.
+CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                      trajectory::Detail detail = trajectory::Detail::force);
 
 }  // namespace peterka::regime

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "regime/growth.hpp"
 #include "regime/periodic_orbit.hpp"
@@ -16,21 +17,7 @@ namespace peterka::regime {
 namespace {
 
 using trajectory::Cycle;
-
-// Force and impacts over the cycles that count for a motion without a period.
-struct Window {
-    std::int64_t cycles = 0;
-    std::int64_t impacts = 0;
-    double peak_force = 0;
-    double largest_displacement = 0;
-
-    void add(const Passage& cycle) {
-        ++cycles;
-        impacts += cycle.impacts;
-        peak_force = std::max(peak_force, cycle.peak_force);
-        largest_displacement = std::max(largest_displacement, cycle.largest_displacement);
-    }
-};
+using trajectory::Totals;
 
 Status status_of(Cycle<double>::Outcome outcome) {
     switch (outcome) {
@@ -49,14 +36,16 @@ Status status_of(Cycle<double>::Outcome outcome) {
 class Search {
   public:
     Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
-           const EngineSettings& engine)
+           const EngineSettings& engine, trajectory::Detail detail)
         : scene_(scene),
           budget_(budget),
           map_(scene, engine),
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
+          window_(detail),
           state_(map_.scaled(start)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
+          detail_(detail),
           conservative_(scene.damping_ratio == 0 && scene.kelvin_voigt().damping == 0) {}
 
     CellResult run() {
@@ -69,12 +58,12 @@ class Search {
             const bool ends = cycle == budget_.max_cycles || (conservative_ && cycle == budget_.chaos_cycles);
             if (ends)
                 return unproved(Regime::unresolved, conservative_ ? Status::conservative : Status::budget);
-            const bool measured = cycle >= measure_from_;
-            const Passage passage = map_.advance(state_, 1, measured);
+            const bool counts = cycle >= measure_from_;
+            const Passage passage = map_.advance(state_, 1, counts ? &window_ : nullptr);
             if (!passage.ok) return failed(passage.outcome);
             state_ = passage.end;
             growth_.advance(passage.jacobian);
-            if (measured) window_.add(passage);
+            if (counts) ++window_cycles_;
 
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
@@ -108,20 +97,42 @@ class Search {
     }
 
     CellResult periodic(const PeriodicOrbit& orbit) {
-        const Passage passage = map_.advance(orbit.point, orbit.period, true);
+        Recorder<double> recorder(detail_);
+        const Passage passage = record_period(orbit.point, orbit.period, recorder);
+        const Totals<double>& totals = recorder.totals();
         if (!passage.touched || !passage.separated) {
             return settled(
-                {map_.unscaled(orbit.point), orbit.jacobian, passage.peak_force, passage.largest_displacement},
+                {map_.unscaled(orbit.point), orbit.jacobian, totals.peak_force(), totals.displacement_bound},
                 passage.touched ? Regime::sustained_contact : Regime::no_impact);
         }
         CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest_point(orbit)));
         result.regime = Regime::periodic;
-        result.impacts = passage.impacts;
+        result.impacts = static_cast<std::int32_t>(totals.impacts);
         result.period = static_cast<std::int32_t>(orbit.period);
-        result.peak_force = passage.peak_force;
-        result.largest_displacement = passage.largest_displacement;
-        result.impact_rate = static_cast<double>(passage.impacts) / static_cast<double>(orbit.period);
+        measured(result, totals, orbit.period);
         return result;
+    }
+
+    // One period of an orbit. What is open at its start counts in full at its end, as in every later period.
+    Passage record_period(const Point& point, std::int64_t period, Recorder<double>& recorder) {
+        const Passage passage = map_.advance(point, period, &recorder);
+        if (!recorder.is_open()) return passage;
+        recorder.reset_totals();
+        return map_.advance(point, period, &recorder);
+    }
+
+    // What was recorded over so many cycles.
+    void measured(CellResult& result, const Totals<double>& totals, std::int64_t cycles) const {
+        result.peak_force = totals.peak_force();
+        result.largest_displacement = totals.displacement_bound;
+        result.chatter = totals.chatter;
+        result.impact_rate = static_cast<double>(totals.impacts) / static_cast<double>(cycles);
+        if (detail_ == trajectory::Detail::force) return;
+        result.impact_speed = totals.impact_speed;
+        result.impulse = totals.impulse;
+        result.contact_time = totals.contact_time;
+        result.contact_power = totals.contact_work / (static_cast<double>(cycles) * scene_.period());
+        result.max_displacement = totals.largest_displacement;
     }
 
     // One of the q points names the orbit, whatever start and phase led to it.
@@ -136,11 +147,17 @@ class Search {
     }
 
     CellResult settled(const SettledMotion& motion, Regime regime) {
+        Recorder<double> recorder(detail_);
+        if (recorder.records_contacts()) std::ignore = map_.advance(map_.scaled(motion.point), 1, &recorder);
         CellResult result = on_orbit(motion.jacobian, 1, motion.point);
         result.regime = regime;
         result.period = 1;
+        measured(result, recorder.totals(), 1);
         result.peak_force = motion.peak_force;
         result.largest_displacement = motion.largest_displacement;
+        if (!recorder.records_contacts()) return result;
+        if (!motion.decays) result.max_displacement = motion.largest_displacement;
+        if (regime == Regime::sustained_contact) result.impulse = result.contact_time = unknown;  // no impact
         return result;
     }
 
@@ -148,10 +165,8 @@ class Search {
         CellResult result = counted();
         result.regime = regime;
         result.status = status;
-        result.peak_force = window_.peak_force;
-        result.largest_displacement = window_.largest_displacement;
-        const auto cycles = static_cast<double>(std::max<std::int64_t>(window_.cycles, 1));
-        result.impact_rate = static_cast<double>(window_.impacts) / cycles;
+        window_.finish();
+        measured(result, window_.totals(), std::max<std::int64_t>(window_cycles_, 1));
         result.lyapunov = growth_.exponent();
         return result;
     }
@@ -189,20 +204,22 @@ class Search {
     Settling settling_;
     Recurrence recurrence_;
     Growth growth_;
-    Window window_;
+    Recorder<double> window_;  // over the cycles that count for a motion without a period
+    std::int64_t window_cycles_ = 0;
     Point state_;  // at the end of the last cycle
     std::optional<ConvergenceTest> test_;
     EventPattern pattern_ = 0;
     std::int64_t tested_cycles_ = 0;
     std::int64_t measure_from_;
+    trajectory::Detail detail_;
     bool conservative_;
 };
 
 }  // namespace
 
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                             const Budget& budget, const EngineSettings& engine) {
-    return Search(scene, start, budget, engine).run();
+                             const Budget& budget, const EngineSettings& engine, trajectory::Detail detail) {
+    return Search(scene, start, budget, engine, detail).run();
 }
 
 }  // namespace peterka::regime

@@ -18,6 +18,7 @@
 #include "regime/cell_result.hpp"
 #include "regime/engine.hpp"
 #include "scene/oscillator.hpp"
+#include "trajectory/recorder.hpp"
 
 namespace peterka::regime {
 
@@ -28,7 +29,9 @@ struct Budget {
 };
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
+// detail: how much of the impacts is measured.
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                             const Budget& budget, const EngineSettings& engine = {});
+                             const Budget& budget, const EngineSettings& engine = {},
+                             trajectory::Detail detail = trajectory::Detail::force);
 
 }  // namespace peterka::regime

@@ -14,6 +14,7 @@ namespace peterka::regime {
 
 using trajectory::append;
 using trajectory::EventPattern;
+using trajectory::Recorder;
 
 using Point = Eigen::Vector2d;  // (delta, delta') over the scales of the scene
 
@@ -24,11 +25,8 @@ struct Passage {
     Point end;
     Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();
     EventPattern pattern = 0;
-    std::int32_t impacts = 0;
     bool touched = false;
     bool separated = false;
-    double peak_force = 0;
-    double largest_displacement = 0;
 };
 
 class StroboscopicMap {
@@ -59,23 +57,21 @@ class StroboscopicMap {
     [[nodiscard]] Engine engine() const { return settings_.engine; }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
-    [[nodiscard]] Passage advance(const Point& from, std::int64_t cycles, bool measure = false) {
+    [[nodiscard]] Passage advance(const Point& from, std::int64_t cycles,
+                                  Recorder<double>* recorder = nullptr) {
         Passage passage;
         passage.end = from;
         for (std::int64_t n = 0; n < cycles && passage.ok; ++n) {
             const trajectory::Cycle<double> cycle =
-                std::visit([&](auto& map) { return map(unscaled(passage.end), measure); }, cycle_);
+                std::visit([&](auto& map) { return map(unscaled(passage.end), recorder); }, cycle_);
             ++spent_;
             passage.ok = cycle.outcome == trajectory::Cycle<double>::Outcome::done;
             passage.outcome = cycle.outcome;
             passage.end = scaled(cycle.end);
             passage.jacobian = (cycle.jacobian * passage.jacobian).eval();
             passage.pattern = append(passage.pattern, cycle.pattern);
-            passage.impacts += cycle.impacts;
             passage.touched |= cycle.touched;
             passage.separated |= cycle.separated;
-            passage.peak_force = std::max(passage.peak_force, cycle.peak_force);
-            passage.largest_displacement = std::max(passage.largest_displacement, cycle.largest_displacement);
         }
         passage.jacobian = scale_.cwiseInverse().asDiagonal() * passage.jacobian * scale_.asDiagonal();
         return passage;

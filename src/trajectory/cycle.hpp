@@ -48,11 +48,9 @@ struct Cycle {
     State<Real> end = State<Real>::Zero();
     Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // of the end by the start
     EventPattern pattern = 0;
-    int impacts = 0;                // upward crossings of delta = 0
-    bool touched = false;           // the stop pressed at some time
-    bool separated = false;         // delta < 0 at some time
-    Real peak_force = 0;            // largest F/(k A0), where asked for
-    Real largest_displacement = 0;  // an upper bound of |u| = |delta + gap|, where asked for
+    int impacts = 0;         // upward crossings of delta = 0; each one of a chatter
+    bool touched = false;    // the stop pressed at some time
+    bool separated = false;  // delta < 0 at some time
 };
 
 }  // namespace peterka::trajectory

@@ -20,10 +20,10 @@ class ExactCycleMap {
 
     [[nodiscard]] const Oscillator<Real>& scene() const { return scene_; }
 
-    // One cycle from the state x at forcing phase 0.
-    [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, bool measure) const {
+    // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way.
+    [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         Journey<Real> journey(scene_, x);
-        legs_.run(journey, scene_.period(), measure);
+        legs_.run(journey, scene_.period(), recorder);
         return journey.cycle;
     }
 
@@ -46,8 +46,12 @@ class ExactCycleMap {
     [[nodiscard]] Real largest_contact_force(const State<Real>& x) const {
         return steady_contact_force() + decaying(legs_.contact(), legs_.release(), x);
     }
-    // Largest |u| of the steady motion without a stop (infinite at undamped resonance), and of such a contact.
+    // Largest |u| of the steady motion without a stop (infinite at undamped resonance), of the motion without
+    // one from the state x on, and of such a contact.
     [[nodiscard]] Real free_amplitude() const { return legs_.touch().swing(); }
+    [[nodiscard]] Real largest_free_displacement(const State<Real>& x) const {
+        return free_amplitude() + decaying(legs_.flight(), legs_.touch(), x);
+    }
     [[nodiscard]] Real largest_contact_displacement(const State<Real>& x) const {
         const Probe<Real>& depth = legs_.depth();
         return std::abs(depth.rest() + scene_.gap) + depth.swing() + decaying(legs_.contact(), depth, x);

@@ -69,8 +69,8 @@ const Oscillator<double>& IntegratedCycleMap::scene() const {
                       engine_->integration);
 }
 
-Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, bool measure) {
-    return std::visit([&](auto& i) { return i.cycle(x, measure); }, engine_->integration);
+Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<double>* recorder) {
+    return std::visit([&](auto& i) { return i.cycle(x, recorder); }, engine_->integration);
 }
 
 }  // namespace peterka::trajectory

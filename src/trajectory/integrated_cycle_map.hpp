@@ -18,6 +18,7 @@
 #include <memory>
 
 #include "trajectory/cycle.hpp"
+#include "trajectory/recorder.hpp"
 
 namespace peterka::trajectory {
 
@@ -34,8 +35,9 @@ class IntegratedCycleMap {
 
     [[nodiscard]] const Oscillator<double>& scene() const;
 
-    // One cycle from the state x at forcing phase 0. An integration that fails is an outcome of the cycle.
-    Cycle<double> operator()(const State<double>& x, bool measure);
+    // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. An integration
+    // that fails is an outcome of the cycle.
+    Cycle<double> operator()(const State<double>& x, Recorder<double>* recorder = nullptr);
 
   private:
     struct Engine;

@@ -18,7 +18,9 @@
 #include "motion/signal.hpp"
 #include "trajectory/cycle.hpp"
 #include "trajectory/first_crossing.hpp"
-#include "trajectory/peak_force.hpp"
+#include "trajectory/largest_value.hpp"
+#include "trajectory/leg_record.hpp"
+#include "trajectory/recorder.hpp"
 
 namespace peterka::trajectory {
 
@@ -70,7 +72,7 @@ class LinearLegs {
 
     // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
     // says why.
-    bool run(Journey<Real>& journey, Real end, bool measure) const;
+    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
   private:
     struct LegEnd {
@@ -96,7 +98,8 @@ class LinearLegs {
     }
 
     [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
-    void enter(Phase next, Journey<Real>& journey) const;
+    void record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end, Recorder<Real>& recorder) const;
+    void enter(Phase next, Journey<Real>& journey, Recorder<Real>* recorder) const;
 
     Oscillator<Real> scene_;
     LinearMotion<Real> flight_;
@@ -106,7 +109,7 @@ class LinearLegs {
     Probe<Real> resume_;
     Probe<Real> release_;
     Probe<Real> depth_;
-    PeakForce<Real> peak_;
+    LargestValue<Real> peak_;
 };
 
 template <class Real>
@@ -124,11 +127,25 @@ typename LinearLegs<Real>::LegEnd LinearLegs<Real>::end_of_leg(Phase phase, cons
     return {found.outcome, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
 }
 
+template <class Real>
+void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end,
+                              Recorder<Real>& recorder) const {
+    const bool presses = phase == Phase::contact;
+    if (presses) recorder.force(peak_.over(leg, end, recorder.totals().largest_force));
+    recorder.displacement_bound(displacement_bound(phase, leg, end.time));
+    if (recorder.records_contacts()) {
+        record_contacts(scene_, leg, end, presses ? &peak_.signal() : nullptr, recorder);
+    }
+}
+
 // Each event puts the state exactly on its surface: in a stiff stop a rounding error of the position is energy.
 template <class Real>
-void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey) const {
+void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>* recorder) const {
     Cycle<Real>& cycle = journey.cycle;
-    if (next == Phase::flight) cycle.end[0] = 0;
+    if (next == Phase::flight) {
+        cycle.end[0] = 0;
+        if (recorder != nullptr) recorder->leave();
+    }
     if (next == Phase::contact) {
         // rising, it can only be a new touch
         const bool resumes = journey.phase == Phase::unloaded && cycle.end[1] < 0;
@@ -136,6 +153,7 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey) const {
             cycle.end[0] = -scene_.kelvin_voigt().damping / scene_.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
+            if (recorder != nullptr) recorder->touch(cycle.end[1]);
             cycle.end[0] = 0;
             cycle.jacobian.row(1) -= scene_.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
@@ -145,7 +163,7 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey) const {
 }
 
 template <class Real>
-bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, bool measure) const {
+bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
     using Outcome = typename Search<Real>::Outcome;
     constexpr int most_events = 20'000;  // a cycle with more contacts than this has left physics
 
@@ -163,11 +181,7 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, bool measure) 
 
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
-        if (measure) {
-            if (phase == Phase::contact) cycle.peak_force = peak_.over(leg, end, cycle.peak_force);
-            cycle.largest_displacement =
-                std::max(cycle.largest_displacement, displacement_bound(phase, leg, end.time));
-        }
+        if (recorder != nullptr) record(phase, leg, end, *recorder);
         cycle.jacobian = end.flow * cycle.jacobian;
         cycle.end = end.state;
         if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
@@ -177,7 +191,7 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, bool measure) 
             journey.time = end_time;
             return true;
         }
-        enter(event.next, journey);
+        enter(event.next, journey, recorder);
         journey.time += end.time;
         ++journey.events;
     }

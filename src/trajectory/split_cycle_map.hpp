@@ -39,8 +39,9 @@ class SplitCycleMap {
     [[nodiscard]] const Oscillator<Real>& scene() const { return scene_; }
     [[nodiscard]] int steps_per_cycle() const { return steps_; }
 
-    // One cycle from the state x at forcing phase 0. Fails as a solver without any steps.
-    [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, bool measure) const {
+    // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. Fails as a
+    // solver without any steps.
+    [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         const Real period = scene_.period();
         Journey<Real> journey(scene_, x);
         if (steps_ < 1) journey.stop(Cycle<Real>::Outcome::solver_failed);
@@ -48,7 +49,7 @@ class SplitCycleMap {
             half_kick(cart_[static_cast<std::size_t>(step)], journey);
             const Real end = step + 1 < steps_ ? period * Real(step + 1) / Real(steps_) : period;
             const LinearLegs<Real>& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
-            if (!legs.run(journey, end, measure)) break;
+            if (!legs.run(journey, end, recorder)) break;
             half_kick(cart_[static_cast<std::size_t>(step) + 1], journey);
         }
         return journey.cycle;

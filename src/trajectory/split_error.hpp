@@ -4,7 +4,6 @@
 // latter.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "trajectory/split_cycle_map.hpp"
@@ -26,22 +25,23 @@ SplitError<Real> split_error(const SplitCycleMap<Real>& map, const State<Real>& 
                              int settling = 0) {
     const SplitCycleMap<Real> fine(map.scene(), 2 * map.steps_per_cycle());
     State<Real> state[2] = {x, x};
-    Real force[2] = {0, 0};
+    Recorder<Real> recorder[2];
     SplitError<Real> error{.comparable = true};
     for (int n = 0; n < settling + cycles && error.comparable; ++n) {
         const bool counts = n >= settling;
-        const Cycle<Real> coarse_cycle = map(state[0], counts);
-        const Cycle<Real> fine_cycle = fine(state[1], counts);
+        const Cycle<Real> coarse_cycle = map(state[0], counts ? &recorder[0] : nullptr);
+        const Cycle<Real> fine_cycle = fine(state[1], counts ? &recorder[1] : nullptr);
         state[0] = coarse_cycle.end;
         state[1] = fine_cycle.end;
-        force[0] = std::max(force[0], coarse_cycle.peak_force);
-        force[1] = std::max(force[1], fine_cycle.peak_force);
         using Outcome = typename Cycle<Real>::Outcome;
         error.comparable = coarse_cycle.outcome == Outcome::done && fine_cycle.outcome == Outcome::done &&
                            (!counts || coarse_cycle.pattern == fine_cycle.pattern);
     }
     error.end = Real(4) / 3 * (state[0] - state[1]).cwiseAbs();
-    if (force[1] > 0) error.peak_force = Real(4) / 3 * std::abs(force[0] / force[1] - 1);
+    const Real force = recorder[1].totals().peak_force();
+    if (force > 0) {
+        error.peak_force = Real(4) / 3 * std::abs(recorder[0].totals().peak_force() / force - 1);
+    }
     return error;
 }
 

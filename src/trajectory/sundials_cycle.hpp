@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "trajectory/recorder.hpp"
 #include "trajectory/sundials_events.hpp"
 #include "trajectory/sundials_steppers.hpp"
 
@@ -19,7 +20,7 @@ class CycleIntegration {
           events_(*leg_, *stepper_) {}
 
     [[nodiscard]] const Oscillator<double>& scene() const { return leg_->scene; }
-    [[nodiscard]] Cycle<double> cycle(const State<double>& x, bool measure);
+    [[nodiscard]] Cycle<double> cycle(const State<double>& x, Recorder<double>* recorder);
 
   private:
     using Outcome = typename Cycle<double>::Outcome;
@@ -31,8 +32,8 @@ class CycleIntegration {
         LegPoint point{};
     };
 
-    LegEnd integrate_leg(const State<double>& x, double length, bool measure, Cycle<double>& cycle);
-    void enter(Phase from, Phase next, Cycle<double>& cycle) const;
+    LegEnd integrate_leg(const State<double>& x, double length, Recorder<double>* recorder);
+    void enter(Phase from, Phase next, Cycle<double>& cycle, Recorder<double>* recorder) const;
 
     std::unique_ptr<SundialsLeg> leg_;
     std::unique_ptr<Stepper> stepper_;
@@ -41,8 +42,8 @@ class CycleIntegration {
 };
 
 template <class Stepper>
-auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double length, bool measure,
-                                              Cycle<double>& cycle) -> LegEnd {
+auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double length, Recorder<double>* recorder)
+    -> LegEnd {
     constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
     constexpr double longest_step =
         0.5;  // in radians of the spring and of the forcing: events are looked for in it
@@ -51,9 +52,12 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
         if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
         const auto event = events_.first_event();
         const LegPoint end = event ? event->point : stepper_->now();
-        if (measure) {
-            if (leg_->phase == Phase::contact) cycle.peak_force = events_.largest_force(end, cycle.peak_force);
-            cycle.largest_displacement = events_.largest_displacement(end, cycle.largest_displacement);
+        if (recorder != nullptr) {
+            const auto& totals = recorder->totals();
+            if (leg_->phase == Phase::contact) {
+                recorder->force(events_.largest_force(end, totals.largest_force));
+            }
+            recorder->displacement_bound(events_.largest_displacement(end, totals.displacement_bound));
         }
         if (events_.failed()) break;
         if (event) return {LegEnd::Kind::event, event->next, end};
@@ -64,15 +68,20 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
 
 // Puts the state exactly on the surface of the event that leads into a phase, and counts it.
 template <class Stepper>
-void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cycle) const {
+void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cycle,
+                                      Recorder<double>* recorder) const {
     const auto& scene = leg_->scene;
-    if (next == Phase::flight) cycle.end[0] = 0;
+    if (next == Phase::flight) {
+        cycle.end[0] = 0;
+        if (recorder != nullptr) recorder->leave();
+    }
     if (next == Phase::contact) {
         const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
         if (resumes) {
             cycle.end[0] = -scene.kelvin_voigt().damping / scene.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
+            if (recorder != nullptr) recorder->touch(cycle.end[1]);
             cycle.end[0] = 0;
             cycle.jacobian.row(1) -= scene.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
@@ -81,7 +90,7 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
 }
 
 template <class Stepper>
-Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, bool measure) {
+Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<double>* recorder) {
     constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
     const auto& scene = leg_->scene;
     const double period = scene.period();
@@ -103,7 +112,7 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, bool meas
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
         const double left = period - time;
-        const LegEnd end = left > instant ? integrate_leg(cycle.end, left, measure, cycle)
+        const LegEnd end = left > instant ? integrate_leg(cycle.end, left, recorder)
                                           : LegEnd{LegEnd::Kind::cycle, phase,
                                                    extrapolated(*leg_, {.state = cycle.end}, left)};
         if (end.kind == LegEnd::Kind::failure) {
@@ -117,11 +126,11 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, bool meas
             return cycle;
         }
         if (end.kind == LegEnd::Kind::cycle) return cycle;
-        enter(phase, end.next, cycle);
+        enter(phase, end.next, cycle, recorder);
         phase = end.next;
         if (phase == Phase::unloaded &&
             scene.kelvin_voigt().damping == 0) {  // an elastic stop lets go at delta = 0
-            cycle.end[0] = 0;
+            enter(phase, Phase::flight, cycle, recorder);
             phase = Phase::flight;
         }
         time += end.point.time;

@@ -19,7 +19,7 @@ using testing::solve;
 double critical_frequency(double gap, double multiplier, double guess) {
     const auto residual = [&](const Eigen::Vector3d& y) -> Eigen::Vector3d {
         const trajectory::ExactCycleMap<double> map(paper_rig(beam_170mm, y[2], gap));
-        const auto cycle = map({y[0], y[1]}, false);
+        const auto cycle = map({y[0], y[1]});
         const auto& j = cycle.jacobian;
         const double characteristic = multiplier * multiplier - multiplier * j.trace() + j.determinant();
         return {cycle.end[0] - y[0], cycle.end[1] - y[1], characteristic};

@@ -11,6 +11,7 @@
 #include <random>
 #include <utility>
 
+#include "observed.hpp"
 #include "rig.hpp"
 #include "support/errors.hpp"
 #include "trajectory/exact_cycle_map.hpp"
@@ -19,6 +20,7 @@ namespace peterka::trajectory {
 namespace {
 
 using testing::beam_170mm;
+using testing::observed;
 using testing::paper_rig;
 using testing::start_at;
 using Outcome = Cycle<double>::Outcome;
@@ -91,8 +93,8 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
         if (n % 5 == 3) scene.damping_ratio = 0.4;
         if (n % 5 == 4) scene.kelvin_voigt().stiffness = 3;  // a soft one
         const State<double> start(speed(random) - scene.gap, speed(random));
-        const auto expected = ExactCycleMap<double>(scene)(start, true);
-        const auto cycle = map(scene)(start, true);
+        const auto expected = observed(ExactCycleMap<double>(scene), start);
+        const auto cycle = observed(map(scene), start);
         expect_agreement(cycle, expected, 3 * allowed(expected));
         EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
         EXPECT_GT(cycle.largest_displacement, (cycle.end[0] + scene.gap) * (1 - tolerance()));
@@ -106,12 +108,12 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
 TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
     auto engine = map(paper_rig(beam_170mm, 3.1, 0));
     State<double> x = start_at(engine.scene());
-    for (int n = 0; n < 200; ++n) x = engine(x, false).end;
+    for (int n = 0; n < 200; ++n) x = engine(x).end;
     double peak_force = 0;
     for (int n = 0; n < 10; ++n) {
         int impacts = 0;
         for (int cycle = 0; cycle < 2; ++cycle) {
-            const auto result = engine(x, true);
+            const auto result = observed(engine, x);
             x = result.end;
             impacts += result.impacts;
             peak_force = std::max(peak_force, result.peak_force);
@@ -129,7 +131,7 @@ TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
 TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
     auto scene = paper_rig(beam_170mm, 1.6, 0);
     const auto touches = [&](auto&& engine, double gap) {
-        return engine(State<double>(-1 - gap, 0.5), false).impacts > 0;
+        return engine(State<double>(-1 - gap, 0.5)).impacts > 0;
     };
     const auto exact = [&](double gap) {
         scene.gap = gap;
@@ -159,8 +161,8 @@ TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
             scene.kelvin_voigt().damping = 2 * damping_ratio * std::sqrt(stiffness);
             SCOPED_TRACE(::testing::Message() << "stiffness " << stiffness << " damping " << damping_ratio);
             const State<double> start(-1, 2);
-            const auto expected = ExactCycleMap<double>(scene)(start, true);
-            const auto cycle = map(scene)(start, true);
+            const auto expected = observed(ExactCycleMap<double>(scene), start);
+            const auto cycle = observed(map(scene), start);
             expect_agreement(cycle, expected, 10 * allowed(expected));
             EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
         }
@@ -181,8 +183,8 @@ TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
             .frequency = 0.3 + 2.7 * unit(random),
             .gap = -2 + 3 * unit(random)};
         const State<double> start(-1 - scene.gap, 1);
-        const auto expected = ExactCycleMap<double>(scene)(start, true);
-        const auto cycle = map(scene)(start, true);
+        const auto expected = observed(ExactCycleMap<double>(scene), start);
+        const auto cycle = observed(map(scene), start);
         expect_agreement(cycle, expected, 3 * allowed(expected));
         EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
     }
@@ -195,9 +197,9 @@ TEST_P(EveryIntegrator, PressesForEverUnderPreload) {
         scene.kelvin_voigt().damping = 2 * 100 * 1e5;
     }
     const ExactCycleMap<double> exact(scene);
-    const auto expected = exact(exact.steady_contact(), true);
+    const auto expected = observed(exact, exact.steady_contact());
     ASSERT_FALSE(expected.separated);
-    const auto cycle = map(scene)(exact.steady_contact(), true);
+    const auto cycle = observed(map(scene), exact.steady_contact());
     expect_agreement(cycle, expected, allowed(expected));
     EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
 }
@@ -216,12 +218,11 @@ TEST_P(EveryIntegrator, JacobianIsTheDerivativeWithCubicSprings) {
             SCOPED_TRACE(cubic);
             auto engine = map(cubic_rig(cubic, form));
             const State<double> x(-1.5, 0.8);
-            const auto cycle = engine(x, false);
+            const auto cycle = engine(x);
             EXPECT_GT(cycle.impacts, 0);
             for (int i = 0; i < 2; ++i) {
                 const State<double> shift = h * State<double>::Unit(i);
-                const State<double> slope =
-                    (engine(x + shift, false).end - engine(x - shift, false).end) / (2 * h);
+                const State<double> slope = (engine(x + shift).end - engine(x - shift).end) / (2 * h);
                 const double size = 1 + cycle.jacobian.norm();
                 EXPECT_LT((cycle.jacobian.col(i) - slope).norm(),
                           (3 * tolerance() / h + 3 * h * h * size * size) * size);
@@ -239,7 +240,7 @@ TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
         return x[1] * x[1] / 2 + u * u / 2 + cubic * u * u * u * u / 4;
     };
     const State<double> start(100 - scene.gap, 0);
-    const auto cycle = map(scene)(start, true);
+    const auto cycle = observed(map(scene), start);
     ASSERT_EQ(cycle.outcome, Outcome::done);
     EXPECT_FALSE(cycle.touched);
     EXPECT_NEAR(energy(cycle.end) / energy(start), 1, 5e-6 + 200 * tolerance());
@@ -282,14 +283,14 @@ TEST_P(EveryIntegrator, AgreesWithRungeKuttaForBothCubicForms) {
             auto flight = cubic_rig(cubic, form);
             flight.gap = 100;
             const State<double> far(1.2 - flight.gap, -0.7);
-            const auto free = map(flight)(far, false);
+            const auto free = map(flight)(far);
             EXPECT_LT((free.end - by_runge_kutta(flight, far, 4000)).norm(),
                       10 * allowed({.jacobian = free.jacobian}));
             auto soft = cubic_rig(cubic, form);  // an elastic stop: without a jump the fixed steps converge
             soft.kelvin_voigt().stiffness = 30;
             soft.kelvin_voigt().damping = 0;
             const State<double> near(-1.5, 0.8);
-            const auto struck = map(soft)(near, false);
+            const auto struck = map(soft)(near);
             EXPECT_EQ(struck.impacts > 0, true);
             EXPECT_LT((struck.end - by_runge_kutta(soft, near, 40000)).norm(),
                       10 * allowed({.jacobian = struck.jacobian}) + 1e-7);
@@ -300,20 +301,20 @@ TEST_P(EveryIntegrator, AgreesWithRungeKuttaForBothCubicForms) {
 TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
     ::testing::internal::CaptureStderr();
     auto engine = map(paper_rig(beam_170mm, 2, 0));
-    EXPECT_EQ(engine({std::nan(""), 0}, true).outcome, Outcome::not_finite);
-    EXPECT_EQ(engine({-1, INFINITY}, true).outcome, Outcome::not_finite);
+    EXPECT_EQ(engine({std::nan(""), 0}).outcome, Outcome::not_finite);
+    EXPECT_EQ(engine({-1, INFINITY}).outcome, Outcome::not_finite);
     // a softening spring beyond its turning point throws the hammer to infinity within the cycle
     Oscillator<double> softening{.frequency = 2, .gap = 1000, .cubic = -1};
-    EXPECT_NE(map(softening)({-1010, -5}, true).outcome, Outcome::done);
+    EXPECT_NE(map(softening)({-1010, -5}).outcome, Outcome::done);
     // a force beyond the largest number: the library itself gives up, with a message that is nobody's business
     const Oscillator<double> overflowing{.frequency = 2, .gap = 1, .cubic = 1};
-    EXPECT_EQ(map(overflowing)({-1e150, 0}, true).outcome, Outcome::solver_failed);
+    EXPECT_EQ(map(overflowing)({-1e150, 0}).outcome, Outcome::solver_failed);
     // ten million oscillations of an elastic stop in one cycle
     if (tolerance() == 1e-4) {
         Oscillator<double> ringing{.contact = scene::KelvinVoigt<double>{1e14, 0}, .frequency = 1, .gap = -10};
-        EXPECT_EQ(map(ringing)({1.5e-13, 0}, true).outcome, Outcome::solver_failed);
+        EXPECT_EQ(map(ringing)({1.5e-13, 0}).outcome, Outcome::solver_failed);
     }
-    EXPECT_EQ(engine(start_at(engine.scene()), true).outcome, Outcome::done);  // and it still works
+    EXPECT_EQ(engine(start_at(engine.scene())).outcome, Outcome::done);  // and it still works
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
@@ -329,9 +330,9 @@ TEST(IntegratedCycleMap, GoesOnAfterItIsMoved) {
     for (const auto integrator : {Integrator::cvode_adams, Integrator::cvode_bdf, Integrator::arkode_explicit,
                                   Integrator::arkode_implicit}) {
         IntegratedCycleMap first(scene, integrator, 1e-6);
-        const State<double> end = first({-5, -2.7}, false).end;
+        const State<double> end = first({-5, -2.7}).end;
         IntegratedCycleMap second(std::move(first));
-        EXPECT_EQ(second({-5, -2.7}, false).end, end);
+        EXPECT_EQ(second({-5, -2.7}).end, end);
         EXPECT_EQ(second.scene().frequency, 2);
     }
 }

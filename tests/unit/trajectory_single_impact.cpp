@@ -3,10 +3,13 @@
 
 #include <cmath>
 
+#include "observed.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::trajectory {
 namespace {
+
+using testing::observed;
 
 struct Collision {
     double damping_ratio;  // of the contact
@@ -45,7 +48,7 @@ TEST_P(SingleImpact, LosesSpeedByTheRestitution) {
 
 TEST_P(SingleImpact, PeaksAsTheFormulaSays) {
     const double zeta = GetParam().damping_ratio;
-    const auto cycle = ExactCycleMap<double>(scene())({0, 1}, true);
+    const auto cycle = observed(ExactCycleMap<double>(scene()), State<double>(0, 1));
     ASSERT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
     const double expected =
         zeta > 0.5 ? 2 * zeta

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "observed.hpp"
 #include "rig.hpp"
 #include "taylor_oracle.hpp"
 #include "trajectory/exact_cycle_map.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 using job::CubicForm;
 using testing::beam_170mm;
+using testing::observed;
 using testing::paper_rig;
 using testing::TaylorOracle;
 
@@ -48,10 +50,10 @@ struct Orbit {
 template <class Map>
 Orbit settle(const Map& map, const State<double>& start) {
     Orbit orbit{start};
-    for (int n = 0; n < 1500; ++n) orbit.point = map(orbit.point, false).end;
+    for (int n = 0; n < 1500; ++n) orbit.point = map(orbit.point).end;
     State<double> x = orbit.point;
     for (int n = 0; n < 4; ++n) {
-        const auto cycle = map(x, true);
+        const auto cycle = observed(map, x);
         x = cycle.end;
         orbit.impacts += cycle.impacts;
         orbit.peak_force = std::max(orbit.peak_force, cycle.peak_force);
@@ -83,12 +85,12 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
         const auto scene = rig({frequency(random), gap(random)}, 0, form);
         const State<double> x(state(random), state(random));
-        const auto exact = ExactCycleMap<double>(scene)(x, true);
-        const auto one_step = SplitCycleMap<double>(scene, 1)(x, true);
+        const auto exact = observed(ExactCycleMap<double>(scene), x);
+        const auto one_step = observed(SplitCycleMap<double>(scene, 1), x);
         EXPECT_EQ(one_step.end, exact.end) << n;
         EXPECT_EQ(one_step.peak_force, exact.peak_force) << n;
         EXPECT_EQ(one_step.largest_displacement, exact.largest_displacement) << n;
-        const auto steps = SplitCycleMap<double>(scene, 12)(x, true);
+        const auto steps = observed(SplitCycleMap<double>(scene, 12), x);
         impacts += exact.impacts;
         EXPECT_EQ(steps.pattern, exact.pattern) << n;
         EXPECT_EQ(steps.impacts, exact.impacts) << n;
@@ -140,7 +142,7 @@ TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
         if (n % 4 == 3) scene.cubic = -0.004;                 // a softening spring
         if (n % 5 == 0) scene.kelvin_voigt().damping = 0;     // an elastic stop
         const State<double> start(-std::abs(speed(random)), speed(random));
-        const auto cycle = SplitCycleMap<double>(scene, 512)(start, true);
+        const auto cycle = observed(SplitCycleMap<double>(scene, 512), start);
         TaylorOracle expected(scene, start);
         expected.advance(1);
         ASSERT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
@@ -166,14 +168,14 @@ TEST(SplitCycleMap, JacobianIsTheDerivative) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
         const SplitCycleMap<double> map(rig({frequency(random), gap(random)}, 0.03, form), 12);
         const State<double> x(state(random), state(random));
-        const auto cycle = map(x, false);
+        const auto cycle = map(x);
         Jacobian<double> expected;
         bool smooth = true;
         for (int i = 0; i < 2; ++i) {
             State<double> shift = State<double>::Zero();
             shift[i] = h;
-            const auto up = map(x + shift, false);
-            const auto down = map(x - shift, false);
+            const auto up = map(x + shift);
+            const auto down = map(x - shift);
             smooth &= up.pattern == down.pattern && up.pattern == cycle.pattern;
             expected.col(i) = (up.end - down.end) / (2 * h);
         }
@@ -261,7 +263,7 @@ TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
     EXPECT_EQ(split_steps(scene, 7, 1e-9), 0);
     scene.cubic = -0.01;  // gives way at |u| = 10
     EXPECT_EQ(split_steps(scene, 7, 1e-2), 0);
-    EXPECT_EQ(SplitCycleMap<double>(scene, 0)({-1, 0}, false).outcome, Cycle<double>::Outcome::solver_failed);
+    EXPECT_EQ(SplitCycleMap<double>(scene, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
 }
 
 TEST(SplitError, TellsTheErrorByHalvingTheStep) {

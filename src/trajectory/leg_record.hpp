@@ -1,0 +1,45 @@
+// What one leg of linear motion adds to a recorder beyond force and bounds: the true largest displacement, and
+// the integrals of force, power and energy.
+#pragma once
+
+#include <algorithm>
+
+#include "motion/linear_motion.hpp"
+#include "motion/signal.hpp"
+#include "trajectory/largest_value.hpp"
+#include "trajectory/leg_integrals.hpp"
+#include "trajectory/recorder.hpp"
+
+namespace peterka::trajectory {
+
+// Largest |u| of the motion up to a moment.
+template <class Real>
+Real largest_displacement(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
+                          const motion::Moment<Real>& end, Real largest) {
+    const motion::Signal<Real> u{.position = 1, .constant = scene.gap};
+    largest = LargestValue<Real>(u, leg.motion()).over(leg, end, largest);
+    return LargestValue<Real>(-u, leg.motion()).over(leg, end, largest);
+}
+
+// `force`: the signal of the stop's force, nullptr where it doesn't press.
+template <class Real>
+void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
+                     const motion::Moment<Real>& end, const motion::Probe<Real>* force,
+                     Recorder<Real>& recorder) {
+    recorder.displacement(largest_displacement(scene, leg, end, recorder.totals().largest_displacement));
+    if (force == nullptr && !recorder.records_energy()) return;
+
+    using Integrals = Eigen::Matrix<Real, 4, 1>;  // f, f delta', sin(theta) u', u'^2
+    const Integrals integrals =
+        integrate_leg(leg, end.time, Integrals(Integrals::Zero()), [&](const motion::Moment<Real>& m) {
+            const Real f = force == nullptr ? Real(0) : force->value(m);
+            const Real velocity = m.state[1];
+            return Integrals(f, f * velocity, m.sine * velocity, velocity * velocity);
+        });
+    if (force != nullptr) recorder.press({integrals[0], end.time, integrals[1]});
+    if (recorder.records_energy()) {
+        recorder.energy(scene.drive() * integrals[2], 2 * scene.damping_ratio * integrals[3]);
+    }
+}
+
+}  // namespace peterka::trajectory

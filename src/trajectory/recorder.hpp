@@ -1,0 +1,159 @@
+// What the stop and the hammer do to each other, gathered while the cycles of one motion pass.
+//
+// An impact lasts from its first touch to the next flight, renewed contact included. It may last across the end
+// of a cycle: the caller keeps one recorder for all cycles of a motion, and what is still going on at the end
+// of one stays open until a later one ends it.
+//
+// Impacts on a rigid stop take no time, but while the hammer is pressed towards it they follow each other ever
+// faster, and infinitely many of them may end in rest on the stop: a completed chatter, which counts as one
+// impact. So impacts within one stretch of pressing form a chain, which counts only when its fate is known.
+//
+// All numbers are nondimensional: lengths in A0, times in 1/omega, speeds in A0 omega, forces in k A0, impulses
+// in k A0/omega, work in k A0^2.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace peterka::trajectory {
+
+// How much is gathered; each level includes those before it. What nobody asks for isn't computed.
+enum class Detail : std::uint8_t {
+    force,     // impacts, chatter, peak force, a bound of the displacement
+    contacts,  // and speed, impulse, duration and work of the impacts, the largest displacement itself
+    energy,    // and what the drive brings in and the damper of the springs takes out
+};
+
+// A stretch of time in which the stop presses.
+template <class Real>
+struct Press {
+    Real impulse = 0;  // integral of f
+    Real time = 0;
+    Real work = 0;  // integral of f delta', taken from the hammer
+};
+
+// Over the cycles recorded.
+template <class Real>
+struct Totals {
+    std::int64_t impacts = 0;        // a completed chatter is one
+    bool chatter = false;            // some chatter was completed
+    bool struck_rigid_stop = false;  // forces without bound: there is no peak force
+    Real largest_force = 0;
+    Real displacement_bound = 0;  // |u| = |delta + gap| is no larger than this
+    // from the level `contacts` on
+    Real impact_speed = 0;          // largest delta' at first touch
+    Real impulse = 0;               // largest of one impact
+    Real contact_time = 0;          // longest time for which the stop presses within one impact
+    Real contact_work = 0;          // of all impacts together
+    Real largest_displacement = 0;  // of |u|, the true maximum
+    // level `energy`
+    Real drive_work = 0;   // integral of eta^2 sin(theta) u'
+    Real damper_work = 0;  // integral of 2 zeta u'^2
+
+    [[nodiscard]] Real peak_force() const {
+        return struck_rigid_stop ? std::numeric_limits<Real>::quiet_NaN() : largest_force;
+    }
+};
+
+template <class Real>
+class Recorder {
+  public:
+    explicit Recorder(Detail detail = Detail::force) : detail_(detail) {}
+
+    [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
+    [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
+    [[nodiscard]] const Totals<Real>& totals() const { return totals_; }
+
+    // Something is still going on that counts in a later cycle.
+    [[nodiscard]] bool is_open() const { return touching_ || chain_.impacts > 0; }
+    // Starts to count anew; what is open stays open.
+    void reset_totals() { totals_ = {}; }
+    // Counts what is open as one impact that ends now: for a motion that is observed no longer.
+    void finish() {
+        if (chain_.impacts > 0) join_chain();
+        leave();
+    }
+
+    // Any law.
+    void force(Real largest) { totals_.largest_force = std::max(totals_.largest_force, largest); }
+    void displacement_bound(Real bound) {
+        totals_.displacement_bound = std::max(totals_.displacement_bound, bound);
+    }
+    void displacement(Real size) {
+        totals_.largest_displacement = std::max(totals_.largest_displacement, size);
+    }
+    void energy(Real drive_work, Real damper_work) {
+        totals_.drive_work += drive_work;
+        totals_.damper_work += damper_work;
+    }
+
+    // A new impact begins, at this delta' > 0.
+    void touch(Real speed) {
+        leave();
+        touching_ = records_contacts();
+        ++totals_.impacts;
+        totals_.impact_speed = std::max(totals_.impact_speed, speed);
+    }
+    // The stop presses within the present impact.
+    void press(const Press<Real>& press) {
+        touching_ = true;
+        impact_.impulse += press.impulse;
+        impact_.time += press.time;
+        totals_.contact_work += press.work;
+    }
+    // Flight begins: the impact is over.
+    void leave() {
+        totals_.impulse = std::max(totals_.impulse, impact_.impulse);
+        totals_.contact_time = std::max(totals_.contact_time, impact_.time);
+        impact_ = {};
+        touching_ = false;
+    }
+
+    // A rigid stop turns `speed` into -restitution * speed. Whether what presses the hammer towards the stop
+    // (acceleration > 0 at rest on it) makes this impact a link of a chain.
+    void strike(Real speed, Real restitution, bool pressed) {
+        totals_.struck_rigid_stop = true;
+        totals_.impact_speed = std::max(totals_.impact_speed, speed);
+        totals_.contact_work += (1 - restitution) * (1 + restitution) * speed * speed / 2;
+        const Real impulse = (1 + restitution) * speed;
+        if (!pressed) break_chain();
+        ++chain_.impacts;
+        chain_.impulse += impulse;
+        chain_.largest = std::max(chain_.largest, impulse);
+        if (!pressed) break_chain();
+    }
+    // The stretch of pressing is over and the hammer still hops: each impact was one of its own.
+    void break_chain() {
+        totals_.impacts += chain_.impacts;
+        totals_.impulse = std::max(totals_.impulse, chain_.largest);
+        chain_ = {};
+    }
+    // The hammer comes to rest on the stop: the chain and the sticking that follows are one impact.
+    void stick(bool after_chatter) {
+        totals_.chatter |= after_chatter;
+        join_chain();
+    }
+
+  private:
+    struct Chain {
+        std::int64_t impacts = 0;
+        Real impulse = 0;  // of all
+        Real largest = 0;
+    };
+    void join_chain() {
+        ++totals_.impacts;
+        touching_ = records_contacts();
+        impact_.impulse += chain_.impulse;
+        chain_ = {};
+    }
+
+    Detail detail_;
+    Totals<Real> totals_;
+    Press<Real> impact_;  // the one going on
+    bool touching_ = false;
+    Chain chain_;
+};
+
+}  // namespace peterka::trajectory
