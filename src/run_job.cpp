@@ -11,6 +11,7 @@
 #include "output/map_file.hpp"
 #include "output/provenance.hpp"
 #include "parallel/hosts.hpp"
+#include "program/audit_map.hpp"
 #include "program/omitted.hpp"
 #include "program/solve_missing.hpp"
 #include "program/summary.hpp"
@@ -32,7 +33,7 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
                           [&] { output::make_file(plan.file, plan.job, output::collect_provenance()); });
     }
     const auto access = plan.existing == Existing::complete ? output::Access::read : output::Access::write;
-    return MapFile::open(plan.file, plan.job, scene.scales().force_ratio(), session.communicator(), access);
+    return MapFile::open(plan.file, plan.job, scene.scales(), session.communicator(), access);
 }
 
 // A finished map is shown as it is, so it must be what was computed.
@@ -45,16 +46,13 @@ void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining)
                     plan.file.string(), remaining.tiles.size()));
 }
 
-void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene,
-               const output::Statistics& statistics, std::span<const std::string> omitted,
+void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene, const Findings& findings,
                const Stopwatch& wall) {
     if (!session.is_root() || plan.quiet) return;
     if (plan.existing == Existing::complete)
         fmt::print("{} is complete: nothing is computed\n", plan.file.string());
-    fmt::print(
-        "{}",
-        summary_text(
-            {plan.job, scene.scales(), statistics, omitted, plan.file, {session.size(), wall.seconds()}}));
+    fmt::print("{}",
+               summary_text({plan.job, scene.scales(), findings, plan.file, {session.size(), wall.seconds()}}));
 }
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
@@ -86,13 +84,14 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     parallel::failing_ends_all(session, [&] {
         const bool complete = plan.existing == Existing::complete;
         if (complete) refuse_damage(plan, file.remaining_tiles());
-        const bool solved = complete || solve_missing_tiles(session, plan, scene, stop, file);
+        const bool solved = complete || (solve_missing_tiles(session, plan, scene, stop, file) &&
+                                         audit_map(session, plan, scene, stop, file));
         const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
         if (solved) {
             const output::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts);
-            summarise(session, plan, scene, statistics, omitted, wall);
+            summarise(session, plan, scene, {statistics, file.audit_report(), omitted}, wall);
             code = judge(session, plan, statistics);
         } else {
             file.record(facts);

@@ -1,40 +1,35 @@
 // The nondimensional numbers of a rig: the one place where they follow from SI units.
 //
-// omega = sqrt(k/m), zeta = c/(2 m omega), kappa = ki/k, chi = ci/(m omega).
+// omega = sqrt(k/m), zeta = c/(2 m omega); of the stop kappa = ki/k, chi = ci/(m omega), or K A0^(n-1)/k, D A0
+// omega.
 #pragma once
 
-#include <cmath>
-#include <numbers>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "job/job.hpp"
 
 namespace peterka::job {
 
-struct DerivedNumbers {
+struct HammerNumbers {
     double omega_rad_per_s = 0;
     double zeta = 0;
+};
+
+struct KelvinVoigtNumbers {
     double kappa = 0;
     double chi = 0;
 };
 
-[[nodiscard]] inline DerivedNumbers derive(const Hammer& hammer, const Contact& contact) {
-    const double stiffness = hammer.stiffness();
-    const double impedance = std::sqrt(stiffness * hammer.mass_kg);  // m omega [Ns/m]
-    return {impedance / hammer.mass_kg, hammer.damping() / (2 * impedance),
-            contact.stiffness_n_per_m / stiffness, contact.damping_ns_per_m / impedance};
-}
+struct HuntCrossleyNumbers {
+    double stiffness = 0;    // K A0^(n-1)/k
+    double dissipation = 0;  // D A0 omega
+};
+
+[[nodiscard]] HammerNumbers derive(const Hammer& hammer);
+[[nodiscard]] KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer);
+[[nodiscard]] HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const Cart& cart);
 
 // The same as comment lines, for people who read a resolved job.
-[[nodiscard]] inline std::string derived_numbers_in_words(const Job& job) {
-    const DerivedNumbers numbers = derive(job.hammer, job.contact);
-    return fmt::format(
-        "\n# Derived: omega = {:.6g} rad/s ({:.6g} Hz), k = {:.6g} N/m, c = {:.6g} Ns/m,\n"
-        "# zeta = c/(2 m omega) = {:.6g}, kappa = ki/k = {:.6g}, chi = ci/(m omega) = {:.6g}\n",
-        numbers.omega_rad_per_s, numbers.omega_rad_per_s / (2 * std::numbers::pi), job.hammer.stiffness(),
-        job.hammer.damping(), numbers.zeta, numbers.kappa, numbers.chi);
-}
+[[nodiscard]] std::string derived_numbers_in_words(const Job& job);
 
 }  // namespace peterka::job

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace peterka::job {
@@ -40,11 +41,27 @@ struct Cart {
 };
 
 // Spring-dashpot stop: F = ki delta + ci delta' while it presses, 0 otherwise (law = "kelvin_voigt").
-struct Contact {
+struct KelvinVoigt {
     double stiffness_n_per_m = 0;
     double damping_ns_per_m = 0;
-    friend bool operator==(const Contact&, const Contact&) = default;
+    friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
 };
+
+// Rigid stop: an impact turns the speed v into -r v (law = "restitution").
+struct Restitution {
+    double coefficient = 0;  // r
+    friend bool operator==(const Restitution&, const Restitution&) = default;
+};
+
+// Nonlinear stop: F = K delta^n (1 + D delta') while it presses, 0 otherwise (law = "hunt_crossley").
+struct HuntCrossley {
+    double stiffness_n_per_m_pow_n = 0;  // K
+    double exponent = 1.5;               // n
+    double dissipation_s_per_m = 0;      // D
+    friend bool operator==(const HuntCrossley&, const HuntCrossley&) = default;
+};
+
+using Contact = std::variant<KelvinVoigt, Restitution, HuntCrossley>;
 
 // `points` values from `from` to `to`, both included, evenly spaced (or evenly in the logarithm).
 struct Axis {
@@ -86,16 +103,26 @@ struct Solver {
 
 // Fields of a map that are computed only on request.
 enum class OptionalField {
-    multiplier,   // largest |Floquet multiplier| of the proved orbit
-    lyapunov,     // largest Lyapunov exponent per forcing cycle
-    sensitivity,  // ln G: the largest growth of a start perturbation during the run
-    orbit,        // stroboscopic state of the steady orbit: orbit_displacement, orbit_velocity
+    multiplier,        // largest |Floquet multiplier| of the proved orbit
+    lyapunov,          // largest Lyapunov exponent per forcing cycle
+    sensitivity,       // ln G: the largest growth of a start perturbation during the run
+    orbit,             // stroboscopic state of the steady orbit: orbit_displacement, orbit_velocity
+    impact_speed,      // largest speed at first touch
+    impulse,           // largest impulse of one impact
+    contact_time,      // longest time for which the stop presses in one impact
+    contact_power,     // mean power that the impacts take from the hammer
+    max_displacement,  // largest |x - y|
 };
 
 struct Output {
     std::vector<OptionalField> fields;  // sorted, each at most once
     [[nodiscard]] bool has(OptionalField field) const;
     friend bool operator==(const Output&, const Output&) = default;
+};
+
+struct Audit {
+    std::int64_t cells = 0;  // sample of cells that an independent engine solves again
+    friend bool operator==(const Audit&, const Audit&) = default;
 };
 
 struct Limits {
@@ -116,6 +143,7 @@ struct Job {
     SteadyState steady_state;
     Solver solver;
     Output output;
+    Audit audit;
     Limits limits;
     [[nodiscard]] std::int64_t cells() const { return columns.points * rows.points; }
     friend bool operator==(const Job&, const Job&) = default;

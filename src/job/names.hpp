@@ -10,7 +10,8 @@
 
 namespace peterka::job {
 
-enum class ContactLaw { kelvin_voigt };
+// In the order of the variant Contact.
+enum class ContactLaw { kelvin_voigt, restitution, hunt_crossley };
 
 template <typename Choice>
 struct Named {
@@ -34,8 +35,10 @@ struct Names<Kind> {
 
 template <>
 struct Names<ContactLaw> {
-    static constexpr std::array all{Named{ContactLaw::kelvin_voigt, "kelvin_voigt"}};
-    static LaterNames later() { return {"restitution"}; }
+    static constexpr std::array all{Named{ContactLaw::kelvin_voigt, "kelvin_voigt"},
+                                    Named{ContactLaw::restitution, "restitution"},
+                                    Named{ContactLaw::hunt_crossley, "hunt_crossley"}};
+    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -61,9 +64,15 @@ struct Names<Spacing> {
 
 template <>
 struct Names<OptionalField> {
-    static constexpr std::array all{
-        Named{OptionalField::multiplier, "multiplier"}, Named{OptionalField::lyapunov, "lyapunov"},
-        Named{OptionalField::sensitivity, "sensitivity"}, Named{OptionalField::orbit, "orbit"}};
+    static constexpr std::array all{Named{OptionalField::multiplier, "multiplier"},
+                                    Named{OptionalField::lyapunov, "lyapunov"},
+                                    Named{OptionalField::sensitivity, "sensitivity"},
+                                    Named{OptionalField::orbit, "orbit"},
+                                    Named{OptionalField::impact_speed, "impact_speed"},
+                                    Named{OptionalField::impulse, "impulse"},
+                                    Named{OptionalField::contact_time, "contact_time"},
+                                    Named{OptionalField::contact_power, "contact_power_w"},
+                                    Named{OptionalField::max_displacement, "max_displacement"}};
     static LaterNames later() { return {}; }
 };
 
@@ -81,6 +90,10 @@ template <typename Choice>
     names.reserve(std::size(Names<Choice>::all));
     for (const auto& named : Names<Choice>::all) names.push_back(named.name);
     return names;
+}
+
+[[nodiscard]] inline ContactLaw law_of(const Contact& contact) {
+    return static_cast<ContactLaw>(contact.index());
 }
 
 struct AxisNames {

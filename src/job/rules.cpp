@@ -34,7 +34,7 @@ std::string rule_of_resolution(std::string_view axis_name, const Axis& axis) {
         axis_name, axis.points, toml_text(axis.from), toml_text(axis.to));
 }
 
-std::string rule_of_engine(const Hammer& hammer, const Solver& solver) {
+std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const Solver& solver) {
     const bool integrates = solver.engine == EngineChoice::cvode || solver.engine == EngineChoice::arkode;
     if (integrates && solver.tolerance < 1e-12) {
         return fmt::format(
@@ -43,6 +43,14 @@ std::string rule_of_engine(const Hammer& hammer, const Solver& solver) {
             "for 1e-12 or more",
             name(solver.engine), toml_text(solver.tolerance));
     }
+    const bool closed_form = solver.engine == EngineChoice::exact || solver.engine == EngineChoice::split;
+    if (closed_form && std::holds_alternative<HuntCrossley>(contact)) {
+        return fmt::format(
+            "solver.engine = \"{}\" has no law \"hunt_crossley\"; its closed form is that of a linear contact; "
+            "use "
+            "\"auto\", \"cvode\" or \"arkode\"",
+            name(solver.engine));
+    }
     if (hammer.cubic_stiffness_n_per_m3 == 0 || solver.engine != EngineChoice::exact) return {};
     return fmt::format(
         "solver.engine = \"exact\" has no cubic spring, and hammer.cubic_stiffness_n_per_m3 = {}; its closed "
@@ -50,6 +58,22 @@ std::string rule_of_engine(const Hammer& hammer, const Solver& solver) {
         "that of a linear one; use \"auto\", which leaves the term out where that is safe, or set the "
         "stiffness to 0",
         toml_text(hammer.cubic_stiffness_n_per_m3));
+}
+
+std::string rule_of_rigid_stop(const Contact& contact, std::string_view start_name, double start,
+                               std::string_view gap_name, double gap) {
+    if (!std::holds_alternative<Restitution>(contact) || start <= gap) return {};
+    return fmt::format(
+        "{} = {} lies beyond a rigid stop at {} = {}; no hammer is there; start it at {} or less, or take the "
+        "stop further away",
+        start_name, toml_text(start), gap_name, toml_text(gap), toml_text(gap));
+}
+
+std::string reason_for_other_law(ContactLaw law) {
+    return fmt::format(
+        "belongs to law = \"{}\"; the stop of this job has another law, to which it means nothing; "
+        "remove it",
+        name(law));
 }
 
 std::string rule_of_title(std::string_view title) {

@@ -6,13 +6,20 @@
 #include <string_view>
 
 #include "job/job.hpp"
+#include "job/names.hpp"
 
 namespace peterka::job {
 
 [[nodiscard]] std::string rule_of_direction(std::string_view axis_name, const Axis& axis);
 [[nodiscard]] std::string rule_of_logarithm(std::string_view axis_name, const Axis& axis);
 [[nodiscard]] std::string rule_of_resolution(std::string_view axis_name, const Axis& axis);
-[[nodiscard]] std::string rule_of_engine(const Hammer& hammer, const Solver& solver);
+[[nodiscard]] std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const Solver& solver);
+// A hammer cannot start beyond a rigid stop: `start` is the largest x(0)/A0 and `gap` the smallest gap/A0 of
+// the job.
+[[nodiscard]] std::string rule_of_rigid_stop(const Contact& contact, std::string_view start_name, double start,
+                                             std::string_view gap_name, double gap);
+// What to say of a key of [contact] that belongs to this law, where the job's stop has another.
+[[nodiscard]] std::string reason_for_other_law(ContactLaw law);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

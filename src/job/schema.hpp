@@ -4,7 +4,9 @@
 // (table_writer.hpp), which prints it. Defaults are those of the structs in job.hpp.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -77,16 +79,61 @@ void describe(Walker& table, Cart& cart) {
 }
 
 template <typename Walker>
-void describe(Walker& table, Contact& contact) {
-    auto law = ContactLaw::kelvin_voigt;
-    const bool known = table.choice(
-        {"law", "contact law, a spring and a dashpot that push and never pull", "\"kelvin_voigt\""}, law);
-    // The keys below are those of this law; under another one they would only add faults that mean nothing.
-    if (!known) return table.skip({"stiffness_n_per_m", "damping_ns_per_m", "coefficient"});
-    table.number({"stiffness_n_per_m", "stiffness ki of the stop [N/m]", "5.5e6"}, contact.stiffness_n_per_m,
+void describe(Walker& table, KelvinVoigt& stop) {
+    table.number({"stiffness_n_per_m", "stiffness ki of the stop [N/m]", "5.5e6"}, stop.stiffness_n_per_m,
                  positive("a contact stiffness must be positive: the stop pushes the hammer back"));
-    table.number({"damping_ns_per_m", "damping ci of the stop [Ns/m]", "1.2e3"}, contact.damping_ns_per_m,
+    table.number({"damping_ns_per_m", "damping ci of the stop [Ns/m]", "1.2e3"}, stop.damping_ns_per_m,
                  not_negative("a contact damping must not be negative: a stop takes energy and gives none"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Restitution& stop) {
+    table.number(
+        {"coefficient", "coefficient of restitution r, speed after over speed before an impact [1]", "0.6"},
+        stop.coefficient, from_to(0.0, 1.0, "a rigid stop takes energy and gives none"));
+}
+
+template <typename Walker>
+void describe(Walker& table, HuntCrossley& stop) {
+    table.number({"stiffness_n_per_m_pow_n", "stiffness K of F = K delta^n (1 + D delta') [N/m^n]", "5.5e8"},
+                 stop.stiffness_n_per_m_pow_n,
+                 positive("a contact stiffness must be positive: the stop pushes the hammer back"));
+    table.number({"exponent", "exponent n, 1.5 for Hertz's contact of spheres [1]"}, stop.exponent,
+                 from_to(1.0, 10.0, "below 1 the stop would be infinitely stiff at first touch"));
+    table.number({"dissipation_s_per_m", "dissipation D [s/m]", "0.3"}, stop.dissipation_s_per_m,
+                 not_negative("a dissipation must not be negative: a stop takes energy and gives none"));
+}
+
+// The keys of all laws, for what to say of them under another one.
+struct StopKey {
+    std::string_view name;
+    ContactLaw law;
+};
+inline constexpr std::array stop_keys{StopKey{"stiffness_n_per_m", ContactLaw::kelvin_voigt},
+                                      StopKey{"damping_ns_per_m", ContactLaw::kelvin_voigt},
+                                      StopKey{"coefficient", ContactLaw::restitution},
+                                      StopKey{"stiffness_n_per_m_pow_n", ContactLaw::hunt_crossley},
+                                      StopKey{"exponent", ContactLaw::hunt_crossley},
+                                      StopKey{"dissipation_s_per_m", ContactLaw::hunt_crossley}};
+
+template <typename Walker>
+void describe(Walker& table, Contact& contact) {
+    auto law = law_of(contact);
+    const bool known =
+        table.choice({"law", "contact law of the stop, which pushes and never pulls", "\"kelvin_voigt\""}, law);
+    // The other keys are those of a law; without one they would only add faults that mean nothing.
+    if (!known) {
+        for (const StopKey& key : stop_keys) table.skip({key.name});
+        return;
+    }
+    if (law == ContactLaw::restitution && !std::holds_alternative<Restitution>(contact))
+        contact = Restitution{};
+    if (law == ContactLaw::hunt_crossley && !std::holds_alternative<HuntCrossley>(contact))
+        contact = HuntCrossley{};
+    for (const StopKey& key : stop_keys) {
+        if (key.law != law) table.refuse(key.name, reason_for_other_law(key.law));
+    }
+    std::visit([&](auto& stop) { describe(table, stop); }, contact);
 }
 
 template <typename Walker>
@@ -173,10 +220,18 @@ void describe(Walker& table, Solver& solver) {
                  from_to(0.0, 1.0, "a relative change is a share of the peak force; 0 keeps every term"));
 }
 
+template <typename Walker>
+void describe(Walker& table, Audit& audit) {
+    table.integer({"cells", "cells solved again by an independent engine with every term, 0 for none"},
+                  audit.cells,
+                  from_to<std::int64_t>(0, 1'000'000,
+                                        "an audited cell costs a thousand others, and a sample tells enough"));
+}
+
 // Tables of kinds that are named already; saying so helps more than "unknown table".
 template <typename Walker>
 void refuse_later_tables(Walker& file) {
-    for (const auto* name : {"sweep", "trace", "study", "refine", "audit"}) {
+    for (const auto* name : {"sweep", "trace", "study", "refine"}) {
         file.refuse(name, "is not in this version; it computes maps and basins; remove this table");
     }
 }
@@ -202,19 +257,33 @@ void describe(Walker& file, Job& job) {
         file.skip({"axes", "start", "operating_point"});
     } else if (job.kind == Kind::map) {
         describe_map(file, job);
+        file.rule({"axes"}, [&] {
+            return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
+                                      "the lowest axes.gap_ratio", job.rows.from);
+        });
     } else {
         describe_basin(file, job);
+        file.rule({"axes"}, [&] {
+            return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
+                                      "operating_point.gap_ratio", job.operating_point.gap_ratio);
+        });
     }
 
     file.table({"steady_state", "when a regime counts as proved"},
                [&](auto& table) { describe(table, job.steady_state); });
     file.table({"solver", "engine and tolerances"}, [&](auto& table) {
         describe(table, job.solver);
-        table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.solver); });
+        table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.contact, job.solver); });
     });
     file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
-        table.choices({"fields", "extra fields: multiplier, lyapunov, sensitivity, orbit"}, job.output.fields);
+        table.choices(
+            {"fields",
+             "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
+             "contact_power_w, max_displacement"},
+            job.output.fields);
     });
+    file.table({"audit", "an independent check of a random sample of cells"},
+               [&](auto& table) { describe(table, job.audit); });
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
                [&](auto& table) {
                    table.integer(

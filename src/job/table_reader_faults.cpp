@@ -14,7 +14,10 @@ namespace peterka::job {
 void TableReader::refuse(std::string_view name, std::string_view text) {
     refused_.emplace(name);
     for (const Entry& entry : table_.entries) {
-        if (entry.name == name) fault(name, entry.value.where, fmt::format("[{}] {}", full_name(name), text));
+        if (entry.name != name) continue;
+        const bool is_table = entry.value.as<Table>() != nullptr;
+        fault(name, is_table ? entry.value.where : entry.where,
+              fmt::format("{0}{1}{2} {3}", is_table ? "[" : "", full_name(name), is_table ? "]" : "", text));
     }
 }
 

@@ -8,10 +8,11 @@ namespace peterka::output {
 
 namespace {
 
+using job::ContactLaw;
 using job::OptionalField;
 using regime::CellResult;
 
-constexpr std::nullopt_t always = std::nullopt;
+constexpr Always always;
 constexpr auto table_too = InAttractorTable::yes;
 constexpr double not_computed = regime::regime_not_computed;
 constexpr double nan = regime::unknown;
@@ -24,6 +25,7 @@ constexpr Field fields[] = {
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
     {{"period", Number::int32, -1, "1", "period q of z = p/q in forcing cycles"}, always, member<&CellResult::period>, table_too},
     {{"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight, F/(m g0)"}, always, member<&CellResult::peak_force>, table_too},
+    {{"chatter", Number::int8, not_computed, "", "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", chatter_names}, ContactLaw::restitution, member<&CellResult::chatter>},
     {{"impact_rate", Number::float64, nan, "1", "impacts per forcing cycle"}, always, member<&CellResult::impact_rate>},
     {{"cycles", Number::int32, -1, "1", "forcing cycles spent"}, always, member<&CellResult::cycles>},
     {{"multiplier", Number::float64, nan, "1", "largest absolute Floquet multiplier of the orbit"}, OptionalField::multiplier, member<&CellResult::multiplier>},
@@ -31,13 +33,19 @@ constexpr Field fields[] = {
     {{"sensitivity", Number::float64, nan, "1", "largest growth of a start perturbation, ln G"}, OptionalField::sensitivity, member<&CellResult::sensitivity>},
     {{"orbit_displacement", Number::float64, nan, "1", "orbit at forcing phase 0, (x - y)/A0"}, OptionalField::orbit, member<&CellResult::orbit_displacement>, table_too},
     {{"orbit_velocity", Number::float64, nan, "1", "orbit at forcing phase 0, (x' - y')/(A0 omega)"}, OptionalField::orbit, member<&CellResult::orbit_velocity>, table_too},
+    {{"impact_speed", Number::float64, nan, "m/s", "largest speed of the hammer against the stop at first touch"}, OptionalField::impact_speed, member<&CellResult::impact_speed>},
+    {{"impulse", Number::float64, nan, "N s", "largest impulse of one impact"}, OptionalField::impulse, member<&CellResult::impulse>},
+    {{"contact_time", Number::float64, nan, "s", "longest time for which the stop presses in one impact"}, OptionalField::contact_time, member<&CellResult::contact_time>},
+    {{"contact_power_w", Number::float64, nan, "W", "mean power that the impacts take from the hammer's motion against the cart"}, OptionalField::contact_power, member<&CellResult::contact_power>},
+    {{"max_displacement", Number::float64, nan, "m", "largest displacement of the hammer from its rest in the cart, |x - y|"}, OptionalField::max_displacement, member<&CellResult::max_displacement>},
 };
 // clang-format on
 
 bool stores(const job::Job& job, const Field& field) {
-    if (!field.on_request) return true;
-    if (job.kind == job::Kind::basin && *field.on_request == OptionalField::orbit) return true;
-    return std::ranges::find(job.output.fields, *field.on_request) != job.output.fields.end();
+    if (const auto* law = std::get_if<ContactLaw>(&field.stored)) return law_of(job.contact) == *law;
+    const auto* asked = std::get_if<OptionalField>(&field.stored);
+    if (asked == nullptr) return true;
+    return job.output.has(*asked) || (job.kind == job::Kind::basin && *asked == OptionalField::orbit);
 }
 
 }  // namespace
@@ -56,9 +64,15 @@ std::vector<Field> attractor_fields() {
     return columns;
 }
 
-StoredCell in_file_units(const CellResult& cell, double force_ratio_per_unit) {
+StoredCell in_file_units(const CellResult& cell, const scene::Scales& scales) {
     StoredCell stored = cell;
-    stored.peak_force *= force_ratio_per_unit;
+    const double speed = scales.length_m * scales.frequency_rad_per_s;  // A0 omega
+    stored.peak_force *= scales.force_ratio();
+    stored.impact_speed *= speed;
+    stored.impulse *= scales.force_n / scales.frequency_rad_per_s;
+    stored.contact_time /= scales.frequency_rad_per_s;
+    stored.contact_power *= scales.force_n * speed;
+    stored.max_displacement *= scales.length_m;
     for (const Field& field : fields) {
         const double value = field.member.load(stored);
         if (std::isnan(value)) field.member.store(stored, nan);

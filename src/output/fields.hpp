@@ -4,23 +4,27 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "job/job.hpp"
+#include "job/names.hpp"
 #include "output/variable.hpp"
 #include "regime/cell_result.hpp"
+#include "scene/scales.hpp"
 
 namespace peterka::output {
 
-// A cell as the file holds it: a CellResult whose peak_force is over the hammer's weight, F/(m g0).
+// A cell as the file holds it: a CellResult whose peak_force is over the hammer's weight, F/(m g0), and whose
+// impact_speed, impulse, contact_time, contact_power and max_displacement are in m/s, Ns, s, W and m.
 using StoredCell = regime::CellResult;
 
 inline constexpr std::array<const char*, 6> regime_names{"no_impact",         "periodic",   "chaotic",
                                                          "sustained_contact", "unresolved", "failed"};
 inline constexpr std::array<const char*, 6> status_names{"proved",          "budget",     "conservative",
                                                          "too_many_events", "not_finite", "solver_failed"};
+inline constexpr std::array<const char*, 2> chatter_names{"no_chatter", "chatter"};
 inline constexpr std::array<const char*, 4> engine_names{"exact", "split", "cvode", "arkode"};
 
 // The member of a cell that a field stores, as a double (each number type used fits one exactly).
@@ -38,9 +42,12 @@ inline constexpr Member member{[](const StoredCell& cell) { return static_cast<d
 
 enum class InAttractorTable { no, yes };
 
+struct Always {};
+
 struct Field {
     Variable variable;
-    std::optional<job::OptionalField> on_request;  // stored only if the job asks for it
+    std::variant<Always, job::OptionalField, job::ContactLaw>
+        stored;  // always, on request, or for this law only
     Member member;
     InAttractorTable in_attractor_table = InAttractorTable::no;
 };
@@ -53,7 +60,6 @@ struct Field {
 [[nodiscard]] std::vector<Field> attractor_fields();
 
 // The cell in the units of the file, every NaN the same NaN, so that equal results are equal bytes.
-// force_ratio_per_unit: F/(m g0) per F/(k A0).
-[[nodiscard]] StoredCell in_file_units(const regime::CellResult& cell, double force_ratio_per_unit);
+[[nodiscard]] StoredCell in_file_units(const regime::CellResult& cell, const scene::Scales& scales);
 
 }  // namespace peterka::output

@@ -1,8 +1,10 @@
 #include "output/layout.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
+#include "output/audit_table.hpp"
 #include "output/fields.hpp"
 
 namespace peterka::output {
@@ -64,13 +66,14 @@ void add_attractors(std::vector<DatasetPlan>& plans) {
     plans.push_back({"/attractors", attractor_count, {}});
 }
 
-void add_tiles_and_run(std::vector<DatasetPlan>& plans, std::int64_t tiles) {
-    const Dimension dimension{tile.name, tiles};
+void add_tiles_and_run(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const Dimension dimension{tile.name, tiling(job).count()};
     plans.push_back({"/tiles", tile, {dimension}});
     for (const Variable& variable : tile_variables) plans.push_back({"/tiles", variable, {dimension}});
     plans.push_back({"/run", tile, {dimension}});
     for (const Variable& variable : run_tile_variables) plans.push_back({"/run", variable, {dimension}});
     for (const Variable& variable : run_variables) plans.push_back({"/run", variable, {}});
+    std::ranges::move(audit_run_plans(job), std::back_inserter(plans));
 }
 
 std::int64_t capped_product(std::int64_t a, std::int64_t b) {
@@ -112,7 +115,8 @@ std::vector<DatasetPlan> layout(const job::Job& job) {
     std::vector<DatasetPlan> plans;
     add_plane(plans, job);
     if (job.kind == job::Kind::basin) add_attractors(plans);
-    add_tiles_and_run(plans, tiling(job).count());
+    add_tiles_and_run(plans, job);
+    std::ranges::move(audit_plans(job), std::back_inserter(plans));
     for (const Variable& variable : summary_variables) plans.push_back({"/summary", variable, {}});
     return plans;
 }

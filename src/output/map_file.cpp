@@ -38,31 +38,32 @@ void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
 
 }  // namespace
 
-MapFile::MapFile(Checked check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+MapFile::MapFile(Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
                  Access access)
     : check_(std::move(check)),
       kind_(job.kind),
-      force_ratio_per_unit_(force_ratio_per_unit),
+      audit_rows_(output::audit_rows(job)),
+      scales_(scales),
       communicator_(communicator),
       rank_(rank_in(communicator)),
       file_(check_, communicator, access),
       tiles_(check_, file_.id(), job) {}
 
 MapFile MapFile::create(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
-                        double force_ratio_per_unit, MPI_Comm communicator) {
+                        const scene::Scales& scales, MPI_Comm communicator) {
     on_first_rank(communicator, [&] { make_file(path, job, provenance); });
-    return open(path, job, force_ratio_per_unit, communicator);
+    return open(path, job, scales, communicator);
 }
 
-MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, double force_ratio_per_unit,
+MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, const scene::Scales& scales,
                       MPI_Comm communicator, Access access) {
-    return {Checked(path), job, force_ratio_per_unit, communicator, access};
+    return {Checked(path), job, scales, communicator, access};
 }
 
 void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells,
                          double seconds) {
     std::vector<StoredCell> stored;
-    for (const regime::CellResult& cell : cells) stored.push_back(in_file_units(cell, force_ratio_per_unit_));
+    for (const regime::CellResult& cell : cells) stored.push_back(in_file_units(cell, scales_));
     tiles_.write(tile, stored, {seconds, rank_});
 }
 
@@ -81,6 +82,18 @@ RemainingTiles MapFile::remaining_tiles() {
             std::ssize(gather<std::int64_t>(damaged, communicator_))};
 }
 
+StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column) const {
+    return tiles_.read({.row = row, .column = column, .extent = {1, 1}}).front();
+}
+
+std::optional<AuditReport> MapFile::audit_report() {
+    if (audit_rows_ == 0) return std::nullopt;
+    file_.settle();
+    std::vector<AuditRow> rows;
+    together(communicator_, [&] { rows = audit().read(audit_rows_); });
+    return report(std::move(rows));
+}
+
 Statistics MapFile::statistics() {
     file_.settle();
     return survey(tiles_, communicator_);
@@ -96,7 +109,9 @@ void MapFile::finish(const Statistics& statistics, std::span<const std::string> 
     if (kind_ == job::Kind::basin) {
         failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));
     }
+    const std::optional<AuditReport> audited = audit_report();
     on_first_rank(communicator_, [&] {
+        if (audited) audit().write(*audited);
         write_facts(check_, file_.id(), facts);
         write_text(check_, file_.id(), path::omitted, in_lines(omitted));
         write_text(check_, file_.id(), path::failures, failures);

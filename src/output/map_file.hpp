@@ -12,11 +12,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "job/job.hpp"
+#include "output/audit_table.hpp"
 #include "output/checked.hpp"
 #include "output/inspect.hpp"
 #include "output/make_file.hpp"
@@ -41,15 +43,14 @@ struct RemainingTiles {
 class MapFile {
   public:
     // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
-    // previous_name(path) until finish(). force_ratio_per_unit: F/(m g0) per F/(k A0), from CellResult to the
-    // file.
+    // previous_name(path) until finish(). `scales` take a CellResult to the units of the file.
     [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
-                                        const Provenance& provenance, double force_ratio_per_unit,
+                                        const Provenance& provenance, const scene::Scales& scales,
                                         MPI_Comm communicator);
 
     // Collective. Opens a file that inspect() has found to be this job's.
     [[nodiscard]] static MapFile open(const std::filesystem::path& path, const job::Job& job,
-                                      double force_ratio_per_unit, MPI_Comm communicator,
+                                      const scene::Scales& scales, MPI_Comm communicator,
                                       Access access = Access::write);
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
@@ -58,27 +59,38 @@ class MapFile {
     // Collective. Checks the tiles marked done against their checksums, each rank a share of them.
     [[nodiscard]] RemainingTiles remaining_tiles();
 
+    // Collective. After it each rank may read what the others wrote.
+    void settle() { file_.settle(); }
+
+    // Independent, for cells that are there; those of other ranks after settle().
+    [[nodiscard]] StoredCell read_cell(std::int64_t row, std::int64_t column) const;
+    [[nodiscard]] AuditTable audit() const { return {check_, file_.id()}; }
+
+    // Collective. What the audit says, on every rank; nothing where the job wants none.
+    [[nodiscard]] std::optional<AuditReport> audit_report();
+
     // Collective. Counts and extremes of what the file holds, the same at any number of ranks.
     [[nodiscard]] Statistics statistics();
 
     // Collective. Adds the facts of this run to those in the file; for a run that stops early.
     void record(const RunFacts& facts);
 
-    // Collective, once all tiles are written: numbers a basin's attractors, stores texts and facts, marks the
-    // file finished and removes previous_name(path). `statistics` are those of statistics(), `omitted`
-    // sentences.
+    // Collective, once all tiles are written and audited: numbers a basin's attractors, stores texts and facts,
+    // marks the file finished and removes previous_name(path). `statistics` are those of statistics(),
+    // `omitted` sentences.
     void finish(const Statistics& statistics, std::span<const std::string> omitted, const RunFacts& facts);
 
     // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
     void close();
 
   private:
-    MapFile(Checked check, const job::Job& job, double force_ratio_per_unit, MPI_Comm communicator,
+    MapFile(Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
             Access access);
 
     Checked check_;
     job::Kind kind_;
-    double force_ratio_per_unit_;
+    std::int64_t audit_rows_;
+    scene::Scales scales_;
     MPI_Comm communicator_;
     int rank_;
     ParallelFile file_;

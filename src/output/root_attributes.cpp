@@ -15,7 +15,7 @@ namespace peterka::output {
 namespace {
 
 double natural_frequency_hz(const job::Job& job) {
-    return job.hammer.natural_frequency_hz.value_or(derive(job.hammer, job.contact).omega_rad_per_s /
+    return job.hammer.natural_frequency_hz.value_or(derive(job.hammer).omega_rad_per_s /
                                                     (2 * std::numbers::pi));
 }
 
@@ -33,7 +33,7 @@ void write_root_attributes(const Checked& check, hid_t file, const job::Job& job
     write(attribute::job_identity, job::identity_text(job));
 
     write("natural_frequency_hz", natural_frequency_hz(job));
-    write("damping_ratio", derive(job.hammer, job.contact).zeta);
+    write("damping_ratio", derive(job.hammer).zeta);
     write("cart_amplitude_m", job.cart.amplitude_m);
     write("hammer_mass_kg", job.hammer.mass_kg);
     if (job.kind == job::Kind::basin) {

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "parallel/dealing.hpp"
+#include "program/progress_style.hpp"
 #include "regime/solve_cell.hpp"
-#include "support/progress.hpp"
 #include "support/stopwatch.hpp"
 #include "support/tell.hpp"
-#include "support/terminal.hpp"
 
 namespace peterka {
 namespace {
@@ -32,11 +31,6 @@ bool solve_tile(const scene::Scene& scene, const parallel::Tile& tile, const par
     }
     file.write_tile(tile, cells, stopwatch.seconds());
     return true;
-}
-
-ProgressStyle progress_style(const Session& session, const RunPlan& plan) {
-    if (!session.is_root() || plan.quiet) return ProgressStyle::silent;
-    return stderr_is_watched() ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 // The tiles that the file lacks, on rank 0.

@@ -26,8 +26,8 @@ std::string heading(const SummaryInput& input) {
                : fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
                              job.operating_point.gap_ratio);
     return fmt::format("\n{}\n{} cells: {} by {} {}\n", job.title.empty() ? "(no title)" : job.title,
-                       readable_count(input.statistics.counts.cells), readable_count(job.columns.points),
-                       readable_count(job.rows.points), what);
+                       readable_count(input.findings.statistics.counts.cells),
+                       readable_count(job.columns.points), readable_count(job.rows.points), what);
 }
 
 std::string regime_line(const Statistics& statistics, Regime regime, const char* name,
@@ -56,7 +56,7 @@ std::string reasons(std::span<const std::int64_t> cells_by_status) {
 }
 
 std::string regimes(const SummaryInput& input) {
-    const Statistics& statistics = input.statistics;
+    const Statistics& statistics = input.findings.statistics;
     const std::string observed = fmt::format("chaotic for the {} cycles observed; it may settle later",
                                              readable_count(input.job.steady_state.chaos_cycles));
     return "\nWhat the hammer settles into\n" +
@@ -104,7 +104,7 @@ std::string force_line(const SummaryInput& input, const char* of, const LargestF
 }
 
 std::string forces(const SummaryInput& input) {
-    const auto& largest = input.statistics.largest;
+    const auto& largest = input.findings.statistics.largest;
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
     if (lines.empty()) return "\nNo cell ever strikes the stop.\n";
@@ -112,7 +112,7 @@ std::string forces(const SummaryInput& input) {
 }
 
 std::string effort(const SummaryInput& input) {
-    const Statistics& statistics = input.statistics;
+    const Statistics& statistics = input.findings.statistics;
     const auto cells = static_cast<double>(std::max<std::int64_t>(statistics.counts.cells, 1));
     return fmt::format(
         "\nWork\n  {:.1f} forcing cycles and {} per cell, {} of computing in all\n"
@@ -123,10 +123,30 @@ std::string effort(const SummaryInput& input) {
         input.effort.ranks == 1 ? "rank" : "ranks");
 }
 
+std::string audit(const SummaryInput& input) {
+    if (!input.findings.audit) return "";
+    const output::AuditReport& audit = *input.findings.audit;
+    std::string text = fmt::format(
+        "\nAudit: {} cells at random, solved again with every term by an integrator\n"
+        "  same regime and z   {} of {} ({})\n",
+        readable_count(audit.cells), readable_count(audit.agreeing), readable_count(audit.cells),
+        readable_share(audit.agreeing, audit.cells));
+    if (audit.compared > 0) {
+        text += fmt::format(
+            "  peak force          off by {:.1e} (median), {:.1e} (99 %), {:.1e} (largest) in {} cells\n",
+            audit.median_force_error, audit.force_error_99_percent, audit.largest_force_error,
+            readable_count(audit.compared));
+    }
+    const auto cells = static_cast<double>(std::max<std::int64_t>(input.findings.statistics.counts.cells, 1));
+    return text + fmt::format("  time per cell       {} by the integrator, {} in the map\n",
+                              readable_duration(audit.seconds_per_cell),
+                              readable_duration(input.findings.statistics.tile_seconds / cells));
+}
+
 std::string omitted(const SummaryInput& input) {
-    if (input.omitted.empty()) return "";
+    if (input.findings.omitted.empty()) return "";
     std::string text = "\nLeft out, because it changes nothing asked for\n";
-    for (const std::string& sentence : input.omitted) text += fmt::format("  - {}\n", sentence);
+    for (const std::string& sentence : input.findings.omitted) text += fmt::format("  - {}\n", sentence);
     return text;
 }
 
@@ -134,8 +154,8 @@ std::string omitted(const SummaryInput& input) {
 
 std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
-    return heading(input) + regimes(input) + most_frequent_classes(input.statistics) + forces(input) +
-           effort(input) + omitted(input) +
+    return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) + forces(input) +
+           effort(input) + audit(input) + omitted(input) +
            fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, file);
 }
 

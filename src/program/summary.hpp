@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "job/job.hpp"
+#include "output/audit_table.hpp"
 #include "output/statistics.hpp"
 #include "scene/scales.hpp"
 
@@ -17,11 +19,16 @@ struct RunEffort {
     double wall_seconds = 0;
 };
 
+struct Findings {
+    const output::Statistics& statistics;
+    std::optional<output::AuditReport> audit;
+    std::span<const std::string> omitted;  // sentences: what was left out, and why
+};
+
 struct SummaryInput {
     const job::Job& job;
     const scene::Scales& scales;
-    const output::Statistics& statistics;
-    std::span<const std::string> omitted;  // sentences: what was left out, and why
+    const Findings& findings;
     std::filesystem::path file;
     RunEffort effort;
 };

@@ -15,6 +15,15 @@ Budget budget_of(const job::SteadyState& steady) {
         .max_cycles = steady.max_cycles, .max_period = steady.max_period, .chaos_cycles = steady.chaos_cycles};
 }
 
+// What of the impacts is asked for: not asked for, not computed.
+trajectory::Detail detail_of(const job::Output& output) {
+    using job::OptionalField;
+    const bool impacts = output.has(OptionalField::impact_speed) || output.has(OptionalField::impulse) ||
+                         output.has(OptionalField::contact_time) || output.has(OptionalField::contact_power) ||
+                         output.has(OptionalField::max_displacement);
+    return impacts ? trajectory::Detail::contacts : trajectory::Detail::force;
+}
+
 // Keeps the cubic term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, const Budget& budget,
@@ -38,10 +47,19 @@ CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, 
 
 }  // namespace
 
-CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column,
-                      trajectory::Detail detail) {
+CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine) {
+    constexpr double finest = 1e-12;   // of an integrator
+    constexpr double coarsest = 1e-8;  // of a check
+    const scene::Cell cell = scene.cell(row, column);
+    return find_steady_state(cell.oscillator, cell.start, budget_of(scene.job().steady_state),
+                             {.engine = first_engine == Engine::cvode ? Engine::arkode : Engine::cvode,
+                              .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
+}
+
+CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Solver& solver = scene.job().solver;
     const Budget budget = budget_of(scene.job().steady_state);
+    const trajectory::Detail detail = detail_of(scene.job().output);
     const scene::Cell cell = scene.cell(row, column);
     const bool automatic = solver.engine == job::EngineChoice::automatic;
     const bool is_linear = cell.oscillator.cubic == 0;

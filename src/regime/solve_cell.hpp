@@ -5,12 +5,13 @@
 
 #include "regime/cell_result.hpp"
 #include "scene/scene.hpp"
-#include "trajectory/recorder.hpp"
 
 namespace peterka::regime {
 
-// detail: how much of the impacts is measured.
-CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column,
-                      trajectory::Detail detail = trajectory::Detail::force);
+CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
+
+// The same cell with every term of the model and by an integrator: cvode, or arkode where that is what solved
+// the cell the first time. It shares nothing with the closed form but the decision procedure.
+CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine);
 
 }  // namespace peterka::regime

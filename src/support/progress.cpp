@@ -41,10 +41,10 @@ std::string progress_bar(const ProgressCounts& counts, int width) {
     return fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", width - filled);
 }
 
-Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before)
+Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before, std::string_view what)
     : style_(style), counts_{cells, cells_before, cells_before} {
     if (style_ == ProgressStyle::lines) {
-        tell("peterka: {} cells to compute, {} already in the file\n", readable_count(cells - cells_before),
+        tell("peterka: {} cells to {}, {} already in the file\n", readable_count(cells - cells_before), what,
              readable_count(cells_before));
         next_print_seconds_ = line_interval_seconds;
     }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "support/stopwatch.hpp"
 
@@ -26,7 +27,9 @@ struct ProgressCounts {
 
 class Progress {
   public:
-    Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before);
+    // what: the work in a word, as in "12 cells to compute".
+    Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before,
+             std::string_view what = "compute");
     ~Progress();  // ends the bar's line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

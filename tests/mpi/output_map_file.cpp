@@ -18,16 +18,16 @@ namespace {
 
 using examples::SharedFolder;
 
-constexpr double force_ratio = 8.0;
+constexpr scene::Scales scales{.force_n = 16, .weight_n = 2};
 const std::vector<std::string> omitted{"the cubic term: its effect is small"};
 
 class OutputMapFile : public testing::TestWithParam<job::Kind> {
   protected:
     [[nodiscard]] MapFile create(const char* name, MPI_Comm communicator = MPI_COMM_WORLD) const {
-        return MapFile::create(folder_ / name, job_, examples::made_by(), force_ratio, communicator);
+        return MapFile::create(folder_ / name, job_, examples::made_by(), scales, communicator);
     }
     [[nodiscard]] MapFile open(const char* name, Access access = Access::write) const {
-        return MapFile::open(folder_ / name, job_, force_ratio, MPI_COMM_WORLD, access);
+        return MapFile::open(folder_ / name, job_, scales, MPI_COMM_WORLD, access);
     }
 
     // Every rank writes its tiles of `tiles`, from the last to the first.
@@ -168,7 +168,7 @@ TEST_P(OutputMapFile, StatisticsAreThoseOfAllCells) {
     for (std::int64_t i = 0; i < tiling_.count(); ++i) {
         std::vector<StoredCell> cells;
         for (const auto& cell : examples::made_up_cells(tiling_.tile(i))) {
-            cells.push_back(in_file_units(cell, force_ratio));
+            cells.push_back(in_file_units(cell, scales));
         }
         add_tile(expected, tiling_.tile(i), cells);
     }

@@ -32,13 +32,14 @@ inline Job map() {
                   .cubic_stiffness_n_per_m3 = 238.5,
                   .cubic = CubicForm::absolute};
     job.cart = {.amplitude_m = 0.9e-3};
-    job.contact = {.stiffness_n_per_m = 5.6e6, .damping_ns_per_m = 1.3e3};
+    job.contact = KelvinVoigt{.stiffness_n_per_m = 5.6e6, .damping_ns_per_m = 1.3e3};
     job.columns = {.from = 0.6, .to = 4.4, .points = 33, .scale = Spacing::log};
     job.rows = {.from = 0.1, .to = 5.1, .points = 44, .scale = Spacing::linear};
     job.start = {.displacement_ratio = -0.25, .velocity_ratio = 1.75};
     job.steady_state = {.max_cycles = 3001, .max_period = 65, .chaos_cycles = 1001};
     job.solver = {.engine = EngineChoice::split, .tolerance = 2e-9, .omit_tolerance = 2e-3};
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}};
+    job.audit = {.cells = 150};
     job.limits = {.failed_cells = 7};
     return job;
 }

@@ -47,6 +47,8 @@ tolerance = 2e-9
 omit_tolerance = 2e-3
 [output]
 fields = ["orbit", "multiplier"]
+[audit]
+cells = 150
 [limits]
 failed_cells = 7
 )",
@@ -67,9 +69,13 @@ const std::map<std::string, std::string> other_values{
     {"cart.amplitude_m", "0.001"},
     {"contact.stiffness_n_per_m", "5700000.0"},
     {"contact.damping_ns_per_m", "1400.0"},
+    {"contact.coefficient", "0.65"},
+    {"contact.stiffness_n_per_m_pow_n", "560000000.0"},
+    {"contact.exponent", "2.0"},
+    {"contact.dissipation_s_per_m", "0.35"},
     {"operating_point.frequency_ratio", "1.95"},
     {"operating_point.gap_ratio", "1.75"},
-    {"start.displacement_ratio", "-0.35"},
+    {"start.displacement_ratio", "-1.35"},
     {"start.velocity_ratio", "1.85"},
     {"steady_state.max_cycles", "4001"},
     {"steady_state.max_period", "66"},
@@ -78,9 +84,10 @@ const std::map<std::string, std::string> other_values{
     {"solver.tolerance", "3e-09"},
     {"solver.omit_tolerance", "0.003"},
     {"output.fields", "[\"lyapunov\"]"},
+    {"audit.cells", "151"},
     {"limits.failed_cells", "8"},
 };
-// Keys with one value only in this version.
+// Keys with one value only in this version, or whose other values take other keys.
 const std::set<std::string> fixed{"schema", "kind", "contact.law"};
 
 std::string other_value(const std::string& key, const std::string& value) {
@@ -130,6 +137,19 @@ TEST(JobKeys, OfAMapAreWiredThrough) {
 
 TEST(JobKeys, OfABasinAreWiredThrough) {
     expect_every_key_to_be_wired_through(examples::basin());
+}
+
+TEST(JobKeys, OfARigidStopAreWiredThrough) {
+    Job job = examples::map();
+    job.contact = Restitution{.coefficient = 0.6};
+    expect_every_key_to_be_wired_through(job);
+}
+
+TEST(JobKeys, OfANonlinearStopAreWiredThrough) {
+    Job job = examples::map();
+    job.contact = HuntCrossley{.stiffness_n_per_m_pow_n = 5.5e8, .exponent = 1.6, .dissipation_s_per_m = 0.3};
+    job.solver.engine = EngineChoice::arkode;
+    expect_every_key_to_be_wired_through(job);
 }
 
 }  // namespace

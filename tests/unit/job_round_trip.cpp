@@ -1,8 +1,10 @@
 // The resolved text is a job that reads back equal bit for bit; the identity text tells jobs apart.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <random>
 
@@ -28,7 +30,7 @@ class RandomJobs {
         (coin() ? job.hammer.damping_ns_per_m : job.hammer.damping_ratio) = coin() ? 0.0 : magnitude();
         job.hammer.cubic = coin() ? CubicForm::relative : CubicForm::absolute;
         job.cart.amplitude_m = magnitude();
-        job.contact = {magnitude(), coin() ? 0.0 : magnitude()};
+        job.contact = contact();
         const bool is_map = job.kind == Kind::map;
         job.columns = is_map ? axis(1e-6, 1e6) : axis(-1e9, 1e9);
         job.rows = is_map ? axis(-1e6, 1e6) : axis(-1e9, 1e9);
@@ -40,11 +42,14 @@ class RandomJobs {
         job.steady_state = {integer(1, 1'000'000'000), integer(1, 1024), integer(1, 1'000'000'000)};
         job.solver = {coin() ? EngineChoice::automatic : EngineChoice::exact, std::exp(uniform(-700, -0.1)),
                       coin() ? 0.0 : std::exp(uniform(-744, 0))};
+        if (std::holds_alternative<HuntCrossley>(job.contact)) job.solver.engine = EngineChoice::automatic;
+        if (std::holds_alternative<Restitution>(job.contact)) keep_starts_before_the_stop(job);
         if (job.solver.engine != EngineChoice::exact && coin())
             job.hammer.cubic_stiffness_n_per_m3 = magnitude();
         for (const auto& field : Names<OptionalField>::all) {
             if (coin()) job.output.fields.push_back(field.value);
         }
+        job.audit.cells = integer(0, 1'000'000);
         job.limits.failed_cells = integer(0, std::numeric_limits<std::int64_t>::max());
         return job;
     }
@@ -59,6 +64,22 @@ class RandomJobs {
     double signed_number(double limit) {
         const double small = std::ldexp(uniform(-1, 1), -static_cast<int>(integer(0, 1074)));
         return coin() ? uniform(-limit, limit) : coin() ? small : -0.0;
+    }
+    Contact contact() {
+        switch (integer(0, 2)) {
+            case 0:
+                return KelvinVoigt{magnitude(), coin() ? 0.0 : magnitude()};
+            case 1:
+                return Restitution{coin() ? uniform(0, 1) : 1.0};
+            default:
+                return HuntCrossley{magnitude(), uniform(1, 10), coin() ? 0.0 : magnitude()};
+        }
+    }
+    static void keep_starts_before_the_stop(Job& job) {
+        if (job.kind == Kind::map)
+            job.start.displacement_ratio = std::min(job.start.displacement_ratio, job.rows.from);
+        if (job.kind == Kind::basin && job.columns.to > job.operating_point.gap_ratio)
+            job.contact = KelvinVoigt{1, 1};
     }
     Axis axis(double low, double high) {
         const double one = uniform(low, high);
@@ -87,11 +108,19 @@ std::vector<std::uint64_t> bits_of(const Job& job) {
         add(value.value_or(-1));
     }
     for (const double value :
-         {hammer.mass_kg, hammer.cubic_stiffness_n_per_m3, job.cart.amplitude_m, job.contact.stiffness_n_per_m,
-          job.contact.damping_ns_per_m, job.columns.from, job.columns.to, job.rows.from, job.rows.to,
-          job.operating_point.frequency_ratio, job.operating_point.gap_ratio, job.start.displacement_ratio,
-          job.start.velocity_ratio, job.solver.tolerance, job.solver.omit_tolerance}) {
+         {hammer.mass_kg, hammer.cubic_stiffness_n_per_m3, job.cart.amplitude_m, job.columns.from,
+          job.columns.to, job.rows.from, job.rows.to, job.operating_point.frequency_ratio,
+          job.operating_point.gap_ratio, job.start.displacement_ratio, job.start.velocity_ratio,
+          job.solver.tolerance, job.solver.omit_tolerance}) {
         add(value);
+    }
+    const auto add_all = [&](std::initializer_list<double> values) { std::ranges::for_each(values, add); };
+    if (const auto* stop = std::get_if<KelvinVoigt>(&job.contact)) {
+        add_all({stop->stiffness_n_per_m, stop->damping_ns_per_m});
+    }
+    if (const auto* stop = std::get_if<Restitution>(&job.contact)) add(stop->coefficient);
+    if (const auto* stop = std::get_if<HuntCrossley>(&job.contact)) {
+        add_all({stop->stiffness_n_per_m_pow_n, stop->exponent, stop->dissipation_s_per_m});
     }
     return bits;
 }
@@ -134,7 +163,7 @@ TEST(JobIdentity, DoesNotDependOnHowAJobIsWritten) {
 TEST(ResolvedText, NamesUnitsAndDerivedNumbers) {
     Job job = examples::map();
     job.hammer = {.mass_kg = 0.298, .natural_frequency_hz = 4.5, .damping_ns_per_m = 0.06};
-    job.contact = {5.5e6, 1.2e3};
+    job.contact = KelvinVoigt{5.5e6, 1.2e3};
     const std::string text = resolved_text(job);
     EXPECT_NE(text.find("mass_kg = 0.298                         # mass of the hammer [kg]\n"),
               std::string::npos);

@@ -67,11 +67,15 @@ TEST(Hammer, StiffnessAndDampingFollowWhicheverKeyGaveThem) {
     EXPECT_EQ(by_stiffness.stiffness(), 8);
     EXPECT_EQ(by_stiffness.damping(), 2);  // 2 zeta sqrt(k m)
 
-    const DerivedNumbers numbers = derive(by_stiffness, {.stiffness_n_per_m = 800, .damping_ns_per_m = 12});
-    EXPECT_EQ(numbers.omega_rad_per_s, 2);
-    EXPECT_EQ(numbers.zeta, 0.25);
-    EXPECT_EQ(numbers.kappa, 100);
-    EXPECT_EQ(numbers.chi, 3);
+    EXPECT_EQ(derive(by_stiffness).omega_rad_per_s, 2);
+    EXPECT_EQ(derive(by_stiffness).zeta, 0.25);
+    const KelvinVoigt spring_dashpot{.stiffness_n_per_m = 800, .damping_ns_per_m = 12};
+    EXPECT_EQ(derive(spring_dashpot, by_stiffness).kappa, 100);
+    EXPECT_EQ(derive(spring_dashpot, by_stiffness).chi, 3);
+    // K A0^(n-1)/k = 800 * 0.25^1.5/8 and D A0 omega = 6 * 0.25 * 2
+    const HuntCrossley nonlinear{.stiffness_n_per_m_pow_n = 800, .exponent = 2.5, .dissipation_s_per_m = 6};
+    EXPECT_EQ(derive(nonlinear, by_stiffness, {.amplitude_m = 0.25}).stiffness, 12.5);
+    EXPECT_EQ(derive(nonlinear, by_stiffness, {.amplitude_m = 0.25}).dissipation, 3);
 }
 
 TEST(Hammer, DerivedNumbersAreFiniteAtTheEndsOfTheRanges) {
@@ -83,11 +87,12 @@ TEST(Hammer, DerivedNumbersAreFiniteAtTheEndsOfTheRanges) {
                     hammer.mass_kg = mass;
                     (by_frequency ? hammer.natural_frequency_hz : hammer.stiffness_n_per_m) = other;
                     (by_frequency ? hammer.damping_ns_per_m : hammer.damping_ratio) = 1e30;
-                    const DerivedNumbers numbers = derive(hammer, {contact, 1e30});
+                    const HammerNumbers numbers = derive(hammer);
                     EXPECT_TRUE(std::isfinite(numbers.omega_rad_per_s) && numbers.omega_rad_per_s > 0);
                     EXPECT_TRUE(std::isfinite(numbers.zeta));
-                    EXPECT_TRUE(std::isfinite(numbers.kappa) && numbers.kappa > 0);
-                    EXPECT_TRUE(std::isfinite(numbers.chi));
+                    const KelvinVoigtNumbers stop = derive(KelvinVoigt{contact, 1e30}, hammer);
+                    EXPECT_TRUE(std::isfinite(stop.kappa) && stop.kappa > 0);
+                    EXPECT_TRUE(std::isfinite(stop.chi));
                 }
             }
         }

@@ -61,7 +61,7 @@ inline job::Job small_map(std::int64_t rows, std::int64_t columns) {
     job.hammer.natural_frequency_hz = 4.5;
     job.hammer.damping_ns_per_m = 0.06;
     job.cart.amplitude_m = 0.89e-3;
-    job.contact = {5.5e6, 1.2e3};
+    job.contact = job::KelvinVoigt{5.5e6, 1.2e3};
     job.columns = {0.5, 4.5, columns};
     job.rows = {0.0, 5.0, rows};
     return job;

@@ -96,9 +96,11 @@ TEST(OutputFields, CellsComeBackFromBytes) {
     EXPECT_EQ(back[0].orbit_velocity, 7.5);
 }
 
+constexpr scene::Scales four_weights{.force_n = 20, .weight_n = 5};
+
 TEST(OutputFields, ForceIsStoredOverTheHammersWeight) {
-    EXPECT_EQ(in_file_units(distinct_cell(), 4.0).peak_force, 6.0);
-    EXPECT_EQ(in_file_units(distinct_cell(), 4.0).impact_rate, 2.5);
+    EXPECT_EQ(in_file_units(distinct_cell(), four_weights).peak_force, 6.0);
+    EXPECT_EQ(in_file_units(distinct_cell(), four_weights).impact_rate, 2.5);
 }
 
 TEST(OutputFields, EveryNanIsTheSame) {
@@ -108,8 +110,8 @@ TEST(OutputFields, EveryNanIsTheSame) {
     negative.peak_force = -positive.peak_force;
     ASSERT_NE(std::memcmp(&positive.peak_force, &negative.peak_force, sizeof(double)), 0);
     const std::vector<Field> fields = stored_fields(examples::small_map(4, 4));
-    const std::vector<StoredCell> first{in_file_units(positive, 2)};
-    const std::vector<StoredCell> second{in_file_units(negative, 2)};
+    const std::vector<StoredCell> first{in_file_units(positive, {})};
+    const std::vector<StoredCell> second{in_file_units(negative, {})};
     EXPECT_EQ(encode(fields, first), encode(fields, second));
 }
 

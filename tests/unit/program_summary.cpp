@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,13 +36,14 @@ output::Statistics statistics_of_a_hundred_cells() {
 }
 
 std::string summary(const output::Statistics& statistics, job::Kind kind = job::Kind::map,
-                    const std::vector<std::string>& omitted = {}) {
+                    const std::vector<std::string>& omitted = {},
+                    const std::optional<output::AuditReport>& audit = {}) {
     const job::Job job = job_of(kind);
     scene::Scales scales;
     scales.length_m = 0.89e-3;
     scales.frequency_rad_per_s = 2 * 3.14159265358979 * 4.5;
     scales.weight_n = 2.5;
-    return summary_text({job, scales, statistics, omitted, "maps/a.h5", {3, 12.5}});
+    return summary_text({job, scales, {statistics, audit, omitted}, "maps/a.h5", {3, 12.5}});
 }
 
 // The line of the text that contains `word`.
@@ -110,6 +112,24 @@ TEST(Summary, WhatWasLeftOutIsListed) {
     const std::string text =
         summary(statistics_of_a_hundred_cells(), job::Kind::map, {"the cubic term: too small"});
     EXPECT_TRUE(contains(text, "  - the cubic term: too small\n")) << text;
+}
+
+TEST(Summary, AnAuditIsReportedWithItsErrorsAndItsTime) {
+    const output::AuditReport audit{.cells = 40,
+                                    .agreeing = 39,
+                                    .compared = 12,
+                                    .median_force_error = 2.5e-5,
+                                    .force_error_99_percent = 3e-4,
+                                    .largest_force_error = 4e-4,
+                                    .seconds_per_cell = 0.25};
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::map, {}, audit);
+    EXPECT_TRUE(contains(line_with(text, "same regime"), "39 of 40 (97.5 %)")) << text;
+    EXPECT_TRUE(
+        contains(line_with(text, "peak force   "), "2.5e-05 (median), 3.0e-04 (99 %), 4.0e-04 (largest) in 12"))
+        << text;
+    EXPECT_TRUE(contains(line_with(text, "time per cell"), "250.0 ms by the integrator, 5.0 ms in the map"))
+        << text;
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Audit"));
 }
 
 TEST(Summary, FitsAScreen) {

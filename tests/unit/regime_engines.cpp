@@ -116,7 +116,7 @@ job::Job paper_job(double cubic_stiffness) {
     job.hammer.damping_ns_per_m = 0.06;
     job.hammer.cubic_stiffness_n_per_m3 = cubic_stiffness;
     job.cart.amplitude_m = 0.89e-3;
-    job.contact = {5.5e6, 1.2e3};
+    job.contact = job::KelvinVoigt{5.5e6, 1.2e3};
     job.columns = {1.5, 2.5, 3};
     job.rows = {0.0, 1.0, 3};
     return job;

@@ -1,0 +1,160 @@
+#include "output/audit_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "output/block.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+constexpr double nan = regime::unknown;
+constexpr double not_audited = regime::regime_not_computed;
+constexpr const char* agrees = "agrees";
+constexpr const char* force_error = "force_error";
+constexpr const char* seconds_path = "/run/audit_seconds";
+constexpr const char* agreeing_names[] = {"differs", "agrees"};
+
+// clang-format off
+constexpr Variable sample{"sample", Number::int32, -1, "1", "number of the audited cell"};
+constexpr Variable columns[] = {
+    {"cell", Number::int64, -1, "1", "number of the cell in the map, row by row"},
+    {"row", Number::int32, -1, "1", "its row"},
+    {"column", Number::int32, -1, "1", "its column"},
+    {"regime", Number::int8, not_audited, "", "regime by the independent engine", regime_names},
+    {"status", Number::int8, not_audited, "", "why that is unresolved or failed", status_names},
+    {"engine", Number::int8, not_audited, "", "the independent engine", engine_names},
+    {"impacts", Number::int32, -1, "1", "impacts p of z = p/q by it"},
+    {"period", Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
+    {"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight by it, F/(m g0)"},
+    {force_error, Number::float64, nan, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
+    {agrees, Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
+};
+constexpr Variable results[] = {
+    {"agreeing_labels", Number::float64, nan, "1", "share of audited cells with the same regime and p/q"},
+    {"force_error_median", Number::float64, nan, "1", "median relative error of the peak force"},
+    {"force_error_99_percent", Number::float64, nan, "1", "error that 99 % of the compared cells do not exceed"},
+    {"force_error_largest", Number::float64, nan, "1", "largest relative error of the peak force"},
+};
+constexpr Variable seconds{"audit_seconds", Number::float64, nan, "s", "computing time of the independent engine"};
+// clang-format on
+
+std::string path_of(const char* name) {
+    return std::string("/audit/") + name;
+}
+
+DatasetId open(const Checked& check, hid_t file, const std::string& path) {
+    return DatasetId(check(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "H5Dopen2"));
+}
+
+template <class Value>
+constexpr Number number_of() {
+    if constexpr (std::is_same_v<Value, std::int8_t>) return Number::int8;
+    if constexpr (std::is_same_v<Value, std::int32_t>) return Number::int32;
+    if constexpr (std::is_same_v<Value, std::int64_t>) return Number::int64;
+    return Number::float64;
+}
+
+template <class Value>
+std::vector<Value> read_column(const Checked& check, hid_t file, const std::string& path, std::int64_t count) {
+    std::vector<Value> values(static_cast<std::size_t>(count));
+    if (count > 0)
+        read_block(check, open(check, file, path).id(), number_of<Value>(), Block(0, count), values.data());
+    return values;
+}
+
+}  // namespace
+
+AuditReport report(std::vector<AuditRow> rows) {
+    AuditReport report{.cells = std::ssize(rows)};
+    std::vector<double> errors;
+    for (const AuditRow& row : rows) {
+        report.agreeing += row.agrees ? 1 : 0;
+        report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
+        if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
+    }
+    report.compared = std::ssize(errors);
+    if (errors.empty()) return report;
+    std::ranges::sort(errors);
+    // the smallest error that this share of the cells does not exceed
+    const auto quantile = [&](double share) {
+        return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1];
+    };
+    report.median_force_error = quantile(0.5);
+    report.force_error_99_percent = quantile(0.99);
+    report.largest_force_error = errors.back();
+    return report;
+}
+
+std::int64_t audit_rows(const job::Job& job) {
+    return std::min(job.audit.cells, job.cells());
+}
+
+std::vector<DatasetPlan> audit_plans(const job::Job& job) {
+    std::vector<DatasetPlan> plans;
+    const Dimension dimension{sample.name, audit_rows(job)};
+    if (dimension.size == 0) return plans;
+    plans.push_back({"/audit", sample, {dimension}});
+    for (const Variable& column : columns) plans.push_back({"/audit", column, {dimension}});
+    for (const Variable& result : results) plans.push_back({"/audit", result, {}});
+    return plans;
+}
+
+std::vector<DatasetPlan> audit_run_plans(const job::Job& job) {
+    const Dimension dimension{sample.name, audit_rows(job)};
+    if (dimension.size == 0) return {};
+    return {{"/run", sample, {dimension}}, {"/run", seconds, {dimension}}};
+}
+
+template <class Value>
+void AuditTable::put(const char* name, std::int64_t index, Value value) const {
+    write_block(check_, open(check_, file_, path_of(name)).id(), number_of<Value>(), Block(index, 1), &value);
+}
+
+bool AuditTable::has(std::int64_t index) const {
+    std::int8_t mark = 0;
+    read_block(check_, open(check_, file_, path_of(agrees)).id(), Number::int8, Block(index, 1), &mark);
+    return mark == 0 || mark == 1;
+}
+
+void AuditTable::write(std::int64_t index, const AuditRow& row) const {
+    put("cell", index, row.cell);
+    put("row", index, static_cast<std::int32_t>(row.row));
+    put("column", index, static_cast<std::int32_t>(row.column));
+    put("regime", index, static_cast<std::int8_t>(row.again.regime));
+    put("status", index, static_cast<std::int8_t>(row.again.status));
+    put("engine", index, static_cast<std::int8_t>(row.again.engine));
+    put("impacts", index, row.again.impacts);
+    put("period", index, row.again.period);
+    put("peak_force_ratio", index, row.again.peak_force);
+    put(force_error, index, row.force_error);
+    write_block(check_, open(check_, file_, seconds_path).id(), Number::float64, Block(index, 1), &row.seconds);
+    put(agrees, index, static_cast<std::int8_t>(row.agrees ? 1 : 0));
+}
+
+std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
+    const auto errors = read_column<double>(check_, file_, path_of(force_error), count);
+    const auto marks = read_column<std::int8_t>(check_, file_, path_of(agrees), count);
+    const auto times = read_column<double>(check_, file_, seconds_path, count);
+    std::vector<AuditRow> rows(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].force_error = errors[i];
+        rows[i].agrees = marks[i] == 1;
+        rows[i].seconds = times[i];
+    }
+    return rows;
+}
+
+void AuditTable::write(const AuditReport& report) const {
+    const double share = static_cast<double>(report.agreeing) / static_cast<double>(report.cells);
+    write_number(check_, file_, path_of("agreeing_labels").c_str(), share);
+    write_number(check_, file_, path_of("force_error_median").c_str(), report.median_force_error);
+    write_number(check_, file_, path_of("force_error_99_percent").c_str(), report.force_error_99_percent);
+    write_number(check_, file_, path_of("force_error_largest").c_str(), report.largest_force_error);
+}
+
+}  // namespace peterka::output

@@ -1,0 +1,78 @@
+#include "program/audit_map.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "parallel/dealing.hpp"
+#include "program/audit_sample.hpp"
+#include "program/progress_style.hpp"
+#include "regime/solve_cell.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka {
+namespace {
+
+using output::AuditRow;
+using output::StoredCell;
+using regime::Regime;
+
+bool same_label(const StoredCell& a, const StoredCell& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
+}
+
+// The largest force of a motion without a period hangs on the window in which it was observed.
+double force_error(const StoredCell& cell, const StoredCell& again) {
+    const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
+    if (!settled || !same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
+    return std::abs(cell.peak_force / again.peak_force - 1);
+}
+
+AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const output::MapFile& file) {
+    const Stopwatch stopwatch;
+    const std::int64_t row = cell / scene.columns();
+    const std::int64_t column = cell % scene.columns();
+    const StoredCell first = file.read_cell(row, column);
+    const StoredCell again =
+        output::in_file_units(regime::solve_again(scene, row, column, first.engine), scene.scales());
+    return {.cell = cell,
+            .row = row,
+            .column = column,
+            .again = again,
+            .force_error = force_error(first, again),
+            .agrees = same_label(first, again),
+            .seconds = stopwatch.seconds()};
+}
+
+}  // namespace
+
+bool audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+               const StopRequest& stop, output::MapFile& file) {
+    const std::int64_t samples = output::audit_rows(plan.job);
+    if (samples == 0) return true;
+    file.settle();
+    const output::AuditTable table = file.audit();
+    const parallel::Tiling tiling({samples, 1});
+    std::vector<parallel::TileRange> missing;
+    for (std::int64_t tile = 0; session.is_root() && tile < tiling.count(); ++tile) {
+        const std::int64_t first = tiling.tile(tile).row;
+        bool whole = true;
+        for (std::int64_t i = first; i < first + tiling.tile(tile).size(); ++i) whole &= table.has(i);
+        if (!whole) parallel::append_tile(missing, tile);
+    }
+    Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
+                      "audit");
+    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+        for (std::int64_t index = tile.row; index < tile.row + tile.size(); ++index) {
+            if (!carry_on()) return false;
+            table.write(index, audit_cell(scene, audited_cell(index, samples, plan.job.cells()), file));
+        }
+        return true;
+    };
+    return parallel::deal_tiles(session, tiling, std::move(missing),
+                                {.solve_tile = solve_tile,
+                                 .stop_requested = [&] { return stop.requested(); },
+                                 .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
+}
+
+}  // namespace peterka

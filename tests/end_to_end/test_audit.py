@@ -1,0 +1,77 @@
+"""An audited map: a sample of its cells is solved again by an independent engine with every term of the model."""
+
+import h5py
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import launch
+import map_contents
+
+AUDIT = "[audit]\ncells = 40\n"
+CUBIC = "cubic_stiffness_n_per_m3 = {}"
+
+
+def audited(folder, *, ranks=2, extra=()):
+    jobs.write(folder, jobs.small_map() + AUDIT)
+    finished = launch.run("run", "job.toml", *extra, cwd=folder, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5", finished.stdout
+
+
+@pytest.fixture(scope="module")
+def audited_map(tmp_path_factory):
+    return audited(tmp_path_factory.mktemp("audited"))
+
+
+def test_the_independent_engine_agrees(audited_map):
+    file, summary = audited_map
+    with xarray.open_dataset(file, group="audit") as audit:
+        assert len(np.unique(audit.cell)) == 40
+        assert set(audit.engine.values) == {2}  # cvode, while the map is solved in closed form
+        assert audit.agreeing_labels >= 0.95  # a cell or two may lie on a boundary
+        assert np.isfinite(audit.force_error).sum() > 8
+        assert audit.force_error_largest < 1e-7
+        assert "Audit: 40 cells" in summary
+
+
+def test_errors_are_those_of_the_map(audited_map):
+    with h5py.File(audited_map[0]) as file:
+        audit = file["audit"]
+        place = audit["row"][()], audit["column"][()]
+        assert np.array_equal(audit["cell"][()], place[0] * file["regime"].shape[1] + place[1])
+        force = file["peak_force_ratio"][()][place]
+        agrees = (file["regime"][()][place] == audit["regime"][()]) & (file["period"][()][place] == audit["period"][()])
+        agrees &= file["impacts"][()][place] == audit["impacts"][()]
+        assert np.array_equal(audit["agrees"][()] == 1, agrees)
+        compared = agrees & (audit["regime"][()] == 1)
+        error = np.abs(force / audit["peak_force_ratio"][()] - 1)
+        assert np.array_equal(audit["force_error"][()][compared], error[compared])
+        assert np.all(np.isnan(audit["force_error"][()][~compared]))
+
+
+@pytest.mark.parametrize("ranks", [1, 7])
+def test_is_the_same_at_any_number_of_ranks(tmp_path, audited_map, ranks):
+    map_contents.assert_same_map(audited(tmp_path, ranks=ranks)[0], audited_map[0])
+
+
+def test_sees_what_was_left_out(tmp_path):
+    """A cubic spring so strong that its effect is far above rounding, left out by a job that allows it."""
+    file, _ = audited(tmp_path, extra=["--set", "hammer.cubic_stiffness_n_per_m3=20000", "--set",
+                                       "solver.omit_tolerance=1"])
+    with h5py.File(file) as file:
+        assert 1e-4 < file["audit/force_error_median"][()] < 0.1
+
+
+def test_an_interrupted_audit_goes_on(tmp_path, audited_map):
+    """As if the run had been stopped after the first audited cells: the rest is audited, the map isn't touched."""
+    file, _ = audited(tmp_path)
+    with h5py.File(file, "r+") as content:
+        content["summary/finished"][()] = 0
+        content["audit/agrees"][20:] = -128
+        content["audit/force_error"][20:] = np.nan
+        content["audit/cell"][20:] = -1
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    map_contents.assert_same_map(file, audited_map[0])

@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "output/audit_table.hpp"
+
+namespace peterka::output {
+namespace {
+
+AuditRow row(double force_error, bool agrees) {
+    return {.again = {}, .force_error = force_error, .agrees = agrees, .seconds = 0.5};
+}
+
+TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
+    std::vector<AuditRow> rows;
+    for (int i = 200; i > 0; --i) rows.push_back(row(i, true));
+    rows.push_back(row(regime::unknown, false));
+    const AuditReport result = report(rows);
+    EXPECT_EQ(result.cells, 201);
+    EXPECT_EQ(result.agreeing, 200);
+    EXPECT_EQ(result.compared, 200);
+    EXPECT_EQ(result.median_force_error, 100);
+    EXPECT_EQ(result.force_error_99_percent, 198);
+    EXPECT_EQ(result.largest_force_error, 200);
+    EXPECT_NEAR(result.seconds_per_cell, 0.5, 1e-12);
+}
+
+TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {
+    const AuditReport result = report({row(regime::unknown, true)});
+    EXPECT_EQ(result.compared, 0);
+    EXPECT_TRUE(std::isnan(result.median_force_error));
+    EXPECT_TRUE(std::isnan(result.largest_force_error));
+}
+
+}  // namespace
+}  // namespace peterka::output
