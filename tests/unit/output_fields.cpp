@@ -29,6 +29,14 @@ std::vector<std::string> names(const std::vector<Field>& fields) {
 const std::vector<std::string> always{"regime", "status",           "engine",      "impacts",
                                       "period", "peak_force_ratio", "impact_rate", "cycles"};
 
+// A rigid stop has a field of its own.
+job::Job with_every_field() {
+    job::Job job = examples::small_map(4, 4);
+    job.contact = job::Restitution{0.6};
+    for (const auto& field : job::Names<OptionalField>::all) job.output.fields.push_back(field.value);
+    return job;
+}
+
 TEST(OutputFields, MapStoresWhatItMustAndNoMore) {
     EXPECT_EQ(names(stored_fields(examples::small_map(4, 4))), always);
 }
@@ -48,11 +56,9 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 }
 
 TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
-    job::Job job = examples::small_map(4, 4);
-    job.output.fields = {OptionalField::multiplier, OptionalField::lyapunov, OptionalField::sensitivity,
-                         OptionalField::orbit};
+    const job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), always.size() + 5);
+    EXPECT_EQ(all.size(), always.size() + 1 + job.output.fields.size() + 1);  // chatter; the orbit has two
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
 }
 
@@ -66,21 +72,26 @@ regime::CellResult distinct_cell() {
             .cycles = 13,
             .peak_force = 1.5,
             .largest_displacement = 8.5,
+            .chatter = true,
             .impact_rate = 2.5,
             .multiplier = 3.5,
             .lyapunov = 4.5,
             .sensitivity = 5.5,
             .orbit_displacement = 6.5,
-            .orbit_velocity = 7.5};
+            .orbit_velocity = 7.5,
+            .impact_speed = 9.5,
+            .impulse = 10.5,
+            .contact_time = 11.5,
+            .contact_power = 12.5,
+            .max_displacement = 13.5};
 }
 
 TEST(OutputFields, EachFieldStoresItsOwnMember) {
-    job::Job job = examples::small_map(4, 4);
-    job.output.fields = {OptionalField::multiplier, OptionalField::lyapunov, OptionalField::sensitivity,
-                         OptionalField::orbit};
+    const job::Job job = with_every_field();
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2, 1, 3, 11, 12, 1.5, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5}));
+    EXPECT_EQ(values, (std::vector<double>{2, 1, 3, 11, 12, 1.5, 1, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5, 9.5, 10.5,
+                                           11.5, 12.5, 13.5}));
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {
@@ -101,6 +112,16 @@ constexpr scene::Scales four_weights{.force_n = 20, .weight_n = 5};
 TEST(OutputFields, ForceIsStoredOverTheHammersWeight) {
     EXPECT_EQ(in_file_units(distinct_cell(), four_weights).peak_force, 6.0);
     EXPECT_EQ(in_file_units(distinct_cell(), four_weights).impact_rate, 2.5);
+}
+
+TEST(OutputFields, ImpactsAreStoredInSiUnits) {
+    const scene::Scales scales{.length_m = 2, .frequency_rad_per_s = 4, .force_n = 8};
+    const StoredCell stored = in_file_units(distinct_cell(), scales);
+    EXPECT_EQ(stored.impact_speed, 9.5 * 8);     // A0 omega
+    EXPECT_EQ(stored.impulse, 10.5 * 2);         // k A0/omega
+    EXPECT_EQ(stored.contact_time, 11.5 / 4);    // 1/omega
+    EXPECT_EQ(stored.contact_power, 12.5 * 64);  // k A0^2 omega
+    EXPECT_EQ(stored.max_displacement, 27);      // A0
 }
 
 TEST(OutputFields, EveryNanIsTheSame) {
