@@ -1,6 +1,4 @@
 // peterka: maps of a hammer that strikes a stop inside a vibrating cart. See README.md.
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "parallel/session.hpp"
@@ -8,6 +6,7 @@
 #include "program/command_line.hpp"
 #include "program/run_plan.hpp"
 #include "run_job.hpp"
+#include "support/print.hpp"
 
 int main(int argc, char** argv) {
     using namespace peterka;
@@ -15,8 +14,8 @@ int main(int argc, char** argv) {
         std::optional<RunPlan> plan;
         parallel::on_root(session, [&] {
             const Request request = read_command_line(argc, argv);
-            if (request.command == Command::print) fmt::print("{}", request.text);
-            if (request.command == Command::check) fmt::print("{}", check_job(request));
+            if (request.command == Command::print) print(request.text);
+            if (request.command == Command::check) print(check_job(request));
             if (request.command == Command::run) plan = plan_run(request);
         });
         share(session, plan);

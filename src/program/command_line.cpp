@@ -59,7 +59,10 @@ void add_run_options(CLI::App& command, Request& request) {
     };
     command
         .add_option("--output", request.output, "map file; default: the job's name with .h5, in this folder")
-        ->type_name("FILE.h5");
+        ->type_name("FILE.h5")
+        ->check(CLI::Validator(
+            [](const std::string& text) { return text.empty() ? "needs the name of a file" : std::string(); },
+            ""));
     command.add_flag("--fresh", request.fresh, "start over, even if the file holds results of this job");
     command.add_option("--max-wall", request.max_wall_seconds, "stop, resumable, after this time")
         ->type_name("SECONDS")

@@ -103,8 +103,19 @@ std::string force_line(const SummaryInput& input, const char* of, const LargestF
                        force.peak_force_ratio * input.scales.weight_n, place(input, force));
 }
 
+bool strikes(const Statistics& statistics) {
+    return statistics.cells_of(Regime::periodic) + statistics.cells_of(Regime::chaotic) +
+               statistics.cells_of(Regime::unresolved) >
+           0;
+}
+
 std::string forces(const SummaryInput& input) {
     const auto& largest = input.findings.statistics.largest;
+    if (job::law_of(input.job.contact) == job::ContactLaw::restitution && strikes(input.findings.statistics)) {
+        return "\nNo peak forces: a rigid stop strikes with forces beyond any bound. Ask for impact_speed or "
+               "impulse\n"
+               "under [output] fields instead.\n";
+    }
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
     if (lines.empty()) return "\nNo cell ever strikes the stop.\n";
@@ -156,7 +167,7 @@ std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
     return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) + forces(input) +
            effort(input) + audit(input) + omitted(input) +
-           fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, file);
+           fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, shell_word(file));
 }
 
 }  // namespace peterka

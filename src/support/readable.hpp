@@ -1,8 +1,10 @@
-// Numbers as a person reads them: counts with separators, durations, amounts of memory.
+// Numbers as a person reads them: counts with separators, durations, amounts of memory; names as a shell reads
+// them.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace peterka {
 
@@ -10,5 +12,8 @@ namespace peterka {
 [[nodiscard]] std::string readable_duration(double seconds);   // 3725 -> "1 h 2 min", 0.00125 -> "1.3 ms"
 [[nodiscard]] std::string readable_bytes(std::int64_t bytes);  // 1536000 -> "1.5 MB" (powers of 1000)
 [[nodiscard]] std::string readable_share(std::int64_t part, std::int64_t whole);  // 1 of 3 -> "33.3 %"
+
+// A file's name as one word of a command line: quoted where a shell would read it otherwise.
+[[nodiscard]] std::string shell_word(std::string_view text);
 
 }  // namespace peterka

@@ -51,6 +51,30 @@ def test_check_foretells_the_file_size(tmp_path, small_map_file):
     assert size <= foretold + 100 and foretold < size + 20_000
 
 
+@pytest.mark.parametrize("arguments", [["--version"], ["check", "job.toml"]])
+def test_what_cannot_be_printed_is_a_failure(tmp_path, arguments):
+    jobs.write(tmp_path, jobs.small_map())
+    with open("/dev/full", "w") as full:
+        finished = subprocess.run(launch.command(*arguments), cwd=tmp_path, env=launch.ENVIRONMENT, stdout=full,
+                                  stderr=subprocess.PIPE, text=True, timeout=launch.HANGING)
+    assert finished.returncode == 3
+    assert "standard output cannot be written" in finished.stderr
+
+
+def test_the_line_that_draws_can_be_pasted_into_a_shell(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(columns=4, rows=4))
+    finished = launch.run("run", "job.toml", "--output", "a map.h5", cwd=tmp_path)
+    assert "postprocess/draw.py 'a map.h5'\n" in finished.stdout
+
+
+def test_an_output_without_a_name_is_refused(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(columns=4, rows=4))
+    finished = launch.run("run", "job.toml", "--output", "", cwd=tmp_path)
+    assert finished.returncode == 2
+    assert "--output" in finished.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
+
+
 def test_check_refuses_a_bad_job(tmp_path):
     jobs.write(tmp_path, jobs.small_map().replace("0.298", "-1"))
     checked = launch.run("check", "job.toml", cwd=tmp_path)

@@ -100,6 +100,19 @@ TEST(Summary, NoForceIsSaidInWords) {
     EXPECT_FALSE(contains(text, "inf")) << text;
 }
 
+TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
+    job::Job job = job_of(job::Kind::map);
+    job.contact = job::Restitution{0.5};
+    output::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest = {};
+    const std::string text = summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}});
+    EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
+    EXPECT_FALSE(contains(text, "No cell ever strikes")) << text;
+    statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
+    EXPECT_TRUE(
+        contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}), "No cell ever strikes"));
+}
+
 TEST(Summary, EffortFileAndCommand) {
     const std::string text = summary(statistics_of_a_hundred_cells());
     EXPECT_TRUE(contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms of computing")) << text;

@@ -42,6 +42,13 @@ TEST(Readable, BytesInPowersOfAThousand) {
     EXPECT_EQ(readable_bytes(std::numeric_limits<std::int64_t>::max()), "9.2 EB");
 }
 
+TEST(Readable, NamesAsAShellReadsThem) {
+    EXPECT_EQ(shell_word("maps/a_1.h5"), "maps/a_1.h5");
+    EXPECT_EQ(shell_word("my map.h5"), "'my map.h5'");
+    EXPECT_EQ(shell_word("it's.h5"), "'it'\\''s.h5'");
+    EXPECT_EQ(shell_word(""), "''");
+}
+
 TEST(Readable, SharesOfNothingAreNothing) {
     EXPECT_EQ(readable_share(1, 3), "33.3 %");
     EXPECT_EQ(readable_share(0, 0), "0.0 %");
