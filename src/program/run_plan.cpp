@@ -17,6 +17,7 @@ RunPlan plan_run(const Request& request) {
     RunPlan plan;
     plan.job = job::read_job_file(request.job_file, request.overrides);
     plan.file = map_file_of(request);
+    plan.lock.emplace(plan.file);
     if (!request.fresh) plan.existing = output::inspect(plan.file, plan.job);
     plan.max_wall_seconds = request.max_wall_seconds;
     plan.fresh = request.fresh;

@@ -7,6 +7,7 @@
 
 #include "job/job.hpp"
 #include "output/inspect.hpp"
+#include "output/output_lock.hpp"
 #include "parallel/session.hpp"
 #include "program/command_line.hpp"
 
@@ -17,8 +18,9 @@ struct RunPlan {
     std::filesystem::path file;
     output::Existing existing = output::Existing::absent;  // what the file holds already
     double max_wall_seconds = 0;
-    bool fresh = false;  // this and quiet count on rank 0 alone
+    bool fresh = false;  // this and what follows count on rank 0 alone
     bool quiet = false;
+    std::optional<output::OutputLock> lock;  // held until the run ends
 };
 
 // The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.

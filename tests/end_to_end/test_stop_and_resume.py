@@ -1,5 +1,6 @@
 """A run that is stopped or killed leaves a file from which the same command goes on to the same end."""
 
+import fcntl
 import os
 import shutil
 import signal
@@ -166,3 +167,23 @@ def test_a_log_that_cannot_be_written_does_not_end_the_run(tmp_path, log):
     command = f"'{launch.BINARY}' run job.toml {redirection}"
     finished = subprocess.run(["sh", "-c", command], cwd=tmp_path, stdin=subprocess.DEVNULL, capture_output=True)
     assert finished.returncode == 0
+
+
+def test_a_run_holds_the_lock_of_its_file_until_its_end(tmp_path):
+    first = start_and_wait_for_work(tmp_path, ranks=2)
+    with open(tmp_path / "job.h5.lock") as lock, pytest.raises(BlockingIOError):
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    first.communicate(timeout=launch.HANGING)
+    assert first.returncode == 0
+    assert not (tmp_path / "job.h5.lock").exists()
+
+
+@pytest.mark.parametrize("fresh", [[], ["--fresh"]])
+def test_a_file_that_another_run_writes_is_not_entered(tmp_path, fresh):
+    jobs.write(tmp_path, jobs.small_map())
+    with open(tmp_path / "job.h5.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        finished = launch.run("run", "job.toml", *fresh, cwd=tmp_path)
+    assert finished.returncode == 3
+    assert "job.h5: is being written by another run" in finished.stderr
+    assert not (tmp_path / "job.h5").exists()

@@ -1,0 +1,55 @@
+#include "output/output_lock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output_examples.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+namespace {
+
+using examples::Folder;
+
+TEST(OutputLock, KeepsASecondRunOut) {
+    const Folder folder;
+    const OutputLock first(folder / "map.h5");
+    try {
+        const OutputLock second(folder / "map.h5", std::chrono::milliseconds(100));
+        FAIL() << "the second got in";
+    } catch (const Failure& failure) {
+        EXPECT_EQ(failure.code(), ExitCode::output);
+        EXPECT_NE(std::string(failure.what()).find("map.h5: is being written by another run (process "),
+                  std::string::npos);
+    }
+    const OutputLock other_file(folder / "other.h5");
+}
+
+TEST(OutputLock, EndsWithItsOwnerAndLeavesNothing) {
+    const Folder folder;
+    {
+        OutputLock first(folder / "map.h5");
+        const OutputLock moved(std::move(first));
+        EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5.lock"});
+    }
+    EXPECT_TRUE(folder.names().empty());
+    const OutputLock again(folder / "map.h5");
+}
+
+TEST(OutputLock, AFileLeftBehindByAKillStopsNobody) {
+    const Folder folder;
+    std::ofstream(folder / "map.h5.lock") << "process 1 on nowhere";
+    const OutputLock lock(folder / "map.h5");
+}
+
+TEST(OutputLock, AFolderThatIsNotThereIsNotItsAffair) {
+    const Folder folder;
+    const OutputLock lock(folder / "missing/map.h5");
+}
+
+}  // namespace
+}  // namespace peterka::output
