@@ -1,6 +1,7 @@
 // The jobs that come with the program are sound and are those of the paper.
 #include <gtest/gtest.h>
 
+#include "job/names.hpp"
 #include "job/read.hpp"
 #include "job_examples.hpp"
 
@@ -21,9 +22,16 @@ TEST(ShippedJobs, AreAllSound) {
         // Tables 2 and 3 of the paper.
         EXPECT_EQ(job.hammer.mass_kg, 0.298) << entry.path();
         EXPECT_EQ(job.cart.amplitude_m, 0.89e-3) << entry.path();
+        if (law_of(job.contact) != ContactLaw::kelvin_voigt) continue;
         EXPECT_EQ(job.contact, (Contact{KelvinVoigt{5.5e6, 1.2e3}})) << entry.path();
     }
     EXPECT_GE(count, 7);
+}
+
+TEST(ShippedJobs, ShowEveryContactLaw) {
+    EXPECT_EQ(law_of(shipped("peterka_170mm.toml").contact), ContactLaw::kelvin_voigt);
+    EXPECT_EQ(law_of(shipped("rigid_170mm.toml").contact), ContactLaw::restitution);
+    EXPECT_EQ(law_of(shipped("hunt_crossley_170mm.toml").contact), ContactLaw::hunt_crossley);
 }
 
 struct Rig {
