@@ -38,12 +38,12 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
 
 // A finished map is shown as it is, so it must be what was computed.
 void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining) {
-    if (remaining.tiles.empty()) return;
+    if (remaining.ranges.empty()) return;
     throw Failure(
         ExitCode::output,
         fmt::format("{}: {} tiles of this finished map are damaged (wrong checksum); don't trust it, and "
                     "compute it again with --fresh",
-                    plan.file.string(), remaining.tiles.size()));
+                    plan.file.string(), parallel::tiles_in(remaining.ranges)));
 }
 
 void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene, const Findings& findings,

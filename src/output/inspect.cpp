@@ -91,10 +91,15 @@ void require_arithmetic(const std::filesystem::path& path, const FileId& file) {
 }
 
 bool all_tiles_done(const Checked& check, const FileId& file, const job::Job& job) {
-    std::vector<std::int8_t> done(static_cast<std::size_t>(tiling(job).count()));
+    constexpr std::int64_t at_once = 1'000'000;
     const DatasetId dataset(check(H5Dopen2(file.id(), path::done, H5P_DEFAULT), "H5Dopen2"));
-    read_block(check, dataset.id(), Number::int8, Block(0, std::ssize(done)), done.data());
-    return std::ranges::all_of(done, [](std::int8_t mark) { return mark == 1; });
+    const std::int64_t tiles = tiling(job).count();
+    for (std::int64_t first = 0; first < tiles; first += at_once) {
+        std::vector<std::int8_t> done(static_cast<std::size_t>(std::min(at_once, tiles - first)));
+        read_block(check, dataset.id(), Number::int8, Block(first, std::ssize(done)), done.data());
+        if (std::ranges::any_of(done, [](std::int8_t mark) { return mark != 1; })) return false;
+    }
+    return true;
 }
 
 }  // namespace

@@ -69,17 +69,22 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::Cel
 
 RemainingTiles MapFile::remaining_tiles() {
     const Share share = share_of(tiles_.tiling().count(), communicator_);
-    std::vector<std::int64_t> missing;
-    std::vector<std::int64_t> damaged;
+    std::vector<parallel::TileRange> missing;
+    std::int64_t damaged = 0;
     together(communicator_, [&] {
         for (std::int64_t index = share.first; index < share.end; ++index) {
             const TileState state = tiles_.state(tiles_.tiling().tile(index));
-            if (state != TileState::whole) missing.push_back(index);
-            if (state == TileState::damaged) damaged.push_back(index);
+            if (state != TileState::whole) parallel::append_tile(missing, index);
+            if (state == TileState::damaged) ++damaged;
         }
     });
-    return {gather<std::int64_t>(missing, communicator_),
-            std::ssize(gather<std::int64_t>(damaged, communicator_))};
+    RemainingTiles remaining;
+    for (const auto& range : gather<parallel::TileRange>(missing, communicator_)) {
+        parallel::append_tiles(remaining.ranges, range);
+    }
+    for (const auto count : gather<std::int64_t>(std::span(&damaged, 1), communicator_))
+        remaining.damaged += count;
+    return remaining;
 }
 
 StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column) const {

@@ -28,6 +28,7 @@
 #include "output/run_facts.hpp"
 #include "output/statistics.hpp"
 #include "output/tile_store.hpp"
+#include "parallel/tile_pool.hpp"
 #include "parallel/tiles.hpp"
 #include "regime/cell_result.hpp"
 #include "support/errors.hpp"
@@ -36,8 +37,8 @@ namespace peterka::output {
 
 // Tiles that still have to be computed.
 struct RemainingTiles {
-    std::vector<std::int64_t> tiles;  // ascending
-    std::int64_t damaged = 0;         // of these, how many are marked done but fail their checksum
+    std::vector<parallel::TileRange> ranges;  // ascending
+    std::int64_t damaged = 0;  // of these tiles, how many are marked done but fail their checksum
 };
 
 class MapFile {

@@ -5,12 +5,18 @@
 
 namespace peterka::parallel {
 
-void append_tile(std::vector<TileRange>& ranges, std::int64_t tile) {
-    if (!ranges.empty() && ranges.back().end == tile) {
-        ++ranges.back().end;
+void append_tiles(std::vector<TileRange>& ranges, TileRange tiles) {
+    if (!ranges.empty() && ranges.back().end == tiles.first) {
+        ranges.back().end = tiles.end;
     } else {
-        ranges.push_back({tile, tile + 1});
+        ranges.push_back(tiles);
     }
+}
+
+std::int64_t tiles_in(std::span<const TileRange> ranges) {
+    std::int64_t tiles = 0;
+    for (const TileRange& range : ranges) tiles += range.size();
+    return tiles;
 }
 
 std::int64_t cells_in(std::span<const TileRange> ranges, const Tiling& tiling) {

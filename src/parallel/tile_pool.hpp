@@ -21,8 +21,13 @@ struct TileRange {
     friend bool operator==(const TileRange&, const TileRange&) = default;
 };
 
-// Appends a tile to ranges in rising order, lengthening the last range where the tile follows it.
-void append_tile(std::vector<TileRange>& ranges, std::int64_t tile);
+// Appends tiles to ranges in rising order, lengthening the last range where they follow it.
+void append_tiles(std::vector<TileRange>& ranges, TileRange tiles);
+inline void append_tile(std::vector<TileRange>& ranges, std::int64_t tile) {
+    append_tiles(ranges, {tile, tile + 1});
+}
+
+[[nodiscard]] std::int64_t tiles_in(std::span<const TileRange> ranges);
 
 // Cells in all these tiles.
 [[nodiscard]] std::int64_t cells_in(std::span<const TileRange> ranges, const Tiling& tiling);

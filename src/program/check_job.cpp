@@ -17,14 +17,13 @@
 namespace peterka {
 namespace {
 
-// What a rank needs at most [bytes]: this process so far, which has program, MPI and HDF5 in it; what opening
-// the file through MPI-IO adds (3 MB were measured); and one number for each tile still missing.
-std::int64_t memory_per_rank(std::int64_t tiles) {
+// What a rank needs [bytes], whatever the size of the map: this process so far, which has program, MPI and HDF5
+// in it, and what opening the file through MPI-IO adds (3 MB were measured).
+std::int64_t memory_per_rank() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     constexpr std::int64_t open_file = 4'000'000;
-    return usage.ru_maxrss * std::int64_t{1024} + open_file +
-           tiles * static_cast<std::int64_t>(sizeof(std::int64_t));
+    return usage.ru_maxrss * std::int64_t{1024} + open_file;
 }
 
 std::string free_space_text(const std::filesystem::path& file) {
@@ -51,8 +50,8 @@ std::string check_job(const Request& request) {
                request.job_file.string(), readable_count(job.columns.points * job.rows.points),
                readable_count(job.columns.points), axes.columns, readable_count(job.rows.points), axes.rows,
                readable_count(tiles), parallel::tile_extent.rows, parallel::tile_extent.columns,
-               readable_bytes(memory_per_rank(tiles)), file.string(),
-               readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
+               readable_bytes(memory_per_rank()), file.string(), readable_bytes(output::predicted_bytes(job)),
+               free_space_text(file)) +
            job::resolved_text(job);
 }
 

@@ -37,13 +37,11 @@ bool solve_tile(const scene::Scene& scene, const parallel::Tile& tile, const par
 std::vector<parallel::TileRange> find_missing_tiles(const Session& session, const RunPlan& plan,
                                                     MapFile& file) {
     const output::RemainingTiles remaining = file.remaining_tiles();
-    std::vector<parallel::TileRange> missing;
-    if (!session.is_root()) return missing;
-    for (const std::int64_t tile : remaining.tiles) parallel::append_tile(missing, tile);
+    if (!session.is_root()) return {};
     if (remaining.damaged > 0 && !plan.quiet) {
         tell("peterka: {} tiles are damaged (wrong checksum) and are computed again\n", remaining.damaged);
     }
-    return missing;
+    return remaining.ranges;
 }
 
 }  // namespace
