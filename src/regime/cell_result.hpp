@@ -24,7 +24,7 @@ enum class Status : std::int8_t {
     conservative = 2,     // nothing dissipates, so nothing settles
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers
-    solver_failed = 5,    // the integrator gave up
+    solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
 };
 
 // Which engine carried the cell. Stored as int8; part of the file format.
@@ -45,13 +45,15 @@ struct CellResult {
     std::int32_t period =
         0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none
     std::int32_t cycles = 0;      // forcing cycles integrated in all: trajectory, Newton steps and measurement
-    double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed
+    double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed and where a rigid
+                                  // stop is struck, whose forces have no bound
     double largest_displacement = unknown;  // of |u| = |x - y|/A0 over the same time, an upper bound
     bool chatter = false;                   // of a rigid stop, completed; it counts as one impact
     double impact_rate = 0;                 // impacts per forcing cycle, any regime; NaN where failed
     double multiplier = unknown;            // largest |Floquet multiplier| of the proved orbit
-    double lyapunov = unknown;              // largest Lyapunov exponent per forcing cycle
-    double sensitivity = unknown;           // ln G, the largest growth of a start perturbation during the run
+    double lyapunov = unknown;     // largest Lyapunov exponent per forcing cycle; NaN for the minus infinity of
+                                   // an orbit whose multiplier is 0
+    double sensitivity = unknown;  // ln G, the largest growth of a start perturbation during the run
     double orbit_displacement =
         unknown;                      // (x - y)/A0 at forcing phase 0, on the orbit's point of smallest value
     double orbit_velocity = unknown;  // (x' - y')/(A0 omega) there

@@ -10,8 +10,10 @@ namespace {
 // about 1/(2 b). An implicit one is cheaper where that is much faster than the contact's own frequency, or
 // where a contact that lasts for a whole cycle would take more steps than an implicit method ever does.
 bool contact_is_stiff(const scene::Oscillator<double>& scene) {
-    const double rate = 2 * scene.damping_ratio + scene.kelvin_voigt().damping;
-    return rate > 20 * std::sqrt(1 + scene.kelvin_voigt().stiffness) || rate * scene.period() > 1e4;
+    const auto* stop = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);
+    if (stop == nullptr) return false;
+    const double rate = 2 * scene.damping_ratio + stop->damping;
+    return rate > 20 * std::sqrt(1 + stop->stiffness) || rate * scene.period() > 1e4;
 }
 
 }  // namespace
@@ -20,13 +22,16 @@ CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSett
     using trajectory::IntegratedCycleMap;
     using trajectory::Integrator;
     const bool stiff = contact_is_stiff(scene);
+    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
     const auto& [engine, tolerance, largest_displacement] = settings;
     switch (engine) {
         case Engine::exact:
             break;
-        case Engine::split:
-            return trajectory::SplitCycleMap<double>(
-                scene, trajectory::split_steps(scene, largest_displacement, tolerance));
+        case Engine::split: {
+            const int steps = trajectory::split_steps(scene, largest_displacement, tolerance);
+            if (rigid) return trajectory::RigidSplitMap<double>(scene, steps);
+            return trajectory::SplitCycleMap<double>(scene, steps);
+        }
         case Engine::cvode:
             return IntegratedCycleMap(scene, stiff ? Integrator::cvode_bdf : Integrator::cvode_adams,
                                       tolerance);
@@ -34,6 +39,7 @@ CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSett
             return IntegratedCycleMap(scene, stiff ? Integrator::arkode_implicit : Integrator::arkode_explicit,
                                       tolerance);
     }
+    if (rigid) return trajectory::RigidExactMap<double>(scene);
     return trajectory::ExactCycleMap<double>(scene);
 }
 

@@ -12,7 +12,9 @@
 
 namespace peterka::regime {
 
-using CycleMap = std::variant<trajectory::ExactCycleMap<double>, trajectory::SplitCycleMap<double>,
+// The maps in closed form once for each law that has them.
+using CycleMap = std::variant<trajectory::ExactCycleMap<double>, trajectory::RigidExactMap<double>,
+                              trajectory::SplitCycleMap<double>, trajectory::RigidSplitMap<double>,
                               trajectory::IntegratedCycleMap>;
 
 struct EngineSettings {

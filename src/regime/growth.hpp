@@ -15,11 +15,17 @@ class Growth {
     static constexpr double least_growth =
         20;  // ln of what separates chaos from a transient that merely drifts
 
+    Growth() = default;
+
     // Advances by one cycle, whose Jacobian is given in scaled coordinates.
     void advance(const Eigen::Matrix2d& jacobian) {
         product_ = jacobian * product_;
         const double size = product_.norm();
-        if (!(size > 0)) return;  // every direction died: nothing grows any more
+        if (size == 0) {  // every direction died, as on a rigid stop: what comes knows nothing of the start
+            *this = Growth(log_largest_);
+            return;
+        }
+        if (!(size > 0)) return;
         product_ /= size;
         log_size_ += std::log(size);
         log_largest_ = std::max(log_largest_, log_size_);
@@ -42,6 +48,8 @@ class Growth {
     }
 
   private:
+    explicit Growth(double log_largest) : log_largest_(log_largest) {}
+
     void close_block() {
         const double rate = (log_size_ - block_start_) / block_cycles;
         block_start_ = log_size_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace peterka::regime {
 
@@ -21,19 +22,21 @@ double gain(double damping_ratio) {
 
 }  // namespace
 
-Settling::Settling(const StroboscopicMap& map) : scene_(map.scene()), linear_(without_cubic(map.scene())) {
+Settling::Settling(const StroboscopicMap& map)
+    : scene_(map.scene()),
+      free_flight_(without_cubic(map.scene())),
+      contact_(contact_of(without_cubic(map.scene()))) {
     if (scene_.cubic != 0) find_free_orbit(map);
 }
 
 void Settling::find_free_orbit(const StroboscopicMap& map) {
-    const double amplitude = linear_.free_amplitude();
+    const double amplitude = free_flight_.amplitude();
     if (!std::isfinite(amplitude)) return;
     // the same hammer with its stop out of reach
     scene::Oscillator<double> far = scene_;
     far.gap = 4 * (1 + amplitude);
     StroboscopicMap free_map = map.with_scene(far);
-    const scene::State<double> start(linear_.steady_flight()[0] + scene_.gap - far.gap,
-                                     linear_.steady_flight()[1]);
+    const scene::State<double> start(free_flight_.steady()[0] + scene_.gap - far.gap, free_flight_.steady()[1]);
     const auto orbit = find_orbit(free_map, free_map.scaled(start), 1);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
@@ -61,22 +64,41 @@ bool Settling::close_enough(const scene::State<double>& x) const {
 
 std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
     if (scene_.cubic == 0) {
-        if (!linear_.stays_free(x)) return std::nullopt;
-        const bool decays = scene_.damping_ratio > 0;
-        return SettledMotion{linear_.steady_flight(), linear_.flight_jacobian(), 0,
-                             decays ? linear_.free_amplitude() : linear_.largest_free_displacement(x), decays};
+        if (!free_flight_.lasts(x)) return std::nullopt;
+        const bool decays = free_flight_.decays();
+        return SettledMotion{free_flight_.steady(), free_flight_.jacobian(), 0,
+                             decays ? free_flight_.amplitude() : free_flight_.largest_displacement(x), decays};
     }
     if (!free_orbit_ || trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x))
         return std::nullopt;
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }
 
+Settling::Contact Settling::contact_of(const scene::Oscillator<double>& scene) {
+    if (std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) {
+        return trajectory::LinearContact<double>(scene);
+    }
+    if (std::holds_alternative<scene::Restitution<double>>(scene.contact)) {
+        return trajectory::RigidContact<double>(scene);
+    }
+    return std::monostate{};
+}
+
 std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<double>& x) const {
-    if (scene_.cubic != 0 || !linear_.stays_in_contact(x)) return std::nullopt;
-    const bool decays = scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0;
-    return SettledMotion{linear_.steady_contact(), linear_.contact_jacobian(),
-                         decays ? linear_.steady_contact_force() : linear_.largest_contact_force(x),
-                         linear_.largest_contact_displacement(x), decays};
+    if (scene_.cubic != 0) return std::nullopt;
+    return std::visit(
+        [&]<class Law>(const Law& contact) -> std::optional<SettledMotion> {
+            if constexpr (!std::is_same_v<Law, std::monostate>) {
+                if (!contact.lasts(x)) return std::nullopt;
+                const bool decays = contact.decays();
+                return SettledMotion{contact.steady(), contact.jacobian(),
+                                     decays ? contact.steady_force() : contact.largest_force(x),
+                                     contact.largest_displacement(x), decays};
+            } else {
+                return std::nullopt;
+            }
+        },
+        contact_);
 }
 
 }  // namespace peterka::regime

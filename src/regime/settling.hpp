@@ -5,14 +5,17 @@
 // distance e = u - o obeys the linear equation with a right-hand side of at most L |e|, L = 3 cubic M^2 for
 // |u|, |o| <= M. The response to a bounded right-hand side is at most H times the bound, H = integral of
 // |impulse response|, so |e| <= R/(1 - L H) for ever, with R the linear amplitude of the present e (small-gain
-// theorem). Contacts that last are then proved as orbits.
+// theorem). Contacts that last are then proved as orbits, and so are those on a stop that is neither linear nor
+// rigid.
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "regime/periodic_orbit.hpp"
 #include "regime/stroboscopic_map.hpp"
-#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/free_flight.hpp"
+#include "trajectory/lasting_contact.hpp"
 
 namespace peterka::regime {
 
@@ -34,6 +37,11 @@ class Settling {
     [[nodiscard]] std::optional<SettledMotion> stays_in_contact(const scene::State<double>& x) const;
 
   private:
+    // For a law without a closed form of its lasting contacts nothing is said.
+    using Contact =
+        std::variant<std::monostate, trajectory::LinearContact<double>, trajectory::RigidContact<double>>;
+    static Contact contact_of(const scene::Oscillator<double>& scene);
+
     struct FreeOrbit {
         scene::State<double> point;
         Eigen::Matrix2d jacobian;
@@ -43,8 +51,9 @@ class Settling {
     [[nodiscard]] bool close_enough(const scene::State<double>& x) const;
 
     scene::Oscillator<double> scene_;
-    trajectory::ExactCycleMap<double> linear_;  // of the scene without its cubic spring
-    std::optional<FreeOrbit> free_orbit_;       // of a scene with one
+    trajectory::FreeFlight<double> free_flight_;  // of the scene without its cubic spring
+    Contact contact_;                             // the same
+    std::optional<FreeOrbit> free_orbit_;         // of a scene with one
 };
 
 }  // namespace peterka::regime

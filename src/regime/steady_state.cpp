@@ -26,6 +26,7 @@ Status status_of(Cycle<double>::Outcome outcome) {
         case Cycle<double>::Outcome::not_finite:
             return Status::not_finite;
         case Cycle<double>::Outcome::solver_failed:
+        case Cycle<double>::Outcome::inside_stop:
             return Status::solver_failed;
         case Cycle<double>::Outcome::done:
             break;
@@ -46,7 +47,7 @@ class Search {
           state_(map_.scaled(start)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
           detail_(detail),
-          conservative_(scene.damping_ratio == 0 && scene.kelvin_voigt().damping == 0) {}
+          conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {}
 
     CellResult run() {
         for (std::int64_t cycle = 0;; ++cycle) {
@@ -183,7 +184,7 @@ class Search {
                         const scene::State<double>& point) {
         CellResult result = counted();
         result.multiplier = spectral_radius(jacobian);
-        result.lyapunov = std::log(result.multiplier) / static_cast<double>(period);
+        if (result.multiplier > 0) result.lyapunov = std::log(result.multiplier) / static_cast<double>(period);
         result.orbit_displacement = point[0] + scene_.gap;
         result.orbit_velocity = point[1];
         return result;

@@ -33,4 +33,15 @@ struct HuntCrossley {
 template <class Real>
 using ContactLaw = std::variant<KelvinVoigt<Real>, Restitution<Real>, HuntCrossley<Real>>;
 
+// Whether an impact takes no energy.
+template <class Real>
+bool is_lossless(const ContactLaw<Real>& law) {
+    struct Loss {
+        bool operator()(const KelvinVoigt<Real>& stop) const { return stop.damping == 0; }
+        bool operator()(const Restitution<Real>& stop) const { return stop.coefficient == 1; }
+        bool operator()(const HuntCrossley<Real>& stop) const { return stop.dissipation == 0; }
+    };
+    return std::visit(Loss{}, law);
+}
+
 }  // namespace peterka::scene

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 #include "scene/oscillator.hpp"
+#include "trajectory/rigid_stop.hpp"
 
 namespace peterka::trajectory {
 
@@ -19,9 +21,14 @@ Real contact_force(const Oscillator<Real>& scene, const State<Real>& x) {
     return scene.kelvin_voigt().stiffness * x[0] + scene.kelvin_voigt().damping * x[1];
 }
 
-// The phase is a function of the state alone, so that a cycle is a map.
+// The phase at the start of a cycle is a function of the state alone, so that a cycle is a map. On a rigid stop
+// the hammer is in contact where it is at rest and pressed; an impact is no phase.
 template <class Real>
 Phase phase_of(const Oscillator<Real>& scene, const State<Real>& x) {
+    if (std::holds_alternative<scene::Restitution<Real>>(scene.contact)) {
+        const bool rests = x[0] == 0 && x[1] == 0;
+        return rests && RigidStop<Real>(scene).presses(0) ? Phase::contact : Phase::flight;
+    }
     if (x[0] < 0 || (x[0] == 0 && x[1] <= 0)) return Phase::flight;
     return contact_force(scene, x) > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
 }
@@ -43,7 +50,7 @@ constexpr EventPattern pattern_of(Phase phase) {
 
 template <class Real>
 struct Cycle {
-    enum class Outcome { done, too_many_events, not_finite, solver_failed };
+    enum class Outcome { done, too_many_events, not_finite, solver_failed, inside_stop };
     Outcome outcome = Outcome::done;
     State<Real> end = State<Real>::Zero();
     Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // of the end by the start

@@ -104,7 +104,8 @@ Search<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, cons
                 search.outcome = Outcome::crossing;
                 return search;
             }
-            step = 4 * epsilon * m.time;
+            // where a leg starts with value and slope 0, any step is better than none
+            step = m.time > 0 ? 4 * epsilon * m.time : std::max(step, epsilon * leg.motion().short_time());
         }
         if (m.time + step > end) return search;
 

@@ -1,8 +1,8 @@
-// What one leg of linear motion adds to a recorder beyond force and bounds: the true largest displacement, and
-// the integrals of force, power and energy.
+// What one leg of linear motion adds to a recorder beyond force: a bound of the displacement or the true
+// largest one, and the integrals of force, power and energy.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 
 #include "motion/linear_motion.hpp"
 #include "motion/signal.hpp"
@@ -11,6 +11,20 @@
 #include "trajectory/recorder.hpp"
 
 namespace peterka::trajectory {
+
+// Bound of |u| over a leg of this duration: from the parts of its motion, or, where these nearly cancel close
+// to resonance, from its energy at the start and the work that the drive can do. `position` is the probe of
+// delta.
+template <class Real>
+Real displacement_bound(const scene::Oscillator<Real>& scene, const motion::Probe<Real>& position,
+                        const motion::Leg<Real>& leg, Real duration) {
+    const Real natural = leg.motion().natural_frequency();
+    const scene::State<Real>& x = leg.start().state;
+    const Real by_parts = position.swing() + position.transient(leg.start());
+    const Real by_energy =
+        std::hypot(x[0] - position.rest(), x[1] / natural) + scene.drive() * duration / natural;
+    return std::abs(position.rest() + scene.gap) + (by_parts < by_energy ? by_parts : by_energy);
+}
 
 // Largest |u| of the motion up to a moment.
 template <class Real>

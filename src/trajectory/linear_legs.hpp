@@ -16,11 +16,12 @@
 
 #include "motion/linear_motion.hpp"
 #include "motion/signal.hpp"
-#include "trajectory/cycle.hpp"
 #include "trajectory/first_crossing.hpp"
+#include "trajectory/journey.hpp"
 #include "trajectory/largest_value.hpp"
 #include "trajectory/leg_record.hpp"
 #include "trajectory/recorder.hpp"
+#include "trajectory/spring_change.hpp"
 
 namespace peterka::trajectory {
 
@@ -28,29 +29,25 @@ using motion::LinearEquation;
 using motion::LinearMotion;
 using motion::Signal;
 
-// A cycle on its way.
-template <class Real>
-struct Journey {
-    Journey(const Oscillator<Real>& scene, const State<Real>& start) : phase(phase_of(scene, start)) {
-        cycle.end = start;
-        cycle.pattern = pattern_of(phase);
-    }
-
-    Cycle<Real> cycle;  // up to now
-    Phase phase;
-    Real time = 0;  // tau since the cycle began
-    int events = 0;
-
-    // Ends the journey before its time.
-    bool stop(typename Cycle<Real>::Outcome why) {
-        cycle.outcome = why;
-        return false;
-    }
-};
-
 template <class Real>
 class LinearLegs {
   public:
+    // The springs of a scene, without their cubic part, or with such a change.
+    explicit LinearLegs(const Oscillator<Real>& scene)
+        : LinearLegs(scene, motion::flight_equation(scene), motion::contact_equation(scene)) {}
+    LinearLegs(const Oscillator<Real>& scene, const SpringChange<Real>& change)
+        : LinearLegs(scene, change(motion::flight_equation(scene)), change(motion::contact_equation(scene))) {}
+
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return {scene_, x}; }
+
+    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
+    // says why.
+    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
+
+    // At the end of the cycle.
+    void arrive(Journey<Real>& /*journey*/, Recorder<Real>* /*recorder*/) const {}
+
+  private:
     // The equations of flight and contact, in the penetration.
     LinearLegs(const Oscillator<Real>& scene, const LinearEquation<Real>& flight,
                const LinearEquation<Real>& contact)
@@ -64,17 +61,6 @@ class LinearLegs {
           depth_({.position = 1}, contact_),
           peak_(force(), contact_) {}
 
-    [[nodiscard]] const LinearMotion<Real>& flight() const { return flight_; }
-    [[nodiscard]] const LinearMotion<Real>& contact() const { return contact_; }
-    [[nodiscard]] const Probe<Real>& touch() const { return touch_; }
-    [[nodiscard]] const Probe<Real>& release() const { return release_; }
-    [[nodiscard]] const Probe<Real>& depth() const { return depth_; }
-
-    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
-    // says why.
-    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
-
-  private:
     struct LegEnd {
         typename Search<Real>::Outcome outcome;
         Phase next;
@@ -83,18 +69,6 @@ class LinearLegs {
 
     [[nodiscard]] Signal<Real> force() const {
         return {.position = scene_.kelvin_voigt().stiffness, .velocity = scene_.kelvin_voigt().damping};
-    }
-
-    // Bound of |u| over a leg of this duration: from the parts of its motion, or, where these nearly cancel
-    // close to resonance, from its energy at the start and the work that the drive can do.
-    [[nodiscard]] Real displacement_bound(Phase phase, const Leg<Real>& leg, Real duration) const {
-        const Probe<Real>& position = phase == Phase::contact ? depth_ : touch_;
-        const Real natural = leg.motion().natural_frequency();
-        const State<Real>& x = leg.start().state;
-        const Real by_parts = position.swing() + position.transient(leg.start());
-        const Real by_energy =
-            std::hypot(x[0] - position.rest(), x[1] / natural) + scene_.drive() * duration / natural;
-        return std::abs(position.rest() + scene_.gap) + (by_parts < by_energy ? by_parts : by_energy);
     }
 
     [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
@@ -132,7 +106,7 @@ void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Re
                               Recorder<Real>& recorder) const {
     const bool presses = phase == Phase::contact;
     if (presses) recorder.force(peak_.over(leg, end, recorder.totals().largest_force));
-    recorder.displacement_bound(displacement_bound(phase, leg, end.time));
+    recorder.displacement_bound(displacement_bound(scene_, presses ? depth_ : touch_, leg, end.time));
     if (recorder.records_contacts()) {
         record_contacts(scene_, leg, end, presses ? &peak_.signal() : nullptr, recorder);
     }

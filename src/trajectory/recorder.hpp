@@ -98,7 +98,7 @@ class Recorder {
     }
     // The stop presses within the present impact.
     void press(const Press<Real>& press) {
-        touching_ = true;
+        touching_ = records_contacts();
         impact_.impulse += press.impulse;
         impact_.time += press.time;
         totals_.contact_work += press.work;

@@ -22,10 +22,11 @@
 #include "motion/linear_motion.hpp"
 #include "trajectory/cycle.hpp"
 #include "trajectory/linear_legs.hpp"
+#include "trajectory/rigid_legs.hpp"
 
 namespace peterka::trajectory {
 
-template <class Real>
+template <class Real, class Legs = LinearLegs<Real>>
 class SplitCycleMap {
   public:
     SplitCycleMap(const Oscillator<Real>& scene, int steps_per_cycle)
@@ -42,16 +43,17 @@ class SplitCycleMap {
     // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. Fails as a
     // solver without any steps.
     [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
+        if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
         const Real period = scene_.period();
-        Journey<Real> journey(scene_, x);
-        if (steps_ < 1) journey.stop(Cycle<Real>::Outcome::solver_failed);
+        Journey<Real> journey = legs_.front().depart(x);
         for (int step = 0; step < steps_; ++step) {
             half_kick(cart_[static_cast<std::size_t>(step)], journey);
             const Real end = step + 1 < steps_ ? period * Real(step + 1) / Real(steps_) : period;
-            const LinearLegs<Real>& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
-            if (!legs.run(journey, end, recorder)) break;
+            const Legs& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
+            if (!legs.run(journey, end, recorder)) return journey.cycle;
             half_kick(cart_[static_cast<std::size_t>(step) + 1], journey);
         }
+        legs_.back().arrive(journey, recorder);
         return journey.cycle;
     }
 
@@ -61,22 +63,16 @@ class SplitCycleMap {
         return 2 * std::numbers::pi_v<Real> * Real(step) / Real(steps_);
     }
 
-    [[nodiscard]] LinearLegs<Real> legs_of(int step) const {
+    [[nodiscard]] Legs legs_of(int step) const {
         const Real gap = scene_.gap;
         // means over the step of y and y^2
         const Real length = phase(1);
         const Real middle = phase(step) + length / 2;
         const Real y = changes_ ? std::sin(middle) * std::sin(length / 2) / (length / 2) : Real(0);
         const Real y2 = changes_ ? (1 - std::cos(2 * middle) * std::sin(length) / length) / 2 : Real(0);
-
-        auto flight = motion::flight_equation(scene_);
-        auto contact = motion::contact_equation(scene_);
-        for (auto* equation : {&flight, &contact}) {
-            equation->stiffness += 3 * scene_.cubic * (gap * gap + 2 * gap * y + y2);
-            equation->offset -= scene_.cubic * gap * (gap * gap + 3 * y2);
-            if (changes_) equation->drive -= 3 * scene_.cubic * gap * gap;
-        }
-        return LinearLegs<Real>(scene_, flight, contact);
+        return Legs(scene_, SpringChange<Real>{.stiffness = 3 * scene_.cubic * (gap * gap + 2 * gap * y + y2),
+                                               .offset = -scene_.cubic * gap * (gap * gap + 3 * y2),
+                                               .drive = changes_ ? -3 * scene_.cubic * gap * gap : Real(0)});
     }
 
     void half_kick(Real y, Journey<Real>& journey) const {
@@ -84,6 +80,7 @@ class SplitCycleMap {
         const Real impulse = scene_.cubic * scene_.period() / Real(2 * steps_);
         const Real stretch = 3 * (scene_.gap + y);
         const Real delta = cycle.end[0];
+        if (delta == 0) return;
         cycle.end[1] -= impulse * delta * delta * (stretch + delta);
         cycle.jacobian.row(1) -= impulse * delta * (2 * stretch + 3 * delta) * cycle.jacobian.row(0);
         if (journey.phase == Phase::flight) return;
@@ -96,10 +93,13 @@ class SplitCycleMap {
 
     Oscillator<Real> scene_;
     int steps_;
-    bool changes_;                        // the linear equations change with the cart's position
-    std::vector<Real> cart_;              // y where the steps begin, and at the end of the last
-    std::vector<LinearLegs<Real>> legs_;  // one for all steps, or one each where the equations change
+    bool changes_;            // the linear equations change with the cart's position
+    std::vector<Real> cart_;  // y where the steps begin, and at the end of the last
+    std::vector<Legs> legs_;  // one for all steps, or one each where the equations change
 };
+
+template <class Real>
+using RigidSplitMap = SplitCycleMap<Real, RigidLegs<Real>>;
 
 // Steps per cycle that keep the relative error of the peak force of a regular orbit below a tolerance, for
 // |u| up to largest_displacement; 1 without a cubic term. 0 where splitting is not fit: more than
@@ -121,8 +121,9 @@ inline int split_steps(const Oscillator<double>& scene, double largest_displacem
     const double share_at_stop = 3 * std::abs(scene.cubic) * reach * (std::abs(scene.gap) + cart);
     if (scene.cubic < 0 && share > 0.5) return 0;
     const double fast = std::max(1.0, scene.frequency);
+    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);  // a rigid stop isn't soft
     const double second = 0.7 * std::min(share, share * share) + 0.6 * cart * share * fast * fast +
-                          3 * share / (1 + scene.kelvin_voigt().stiffness);
+                          (voigt == nullptr ? 0.0 : 3 * share / (1 + voigt->stiffness));
     const double third = 0.1 * share_at_stop;
     const double fourth = 0.03 * share;
     const double part = tolerance / 3;

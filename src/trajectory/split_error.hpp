@@ -20,10 +20,10 @@ struct SplitError {
 // Runs `cycles` forcing cycles from the state x at phase 0 with the map and with half its step, each after
 // `settling` cycles of its own: none for the error of the cycles themselves, enough for the transient to die
 // for the error of a stable orbit.
-template <class Real>
-SplitError<Real> split_error(const SplitCycleMap<Real>& map, const State<Real>& x, int cycles,
+template <class Real, class Legs>
+SplitError<Real> split_error(const SplitCycleMap<Real, Legs>& map, const State<Real>& x, int cycles,
                              int settling = 0) {
-    const SplitCycleMap<Real> fine(map.scene(), 2 * map.steps_per_cycle());
+    const SplitCycleMap<Real, Legs> fine(map.scene(), 2 * map.steps_per_cycle());
     State<Real> state[2] = {x, x};
     Recorder<Real> recorder[2];
     SplitError<Real> error{.comparable = true};

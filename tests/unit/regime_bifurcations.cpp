@@ -6,6 +6,7 @@
 
 #include "regime/stroboscopic_map.hpp"
 #include "rig.hpp"
+#include "trajectory/free_flight.hpp"
 
 namespace peterka::regime {
 namespace {
@@ -110,7 +111,7 @@ TEST(EdgeOfNoImpact, IsTheFreeAmplitude) {
         const auto from_steady_flight = [eta](double share_of_amplitude) {
             auto scene = paper_rig(beam_170mm, eta, 0);
             scene.gap = testing::free_amplitude(scene) * share_of_amplitude;
-            return find_steady_state(scene, trajectory::ExactCycleMap<double>(scene).steady_flight(), {});
+            return find_steady_state(scene, trajectory::FreeFlight<double>(scene).steady(), {});
         };
         EXPECT_EQ(from_steady_flight(1 + 1e-9).regime, Regime::no_impact) << eta;
         EXPECT_NE(from_steady_flight(1 - 1e-9).regime, Regime::no_impact) << eta;

@@ -33,7 +33,7 @@ TEST_P(RecordedImpact, IsThatOfAFreeMass) {
         .contact = scene::KelvinVoigt<double>{stiffness, 2 * zeta * std::sqrt(stiffness)},
         .frequency = 0.1,
         .gap = 0};
-    const LinearLegs<double> legs(scene, motion::flight_equation(scene), motion::contact_equation(scene));
+    const LinearLegs<double> legs(scene);
     Journey<double> journey(scene, {-1e-4, 1});
     Recorder<double> recorder(Detail::contacts);
     ASSERT_TRUE(legs.run(journey, 1e-3, &recorder));

@@ -11,6 +11,7 @@
 #include "rig.hpp"
 #include "taylor_oracle.hpp"
 #include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/lasting_contact.hpp"
 #include "trajectory/split_error.hpp"
 
 namespace peterka::trajectory {
@@ -216,13 +217,13 @@ TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
     auto scene = rig({0.5, -3.0}, 0.01);
     auto linear = scene;
     linear.cubic = 0;
-    const ExactCycleMap<double> exact(linear);
-    const auto pressed = settle(SplitCycleMap<double>(scene, 16), exact.steady_contact());
+    const LinearContact<double> exact(linear);
+    const auto pressed = settle(SplitCycleMap<double>(scene, 16), exact.steady());
     const auto expected = settled_oracle(scene, pressed.point, 1);
     EXPECT_EQ(pressed.impacts, 0);
     const auto force = static_cast<double>(expected.peak_force());
     EXPECT_NEAR(pressed.peak_force / force, 1, 1e-6);
-    EXPECT_NEAR(pressed.peak_force - exact.steady_contact_force(), 0.01 * 27, 1e-3);
+    EXPECT_NEAR(pressed.peak_force - exact.steady_force(), 0.01 * 27, 1e-3);
 }
 
 TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {

@@ -1,0 +1,52 @@
+// The motion without a stop and without a cubic spring: steady oscillation, and what is left of the start.
+#pragma once
+
+#include "motion/linear_motion.hpp"
+#include "motion/signal.hpp"
+#include "trajectory/cycle.hpp"
+
+namespace peterka::trajectory {
+
+// State at forcing phase 0 of the steady motion.
+template <class Real>
+State<Real> steady_at_phase_0(const motion::LinearMotion<Real>& motion) {
+    State<Real> x = motion.steady(0, 1);
+    x[0] += motion.rest();
+    return x;
+}
+
+// Bound of what a signal still shows of the start at phase 0, now and later.
+template <class Real>
+Real decaying_part(const motion::LinearMotion<Real>& motion, const motion::Probe<Real>& probe,
+                   const State<Real>& x) {
+    return probe.transient({.state = x, .homogeneous = x - steady_at_phase_0(motion)});
+}
+
+template <class Real>
+class FreeFlight {
+  public:
+    explicit FreeFlight(const Oscillator<Real>& scene)
+        : scene_(scene), flight_(motion::flight_equation(scene)), touch_({.position = 1}, flight_) {}
+
+    // The decaying rest can no longer lift the hammer to the stop: it never impacts again.
+    [[nodiscard]] bool lasts(const State<Real>& x) const {
+        return phase_of(scene_, x) == Phase::flight &&
+               touch_.rest() + touch_.swing() + decaying_part(flight_, touch_, x) < 0;
+    }
+    [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0; }
+
+    // Largest |u| of the steady motion (infinite at undamped resonance), and of that from the state x on.
+    [[nodiscard]] Real amplitude() const { return touch_.swing(); }
+    [[nodiscard]] Real largest_displacement(const State<Real>& x) const {
+        return amplitude() + decaying_part(flight_, touch_, x);
+    }
+    [[nodiscard]] State<Real> steady() const { return steady_at_phase_0(flight_); }
+    [[nodiscard]] Jacobian<Real> jacobian() const { return flight_.flow(scene_.period()); }  // of one cycle
+
+  private:
+    Oscillator<Real> scene_;
+    motion::LinearMotion<Real> flight_;
+    motion::Probe<Real> touch_;
+};
+
+}  // namespace peterka::trajectory

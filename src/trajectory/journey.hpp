@@ -1,0 +1,31 @@
+// A cycle on its way from phase 0 to phase 0, leg by leg.
+#pragma once
+
+#include "trajectory/cycle.hpp"
+#include "trajectory/rigid_impact.hpp"
+
+namespace peterka::trajectory {
+
+template <class Real>
+struct Journey {
+    Journey(const Oscillator<Real>& scene, const State<Real>& start) : phase(phase_of(scene, start)) {
+        cycle.end = start;
+        cycle.pattern = pattern_of(phase);
+    }
+
+    Cycle<Real> cycle;  // up to now
+    Phase phase;
+    Real time = 0;  // tau since the cycle began
+    int events = 0;
+    // of a rigid stop
+    Chain<Real> chain = {};  // the impacts of the present stretch of pressing
+    Real rest_from = 0;      // when the present rest on the stop began, or will after the last of a chatter
+
+    // Ends the journey before its time.
+    bool stop(typename Cycle<Real>::Outcome why) {
+        cycle.outcome = why;
+        return false;
+    }
+};
+
+}  // namespace peterka::trajectory

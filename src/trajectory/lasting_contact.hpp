@@ -1,0 +1,72 @@
+// Contacts that never end, without a cubic spring, for each law that has a closed form of them.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "motion/linear_motion.hpp"
+#include "motion/signal.hpp"
+#include "trajectory/cycle.hpp"
+#include "trajectory/free_flight.hpp"
+#include "trajectory/rigid_stop.hpp"
+
+namespace peterka::trajectory {
+
+// On a spring-dashpot stop: a steady oscillation under load.
+template <class Real>
+class LinearContact {
+  public:
+    explicit LinearContact(const Oscillator<Real>& scene)
+        : scene_(scene),
+          contact_(motion::contact_equation(scene)),
+          release_({.position = -scene.kelvin_voigt().stiffness, .velocity = -scene.kelvin_voigt().damping},
+                   contact_),
+          depth_({.position = 1}, contact_) {}
+
+    // The decaying rest can no longer make the force vanish: the stop presses for ever.
+    [[nodiscard]] bool lasts(const State<Real>& x) const {
+        return phase_of(scene_, x) == Phase::contact &&
+               release_.rest() + release_.swing() + decaying_part(contact_, release_, x) < 0;
+    }
+    [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0; }
+
+    // Largest force once the transient is gone, and from the state x on.
+    [[nodiscard]] Real steady_force() const { return release_.swing() - release_.rest(); }
+    [[nodiscard]] Real largest_force(const State<Real>& x) const {
+        return steady_force() + decaying_part(contact_, release_, x);
+    }
+    [[nodiscard]] Real largest_displacement(const State<Real>& x) const {
+        return std::abs(depth_.rest() + scene_.gap) + depth_.swing() + decaying_part(contact_, depth_, x);
+    }
+    [[nodiscard]] State<Real> steady() const { return steady_at_phase_0(contact_); }
+    [[nodiscard]] Jacobian<Real> jacobian() const { return contact_.flow(scene_.period()); }  // of one cycle
+
+  private:
+    Oscillator<Real> scene_;
+    motion::LinearMotion<Real> contact_;
+    motion::Probe<Real> release_;
+    motion::Probe<Real> depth_;
+};
+
+// On a rigid stop: rest.
+template <class Real>
+class RigidContact {
+  public:
+    explicit RigidContact(const Oscillator<Real>& scene) : scene_(scene), stop_(scene) {}
+
+    [[nodiscard]] bool lasts(const State<Real>& x) const {
+        return phase_of(scene_, x) == Phase::contact && stop_.always_presses();
+    }
+    [[nodiscard]] bool decays() const { return true; }  // nothing is left to decay
+    [[nodiscard]] Real steady_force() const { return stop_.largest(0, 2 * std::numbers::pi_v<Real>); }
+    [[nodiscard]] Real largest_force(const State<Real>& /*x*/) const { return steady_force(); }
+    [[nodiscard]] Real largest_displacement(const State<Real>& /*x*/) const { return std::abs(scene_.gap); }
+    [[nodiscard]] State<Real> steady() const { return State<Real>::Zero(); }
+    [[nodiscard]] Jacobian<Real> jacobian() const { return Jacobian<Real>::Zero(); }
+
+  private:
+    Oscillator<Real> scene_;
+    RigidStop<Real> stop_;
+};
+
+}  // namespace peterka::trajectory
