@@ -21,9 +21,10 @@ class LargestValue {
 
     [[nodiscard]] const Probe<Real>& signal() const { return signal_; }
 
-    // Largest value in a leg up to the moment `end`, or `largest` where nothing exceeds it.
-    [[nodiscard]] Real over(const Leg<Real>& leg, const Moment<Real>& end, Real largest) const {
-        Moment<Real> m = leg.start();
+    // Largest value in a leg between two moments, or `largest` where nothing exceeds it.
+    [[nodiscard]] Real over(const Leg<Real>& leg, const Moment<Real>& from, const Moment<Real>& end,
+                            Real largest) const {
+        Moment<Real> m = from;
         largest = std::max(largest, signal_.value(m));
         bool rising = signal_.slope(m) > 0;
         while (signal_.rest() + signal_.swing() + signal_.transient(m) > largest || leg.motion().resonant()) {

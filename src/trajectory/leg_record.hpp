@@ -26,21 +26,22 @@ Real displacement_bound(const scene::Oscillator<Real>& scene, const motion::Prob
     return std::abs(position.rest() + scene.gap) + (by_parts < by_energy ? by_parts : by_energy);
 }
 
-// Largest |u| of the motion up to a moment.
+// Largest |u| of the motion between two moments.
 template <class Real>
 Real largest_displacement(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
-                          const motion::Moment<Real>& end, Real largest) {
+                          const motion::Moment<Real>& from, const motion::Moment<Real>& end, Real largest) {
     const motion::Signal<Real> u{.position = 1, .constant = scene.gap};
-    largest = LargestValue<Real>(u, leg.motion()).over(leg, end, largest);
-    return LargestValue<Real>(-u, leg.motion()).over(leg, end, largest);
+    largest = LargestValue<Real>(u, leg.motion()).over(leg, from, end, largest);
+    return LargestValue<Real>(-u, leg.motion()).over(leg, from, end, largest);
 }
 
+// `from`: up to there the displacement grows from its value at the start in one direction only.
 // `force`: the signal of the stop's force, nullptr where it doesn't press.
 template <class Real>
 void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
-                     const motion::Moment<Real>& end, const motion::Probe<Real>* force,
-                     Recorder<Real>& recorder) {
-    recorder.displacement(largest_displacement(scene, leg, end, recorder.totals().largest_displacement));
+                     const motion::Moment<Real>& from, const motion::Moment<Real>& end,
+                     const motion::Probe<Real>* force, Recorder<Real>& recorder) {
+    recorder.displacement(largest_displacement(scene, leg, from, end, recorder.totals().largest_displacement));
     if (force == nullptr && !recorder.records_energy()) return;
 
     using Integrals = Eigen::Matrix<Real, 4, 1>;  // f, f delta', sin(theta) u', u'^2

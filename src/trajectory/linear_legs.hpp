@@ -105,10 +105,10 @@ template <class Real>
 void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end,
                               Recorder<Real>& recorder) const {
     const bool presses = phase == Phase::contact;
-    if (presses) recorder.force(peak_.over(leg, end, recorder.totals().largest_force));
+    if (presses) recorder.force(peak_.over(leg, leg.start(), end, recorder.totals().largest_force));
     recorder.displacement_bound(displacement_bound(scene_, presses ? depth_ : touch_, leg, end.time));
     if (recorder.records_contacts()) {
-        record_contacts(scene_, leg, end, presses ? &peak_.signal() : nullptr, recorder);
+        record_contacts(scene_, leg, leg.start(), end, presses ? &peak_.signal() : nullptr, recorder);
     }
 }
 

@@ -46,6 +46,15 @@ class RigidLegs {
     RigidLegs(const Oscillator<Real>& scene, const motion::LinearEquation<Real>& flight)
         : scene_(scene), flight_(flight), touch_({.position = 1}, flight_), stop_(scene, flight) {}
 
+    static bool from_rest(const Leg<Real>& leg) {
+        return leg.start().state[0] == 0 && leg.start().state[1] == 0;
+    }
+    // Nothing turns back a hammer that starts from rest within this time: while a <= 0, delta' is the sum of
+    // the impulse response's slopes, which are positive up to 1/(w + 2 b) at least.
+    [[nodiscard]] Real fall_time(Real theta) const {
+        const Real slopes = 1 / (flight_.natural_frequency() + 2 * flight_.equation().damping);
+        return std::min(slopes, stop_.ahead_to_pressing(theta) / scene_.frequency);
+    }
     [[nodiscard]] Search<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
     bool fly(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
     void hit(Journey<Real>& journey, Recorder<Real>* recorder) const;
@@ -70,7 +79,7 @@ Journey<Real> RigidLegs<Real>::depart(const State<Real>& x) const {
 template <class Real>
 Search<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Real left) const {
     const Moment<Real>& start = leg.start();
-    if (start.state[0] < 0 || start.state[1] < 0) return first_crossing(leg, touch_, start, left);
+    if (!from_rest(leg)) return first_crossing(leg, touch_, start, left);
     const Real away = std::min(std::numbers::pi_v<Real> / flight_.natural_frequency(),
                                stop_.ahead_to_pressing(theta) / scene_.frequency);
     if (away >= left) return {Search<Real>::Outcome::none, leg.at(left), 0};
@@ -92,7 +101,12 @@ bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>*
     cycle.separated = true;
     if (recorder != nullptr) {
         recorder->displacement_bound(displacement_bound(scene_, touch_, leg, end.time));
-        if (recorder->records_contacts()) record_contacts<Real>(scene_, leg, end, nullptr, *recorder);
+        if (recorder->records_contacts()) {
+            // from rest the hammer falls away for a while; its first steps are too short to search in
+            const Real falls = from_rest(leg) ? fall_time(theta) / 2 : Real(0);
+            const Moment<Real> from = falls < end.time ? leg.at(falls) : end;
+            record_contacts<Real>(scene_, leg, falls > 0 ? from : leg.start(), end, nullptr, *recorder);
+        }
     }
     cycle.jacobian = (end.flow * cycle.jacobian).eval();
     cycle.end = end.state;
