@@ -22,7 +22,7 @@ class Growth {
         product_ = jacobian * product_;
         const double size = product_.norm();
         if (size == 0) {  // every direction died, as on a rigid stop: what comes knows nothing of the start
-            *this = Growth(log_largest_);
+            *this = Growth(log_largest_, resets_ + 1);
             return;
         }
         if (!(size > 0)) return;
@@ -37,6 +37,8 @@ class Growth {
     // ln G: the largest growth of a start perturbation so far. Above about 20 a label hangs on rounding.
     [[nodiscard]] double sensitivity() const { return log_largest_; }
     [[nodiscard]] double exponent() const { return mean_; }  // per forcing cycle
+    // How often every direction died: from the second time on the motion repeats what followed the first.
+    [[nodiscard]] int resets() const { return resets_; }
     [[nodiscard]] bool block_just_closed() const {
         return blocks_ > 1 && (cycles_ - settling_cycles) % block_cycles == 0;
     }
@@ -48,7 +50,7 @@ class Growth {
     }
 
   private:
-    explicit Growth(double log_largest) : log_largest_(log_largest) {}
+    Growth(double log_largest, int resets) : log_largest_(log_largest), resets_(resets) {}
 
     void close_block() {
         const double rate = (log_size_ - block_start_) / block_cycles;
@@ -68,6 +70,7 @@ class Growth {
     double squares_ = 0;      // sum of their squared deviations
     long cycles_ = 0;
     int blocks_ = 0;
+    int resets_ = 0;
 };
 
 }  // namespace peterka::regime

@@ -69,7 +69,10 @@ class Search {
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
             if (converged(passage)) return periodic(test_->orbit());
-            if (cycle + 1 >= budget_.chaos_cycles && growth_.block_just_closed() && growth_.surely_positive()) {
+            const bool repeats =
+                growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
+            if (cycle + 1 >= budget_.chaos_cycles && !repeats && growth_.block_just_closed() &&
+                growth_.surely_positive()) {
                 return unproved(Regime::chaotic, Status::proved);
             }
         }

@@ -5,7 +5,8 @@
 //   separates
 // - periodic: a near-recurrence led Newton's method to a stable orbit, and the trajectory contracts to it
 // - chaotic: after chaos_cycles the largest Lyapunov exponent is positive by three standard errors, and a
-//   perturbation grew by e^20
+//   perturbation grew by e^20; never where the hammer came to rest on a rigid stop twice, as the motion then
+//   repeats, be it after more than max_period cycles
 // - unresolved: the budget ran out, or nothing in the scene dissipates
 //
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below

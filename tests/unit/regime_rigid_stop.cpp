@@ -165,6 +165,20 @@ TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
     }
 }
 
+// Between two rests a perturbation may grow a lot; still, what follows a rest repeats what followed the last.
+TEST(RigidRegimes, AHammerThatComesToRestAgainIsNeverChaotic) {
+    const auto scene =
+        rigid(0.32, 2.925196850393701, 0, testing::paper_rig(testing::beam_170mm, 1, 0).damping_ratio);
+    const auto cell = solved(scene, start_at(scene));
+    EXPECT_EQ(cell.regime, Regime::unresolved);
+    EXPECT_EQ(cell.status, Status::budget);
+    EXPECT_TRUE(cell.chatter);
+    const auto longer = solved(scene, start_at(scene), {.max_period = 200});
+    EXPECT_EQ(longer.regime, Regime::periodic);
+    EXPECT_EQ(z(longer), std::pair(72, 68));
+    EXPECT_EQ(longer.multiplier, 0);
+}
+
 TEST(RigidRegimes, NothingSettlesWithoutLoss) {
     const auto cell = solved(rigid(1, 1.7, 1.2, 0), {-1.5, 0}, {.chaos_cycles = 200});
     EXPECT_EQ(cell.regime, Regime::unresolved);
@@ -200,6 +214,7 @@ TEST(RigidRegimes, GrowthStartsAnewWhenEveryDirectionDied) {
     growth.advance(Eigen::Matrix2d::Zero());
     EXPECT_FALSE(growth.surely_positive());
     EXPECT_EQ(growth.sensitivity(), largest);
+    EXPECT_EQ(growth.resets(), 1);
     for (int n = 0; n < 100; ++n) growth.advance(doubles);
     EXPECT_FALSE(growth.surely_positive());  // settling again
     for (int n = 0; n < 100; ++n) growth.advance(doubles);
