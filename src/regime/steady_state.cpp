@@ -119,7 +119,7 @@ class Search {
 
     // One period of an orbit. What is open at its start counts in full at its end, as in every later period.
     Passage record_period(const Point& point, std::int64_t period, Recorder<double>& recorder) {
-        const Passage passage = map_.advance(point, period, &recorder);
+        Passage passage = map_.advance(point, period, &recorder);
         if (!recorder.is_open()) return passage;
         recorder.reset_totals();
         return map_.advance(point, period, &recorder);
