@@ -1,8 +1,10 @@
 #include "output/inspect.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -114,6 +116,11 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     const bool finished = read_number(check, file.id(), path::finished) == 1;
     if (finished && all_tiles_done(check, file, job)) return Existing::complete;
     require_arithmetic(path, file);
+    if (::access(path.c_str(), W_OK) != 0) {
+        const std::string reason = std::generic_category().message(errno);
+        refuse(path, "is not finished and cannot be written: " + reason,
+               "Make it writable, or go on with a copy.");
+    }
     return Existing::resumable;
 }
 

@@ -1,7 +1,9 @@
 #include "output/map_size.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <limits>
 #include <span>
 #include <system_error>
@@ -63,10 +65,18 @@ std::int64_t predicted_bytes(const job::Job& job, const Provenance& provenance) 
 void require_space(const std::filesystem::path& path, std::int64_t bytes) {
     const std::filesystem::path folder = folder_of(path);
     std::error_code error;
+    if (std::filesystem::exists(folder, error) && ::access(folder.c_str(), W_OK) != 0) {
+        throw Failure(ExitCode::output,
+                      fmt::format("{}: the folder {} cannot be written: {}. Choose another one with "
+                                  "--output.",
+                                  path.string(), folder.string(), std::generic_category().message(errno)));
+    }
     const std::filesystem::space_info space = std::filesystem::space(folder, error);
     if (error) {
-        throw Failure(ExitCode::output, fmt::format("{}: the folder {} cannot be used: {}", path.string(),
-                                                    folder.string(), error.message()));
+        throw Failure(
+            ExitCode::output,
+            fmt::format("{}: the folder {} cannot be used: {}. Make it, or choose another one with --output.",
+                        path.string(), folder.string(), error.message()));
     }
     if (bytes >= 0 && static_cast<std::uintmax_t>(bytes) <= space.available) return;
     const auto available = static_cast<std::int64_t>(space.available);
