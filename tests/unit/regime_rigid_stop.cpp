@@ -22,7 +22,7 @@ scene::Oscillator<double> rigid(double restitution, double frequency, double gap
             .gap = gap};
 }
 
-CellResult solved(const scene::Oscillator<double>& scene, scene::State<double> start,
+CellResult solved(const scene::Oscillator<double>& scene, const scene::State<double>& start,
                   const Budget& budget = {}) {
     return find_steady_state(scene, start, budget, {}, Detail::contacts);
 }
