@@ -76,20 +76,28 @@ def read_formats(text):
 def draw_file(path, output_dir, formats):
     with PeterkaFile(path) as file:
         if file.computed < 1:
-            print(f"{path}: {axes.incomplete_text(file)}")
+            tell(f"{path}: {axes.incomplete_text(file)}")
         output_dir.mkdir(parents=True, exist_ok=True)
         for name, draw in PICTURES[file.kind].items():
             figure = draw(file)
             if figure is None:
-                print(f"{path}: no cell to draw, {name} is left out")
+                tell(f"{path}: no cell to draw, {name} is left out")
                 continue
             for suffix in formats:
                 picture = output_dir / f"{path.stem}_{name}.{suffix}"
                 axes.save(figure, picture)
-                print(picture)
+                tell(picture)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
             del figure
             gc.collect()
+
+
+def tell(line):
+    """Prints a line; who reads the list only in part (draw.py ... | head) gets all pictures nevertheless."""
+    try:
+        print(line, flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(message):

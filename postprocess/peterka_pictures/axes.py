@@ -16,7 +16,9 @@ import numpy as np
 from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from matplotlib.ticker import FormatStrFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import MaxNLocator, NullFormatter
+
+from .log_ticks import LogTicks, plain_number
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -72,10 +74,10 @@ def label_axes(ax, file, second_scales=True):
 
 
 def _set_ticks(ticks, log):
-    """Round, plain numbers; on a logarithmic axis 1, 2, 5, 10, ... without powers of ten."""
+    """Round, plain numbers; on a logarithmic axis as many of 1, 2, 5, 10, ... as have room."""
     if log:
-        ticks.set_major_locator(LogLocator(subs=(1, 2, 5)))
-        ticks.set_major_formatter(FormatStrFormatter("%g"))
+        ticks.set_major_locator(LogTicks())
+        ticks.set_major_formatter(plain_number)
         ticks.set_minor_formatter(NullFormatter())
     else:
         ticks.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))

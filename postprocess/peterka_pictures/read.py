@@ -146,6 +146,8 @@ class PeterkaFile:
             raise self._file.refusal(f"has a coordinate {name} that does not ascend")
         log = _evenly_spaced_in_log(values)
         edges = np.exp(_edges(np.log(values))) if log else _edges(values)
+        if name == "frequency_ratio" and values[0] >= 0:
+            edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
         return Axis(name, values, edges, log)
 
     def _attractor_table(self):

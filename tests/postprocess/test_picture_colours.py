@@ -15,7 +15,7 @@ TABLE = {
     "1/1": "#D55E00", "2/2": "#E69F00", "4/4": "#762024", "3/3": "#8F5100", "1/2": "#009E73", "2/4": "#4F7A46",
     "1/3": "#0072B2", "2/1": "#CC79A7", "4/2": "#74285D", "3/1": "#56B4E9", "6/2": "#A9D3DC", "4/1": "#5A12B8",
     "5/1": "#8F5F86", "3/2": "#F0E442", "other p/q": "#D4BEA5",
-    "chaotic": "#1A1A1A", "sustained contact": "#3B4A3B", "unresolved": "#686868", "failed": "#C04DF7",
+    "chaotic": "#1A1A1A", "sustained contact": "#99AA66", "unresolved": "#686868", "failed": "#C04DF7",
     "not computed yet": "#FFFFFF",
 }
 NORMAL_DISTANCE, DEUTERANOPE_DISTANCE = 14, 9.5  # CIEDE2000; 2.3 is just noticeable side by side
@@ -50,6 +50,13 @@ def test_every_two_classes_differ(sight, distance):
 @pytest.mark.parametrize("other", ["no impact", "chaotic"])
 def test_the_main_classes_differ_in_grey(orbit, other):
     assert abs(lightness(colour_named(orbit)) - lightness(colour_named(other))) > GREY_DISTANCE
+
+
+def test_the_regimes_without_an_orbit_differ_in_grey():
+    # Sustained contact and chaos lie side by side in maps of small gaps.
+    light = [lightness(colour_named(label)) for label in ("chaotic", "unresolved", "sustained contact", "no impact")]
+    assert np.diff(light).min() > TWO_COLOUR_GREY_DISTANCE
+    assert light[2] - light[0] > GREY_DISTANCE
 
 
 def test_impact_and_no_impact_differ_in_grey():

@@ -73,6 +73,15 @@ def test_a_map_without_any_cell_yet(tmp_path, draw):
     assert "incomplete: 0.0 % computed" in outcome.stdout and "force_1_1 is left out" in outcome.stdout
 
 
+def test_a_reader_that_leaves_early_is_no_fault(tmp_path):
+    write_map(tmp_path / "rig.h5")
+    script = '"$1" "$2" rig.h5 --formats png | true; echo "${PIPESTATUS[0]}"'
+    done = subprocess.run(["bash", "-c", script, "bash", sys.executable, POSTPROCESS / "draw.py"], cwd=tmp_path,
+                          capture_output=True, text=True, timeout=120, check=False)
+    assert (done.stdout, done.stderr) == ("0\n", "")
+    assert len(list((tmp_path / "pictures").iterdir())) == 3
+
+
 @pytest.mark.parametrize("arguments, reason", [
     ([], "required"),
     (["a.h5", "--formats", "png,exe"], "'png,exe' is not a list of png and pdf"),

@@ -72,6 +72,15 @@ def test_cells_of_a_logarithmic_axis_meet_at_geometric_means(tmp_path):
     assert drawn.colour_at(1.45, 0.1) == colour_named("1/2")  # the arithmetic mean would be 1.5
 
 
+@pytest.mark.parametrize("points", [2, 3, 4])
+def test_coarse_maps_show_no_frequency_below_zero(tmp_path, points):
+    cells = [[(1, 1, 1)] * points] * 4
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, frequency_ratio=np.linspace(0.5, 4.5, points))) as file:
+        drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")
+        assert drawn.map_axes.get_xlim()[0] == 0
+        assert drawn.colour_at(0.05, 0.1) == colour_named("1/1"), "the first cell reaches down to 0"
+
+
 def test_incomplete_map_says_so_and_leaves_cells_open(tmp_path):
     cells = [PLAIN[0], PLAIN[1], PLAIN[2], [MISSING] * 4]
     with PeterkaFile(write_map(tmp_path / "a.h5", cells)) as file:
