@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Draws the pictures of peterka's map files.
+"""Draws the pictures of peterka's files.
 
     draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf]
 
-A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force); a basin gives STEM_basin (by
-attractor) and STEM_basin_impact (impact or not). An unfinished file is drawn as far as it is computed, and says so.
+A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), and STEM_audit where cells
+were audited; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact or not). Both give a picture of each
+of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they hold. A study gives
+STEM_work_precision, STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """
 
@@ -18,18 +20,11 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-from peterka_pictures import axes, basin_map, force_map, peterka_map  # noqa: E402
-from peterka_pictures.read import NotDrawable, PeterkaFile  # noqa: E402
+from peterka_pictures import axes  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.pictures import open_file, pictures_of  # noqa: E402
 
 FORMATS = ("png", "pdf")
-PICTURES = {
-    "map": {
-        "map": peterka_map.draw,
-        "force_1_1": force_map.draw_single_impact,
-        "force_all": force_map.draw_all_impacts,
-    },
-    "basin": {"basin": basin_map.draw_attractors, "basin_impact": basin_map.draw_impact},
-}
 DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
 
 
@@ -74,14 +69,14 @@ def read_formats(text):
 
 
 def draw_file(path, output_dir, formats):
-    with PeterkaFile(path) as file:
+    with open_file(path) as file:
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         output_dir.mkdir(parents=True, exist_ok=True)
-        for name, draw in PICTURES[file.kind].items():
+        for name, draw in pictures_of(file).items():
             figure = draw(file)
             if figure is None:
-                tell(f"{path}: no cell to draw, {name} is left out")
+                tell(f"{path}: no value to draw, {name} is left out")
                 continue
             for suffix in formats:
                 picture = output_dir / f"{path.stem}_{name}.{suffix}"

@@ -15,8 +15,10 @@ import matplotlib.patheffects as patheffects
 import numpy as np
 from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
-from matplotlib.ticker import MaxNLocator, NullFormatter
+from matplotlib.legend_handler import HandlerTuple
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
+from matplotlib.ticker import MaxNLocator, NullFormatter, NullLocator
 
 from .log_ticks import LogTicks, plain_number
 
@@ -41,6 +43,7 @@ STYLE = {
     "pdf.fonttype": 42,
 }
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
+CROSS_HATCH = [("/////", "white"), ("\\" * 5, "black")]  # one of them is seen on any colour
 COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTERS_PER_INCH = 12.5  # of a title in 9 pt
@@ -108,24 +111,59 @@ def legend_patch(label, colour, hatched=False):
     return Patch(facecolor=colour, edgecolor="black", linewidth=0.3, label=label)
 
 
-def stack(width, image, legends, bar=False):
-    """A figure of `width` [in]: a map and, below it, a colour bar if asked for and the legends.
+def cross_hatch(ax, reduced):
+    """Lines over the cells that are True, white in one direction and black in the other."""
+    rectangles = Path.make_compound_path(*(_rectangle(reduced, *run) for run in _runs(reduced.image != 0)))
+    for hatch, colour in CROSS_HATCH:
+        ax.add_patch(PathPatch(rectangles, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, rasterized=True))
+
+
+def cross_hatched_patch(label):
+    """Its entry of a legend: patches that are drawn over each other."""
+    return tuple(
+        Patch(facecolor="#8C8C8C" if number == 0 else "none", edgecolor=colour, hatch=hatch, linewidth=0, label=label)
+        for number, (hatch, colour) in enumerate(CROSS_HATCH)
+    )
+
+
+def _runs(mask):
+    """(row, first column, column after the last) of each run of True cells."""
+    padded = np.pad(mask.astype(np.int8), ((0, 0), (1, 1)))
+    starts, ends = (np.argwhere(np.diff(padded, axis=1) == step) for step in (1, -1))
+    return [(row, first, last) for (row, first), (_, last) in zip(starts, ends)]
+
+
+def _rectangle(reduced, row, first, last):
+    (left, right), (low, high) = reduced.column_edges[[first, last]], reduced.row_edges[[row, row + 1]]
+    corners = [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    return Path(corners, [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY])
+
+
+def stack(width, image, legends, bar=False, panel=0.0):
+    """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
+    [in] if asked for.
 
     `legends` is a list of (handles, columns, title); empty ones are left out. Returns the figure, the map's axes and
-    the bar's (None without). The figure is as high as its legends need, so all maps have the same size."""
+    those of the bar or the panel (None without). The figure is as high as its legends need, so all maps have the same
+    size."""
     legends = [legend for legend in legends if legend[0]]
     rows = sum(-(-len(handles) // columns) + (title is not None) for handles, columns, title in legends)
-    height = MAP_HEIGHT + BAR_HEIGHT * bar + LEGEND_GAP * len(legends) + LEGEND_ROW * rows
+    height = MAP_HEIGHT + BAR_HEIGHT * bar + LEGEND_GAP * len(legends) + LEGEND_ROW * rows + panel
     figure = new_figure(width, height, image)
-    shares = [1] + [0.045] * bar + [0.001] * len(legends)
+    shares = [1] + [0.045] * bar + [0.001] * len(legends) + [0.75 * panel / MAP_HEIGHT] * (panel > 0)
     ax, *below = figure.subplots(len(shares), 1, squeeze=False, gridspec_kw={"height_ratios": shares})[:, 0]
     for legend_ax, (handles, columns, title) in zip(below[bar:], legends):
         legend_ax.axis("off")
         legend_ax.legend(
-            handles=handles, ncol=columns, title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0,
-            frameon=False, handlelength=1.4, handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
+            handles, [_label(handle) for handle in handles], handler_map={tuple: HandlerTuple(1, pad=0)}, ncol=columns,
+            title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False, handlelength=1.4,
+            handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
         )
-    return figure, ax, (below[0] if bar else None)
+    return figure, ax, (below[0] if bar else below[-1] if panel else None)
+
+
+def _label(handle):
+    return (handle[0] if isinstance(handle, tuple) else handle).get_label()
 
 
 def percent(share):
@@ -142,6 +180,14 @@ def write_title(figure, file, extra=""):
     """Title of the file, wrapped to the figure; `extra` below it. Never read as mathematics: it may hold a $."""
     text = textwrap.fill(file.title, int(figure.get_figwidth() * LETTERS_PER_INCH))
     figure.suptitle("\n".join(filter(None, [text, extra])), fontsize=9, parse_math=False)
+
+
+def operating_point(file):
+    """Where in the map a basin lies, as text; empty for a map."""
+    frequency_ratio, gap_ratio = file.positive("frequency_ratio"), file.number("gap_ratio")
+    if frequency_ratio is None or gap_ratio is None:
+        return ""
+    return f"Ω/ω = {frequency_ratio:.4g}, gap/A₀ = {gap_ratio:.4g}"
 
 
 def notice_incomplete(ax, file):

@@ -61,7 +61,7 @@ def _draw(file, names, label, entries, columns):
     axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])
     axes.label_axes(ax, file, second_scales=False)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, _operating_point(file))
+    axes.write_title(figure, file, axes.operating_point(file))
     return figure, ax
 
 
@@ -115,10 +115,3 @@ def _mark_attractors(ax, file, named, entries):
                 x, y, marker="o", markersize=5, markerfacecolor=colour, markeredgecolor="black", markeredgewidth=0.8,
                 path_effects=axes.outline(2.0), zorder=6,
             )
-
-
-def _operating_point(file):
-    frequency_ratio, gap_ratio = file.positive("frequency_ratio"), file.number("gap_ratio")
-    if frequency_ratio is None or gap_ratio is None:
-        return ""
-    return f"Ω/ω = {frequency_ratio:.4g}, gap/A₀ = {gap_ratio:.4g}"

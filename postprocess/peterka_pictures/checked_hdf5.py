@@ -32,10 +32,11 @@ class CheckedFile:
         """The exception to raise: 'FILE reason'."""
         return NotDrawable(f"{self.path} {reason}")
 
-    def attribute(self, name):
-        """A scalar root attribute as str, int or float; None where it is absent or anything else."""
+    def attribute(self, name, of="/"):
+        """A scalar attribute of the root, or of a dataset that was checked before, as str, int or float; None where it
+        is absent or anything else."""
         try:
-            value = self._file.attrs.get(name)
+            value = self._file[of].attrs.get(name)
         except _ERRORS:
             return None
         if isinstance(value, np.ndarray) and value.size == 1:
@@ -43,6 +44,13 @@ class CheckedFile:
         if isinstance(value, bytes):
             value = value.decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
+
+    def has(self, name):
+        """Whether there is anything of this name; dataset() then says whether it may be read."""
+        try:
+            return name in self._file
+        except _ERRORS:
+            return False
 
     def dataset(self, name, shape, kinds):
         """The dataset `name`, of this shape (None: any) and of one of these kinds of numbers, stored in this file."""
@@ -93,6 +101,11 @@ class CheckedFile:
 
 def is_number(value):
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
+
+
+def printable(text):
+    """Text out of the file as one line of printable letters."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
 
 
 def shown(value):

@@ -51,7 +51,7 @@ def _power_of_ten(value):
 def _letters(value):
     if PLAIN_FROM <= value < PLAIN_TO:
         return len(f"{value:g}")
-    return 3.5 if np.isclose(np.log10(value) % 1, 0) else 6
+    return 4.5 if np.isclose(np.log10(value) % 1, 0) else 6
 
 
 def _sequences(low, high):

@@ -3,6 +3,9 @@
 The dashed line is the edge of no impact of a hammer at rest in its steady state, gap/A0 = P: the amplitude P of the
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
 stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
+
+Crossed lines lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest
+and counts as one impact.
 """
 
 import numpy as np
@@ -21,10 +24,14 @@ def draw(file):
     """The map of a map file as a Figure, with the share of each class in its legend."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     orbits, regimes = _legend_entries(counts)
-    legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (regimes + _edge_entry(file), 2, None)]
+    chatter, chatter_entry = _chatter(file)
+    others = regimes + chatter_entry + _edge_entry(file)
+    legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
+    if chatter:
+        axes.cross_hatch(ax, chatter)
     _draw_edge_of_no_impact(ax, file)
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
@@ -53,6 +60,16 @@ def _legend_entries(counts):
         key = axes.legend_patch(f"{entry.label} ({share})", entry.colour, n == INDEX["not computed yet"])
         (orbits if entry.orbit or n == INDEX["other p/q"] else regimes).append(key)
     return orbits, regimes
+
+
+def _chatter(file):
+    """Where cells chatter, reduced, and its entries of the legend; (None, []) without such cells."""
+    if not file.has_chatter:
+        return None, []
+    reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: chatter == 1, 2)
+    if not counts[1]:
+        return None, []
+    return reduced, [axes.cross_hatched_patch(f"chatter ({axes.percent(counts[1] / counts.sum())})")]
 
 
 def _draw_edge_of_no_impact(ax, file):

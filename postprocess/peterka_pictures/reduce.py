@@ -2,7 +2,7 @@
 
 A map within LIMIT is taken cell by cell. A larger one is cut into square blocks of `block` x `block` cells (the last
 ones smaller): a block gets the class that most of its cells have; in a tie, the class that stands first in the table.
-Class numbers are never averaged. A block of a force map gets the largest force in it. Shares and the largest force are
+Class numbers are never averaged. A block of a field gets the largest value in it. Shares and the largest value are
 always taken from all cells. Memory: one band and the picture, whatever the size of the map.
 """
 
@@ -66,22 +66,24 @@ def class_picture(file, names, classify, class_count, limit=LIMIT):
     return _with_edges(file, np.concatenate(pieces), block), counts
 
 
-def force_picture(file, wanted, limit=LIMIT):
-    """peak_force_ratio [F/(m g)] of the wanted cells, reduced, NaN elsewhere; and its Largest, None without such cells.
+def field_picture(file, name, carries, limit=LIMIT):
+    """The field `name` of the cells that carry it, reduced, NaN elsewhere; its Largest, None without any value; and the
+    number of cells that should carry it but have no finite value.
 
-    `wanted` takes regime, impacts and period of a band and returns a mask of its shape."""
+    `carries` takes regime, impacts and period of a band and returns a mask of its shape."""
     block = block_size(file.shape, limit)
-    best, pieces = None, []
-    for first, band in file.bands(["regime", "impacts", "period", "peak_force_ratio"], block):
-        force = band["peak_force_ratio"]
-        usable = wanted(band["regime"], band["impacts"], band["period"]) & np.isfinite(force)
-        force = np.where(usable, force, np.nan)
+    best, lacking, pieces = None, 0, []
+    for first, band in file.bands(["regime", "impacts", "period", name], block):
+        values, carrying = band[name], carries(band["regime"], band["impacts"], band["period"])
+        usable = carrying & np.isfinite(values)
+        lacking += int(np.sum(carrying & ~usable))
+        values = np.where(usable, values, np.nan)
         if usable.any():
-            row, column = np.unravel_index(np.nanargmax(force), force.shape)
-            if best is None or force[row, column] > best.value:
-                best = Largest(float(force[row, column]), file.rows.values[first + row], file.columns.values[column])
-        pieces.append(largest(force, block))
-    return _with_edges(file, np.concatenate(pieces), block), best
+            row, column = np.unravel_index(np.nanargmax(values), values.shape)
+            if best is None or values[row, column] > best.value:
+                best = Largest(float(values[row, column]), file.rows.values[first + row], file.columns.values[column])
+        pieces.append(largest(values, block))
+    return _with_edges(file, np.concatenate(pieces), block), best, lacking
 
 
 def _with_edges(file, image, block):

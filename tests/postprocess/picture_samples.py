@@ -29,8 +29,12 @@ PLAIN = [
 ]
 
 
-def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=None, **attributes):
-    """`cells[row][column]` is (regime, impacts, period); forces default to 10 + row + column/10."""
+UNITS = {"impact_speed": "m/s", "impulse": "N s", "contact_time": "s", "contact_power_w": "W", "max_displacement": "m"}
+
+
+def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=None, fields=None, **attributes):
+    """`cells[row][column]` is (regime, impacts, period); forces default to 10 + row + column/10. `fields`: optional
+    datasets, those of UNITS and chatter."""
     rows, columns = np.shape(cells)[:2]
     coordinates = {
         "gap_ratio": np.linspace(0, 3, rows) if gap_ratio is None else gap_ratio,
@@ -39,16 +43,36 @@ def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=No
     attributes = {"natural_frequency_hz": 4.5, "cart_amplitude_m": 0.89e-3, "hammer_mass_kg": 0.298} | attributes
     with h5py.File(path, "w") as file:
         _write_common(file, "map", coordinates, cells, forces, attributes)
+        _write_fields(file, fields or {}, coordinates)
     return path
 
 
-def write_basin(path, cells=PLAIN, attractors=(), attractor=None, **attributes):
+def write_audit(path, places, labels, force_error, agrees):
+    """Adds an audit: `places` (row, column) and `labels` (regime, impacts, period) of each sample."""
+    with h5py.File(path, "r+") as file:
+        columns = file["regime"].shape[1]
+        sample = {"sample": np.arange(len(places), dtype="i4")}
+        group = file.create_group("audit")
+        group.create_dataset("sample", data=sample["sample"]).make_scale("sample")
+        places, labels = np.array(places).reshape(-1, 2), np.array(labels).reshape(-1, 3)
+        _write_data(group, "cell", (places[:, 0] * columns + places[:, 1]).astype("i8"), sample)
+        for name, kind, values in (
+            ("row", "i4", places[:, 0]), ("column", "i4", places[:, 1]), ("regime", "i1", labels[:, 0]),
+            ("impacts", "i4", labels[:, 1]), ("period", "i4", labels[:, 2]), ("force_error", "f8", force_error),
+            ("agrees", "i1", agrees),
+        ):
+            _write_data(group, name, np.array(values).astype(kind), sample)
+    return path
+
+
+def write_basin(path, cells=PLAIN, attractors=(), attractor=None, fields=None, **attributes):
     """`attractors`: dicts of columns of the table; `attractor[row][column]`: its row, -1 (the default) for none."""
     rows, columns = np.shape(cells)[:2]
     coordinates = {"velocity_ratio": np.linspace(-6, 6, rows), "displacement_ratio": np.linspace(-3, 3, columns)}
     attributes = {"frequency_ratio": 1.8, "gap_ratio": 1.6} | attributes
     with h5py.File(path, "w") as file:
         _write_common(file, "basin", coordinates, cells, None, attributes)
+        _write_fields(file, fields or {}, coordinates)
         numbers = np.full((rows, columns), -1) if attractor is None else np.array(attractor)
         _write_data(file, "attractor", numbers.astype("i4"), coordinates)
         group = file.create_group("attractors")
@@ -84,6 +108,13 @@ def _write_common(file, kind, coordinates, cells, forces, attributes):
     _write_data(file, "peak_force_ratio", np.array(forces, dtype="f8"), coordinates)
 
 
+def _write_fields(file, fields, coordinates):
+    for name, values in fields.items():
+        _write_data(file, name, np.array(values).astype("i1" if name == "chatter" else "f8"), coordinates)
+        if name in UNITS:
+            file[name].attrs["units"] = UNITS[name]
+
+
 def _write_data(group, name, values, coordinates):
     dataset = group.create_dataset(name, data=values)
     for index, dimension in enumerate(coordinates):
@@ -108,7 +139,7 @@ class Drawn:
 
     def colour_of(self, file, row, column):
         """Colour of a cell, near its lower left corner: names and marks are written into the middle."""
-        return self.colour_at(_inside(file.columns.values, column), _inside(file.rows.values, row))
+        return self.colour_at(_inside(file.columns.edges, column), _inside(file.rows.edges, row))
 
     def legend_texts(self):
         return [text.get_text() for ax in self.figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
@@ -117,9 +148,8 @@ class Drawn:
         return [text.get_text() for text in self.map_axes.texts]
 
 
-def _inside(values, index):
-    step = values[1] - values[0]
-    return values[index] - 0.35 * step
+def _inside(edges, index):
+    return edges[index] + 0.15 * (edges[index + 1] - edges[index])
 
 
 def colour_named(label):

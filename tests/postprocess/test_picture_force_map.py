@@ -4,7 +4,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
-from peterka_pictures import force_map
+from peterka_pictures import field_map, force_map
 from peterka_pictures.read import PeterkaFile
 from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, UNRESOLVED, Drawn, colour_named, orbit, write_map,
@@ -12,7 +12,7 @@ from picture_samples import (
 
 
 def colour_of_force(force, top):
-    return to_hex(matplotlib.colormaps[force_map.COLOURS](force / top)).upper()
+    return to_hex(matplotlib.colormaps[field_map.COLOURS](force / top)).upper()
 
 
 def test_only_single_impact_cells_carry_a_force(tmp_path):
@@ -21,7 +21,7 @@ def test_only_single_impact_cells_carry_a_force(tmp_path):
         assert drawn.colour_of(file, 1, 1) == colour_of_force(11.1, 12.0)
         assert drawn.colour_of(file, 0, 0) == colour_of_force(10.0, 12.0)
         for row, column in ((0, 2), (0, 3), (1, 2), (3, 3)):  # 2/2, 1/2, chaotic, no impact
-            assert drawn.colour_of(file, row, column) == force_map.OTHER_COLOUR
+            assert drawn.colour_of(file, row, column) == field_map.OTHER_COLOUR
     assert drawn.legend_texts() == ["any other regime"]
 
 

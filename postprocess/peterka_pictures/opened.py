@@ -1,0 +1,67 @@
+"""A peterka file of any kind, open and with a checked header: layout version, kind, title and plain attributes.
+
+What cannot be drawn raises NotDrawable. Use it, or a class made of it, in a `with` block.
+"""
+
+from functools import cached_property
+
+import numpy as np
+
+from .checked_hdf5 import CheckedFile, NotDrawable, is_number, printable, shown
+
+__all__ = ["KINDS", "NotDrawable", "OpenedFile"]
+
+LAYOUT = 1
+KINDS = ("map", "basin", "study")
+TITLE_LENGTH = 160
+
+
+class OpenedFile:
+    """`kind` is one of KINDS; a subclass checks its own content in check_content()."""
+
+    def __init__(self, path):
+        self.data = CheckedFile(path)
+        self.path = self.data.path
+        self.refusal = self.data.refusal
+        try:
+            self.kind = self._checked_kind()
+            self.check_content()
+        except BaseException:
+            self.data.close()
+            raise
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.data.close()
+
+    def check_content(self):
+        """Nothing beyond the header."""
+
+    @cached_property
+    def title(self):
+        """One printable line; the name of the file where it has no title."""
+        text = self.data.attribute("title")
+        text = (printable(text) if isinstance(text, str) else "") or self.path.stem
+        return text if len(text) <= TITLE_LENGTH else text[: TITLE_LENGTH - 1] + "…"
+
+    def number(self, name):
+        """A root attribute that is a finite number, as float; None where it is absent or anything else."""
+        value = self.data.attribute(name)
+        return float(value) if is_number(value) and np.isfinite(value) else None
+
+    def positive(self, name):
+        """The same for a number that must be above zero."""
+        value = self.number(name)
+        return value if value is not None and value > 0 else None
+
+    def _checked_kind(self):
+        layout, kind = self.data.attribute("peterka_layout"), self.data.attribute("peterka_kind")
+        if layout is None:
+            raise self.refusal("is HDF5, but not a peterka file (no attribute peterka_layout)")
+        if not is_number(layout) or layout != LAYOUT:
+            raise self.refusal(f"has layout version {shown(layout)}; this program draws version {LAYOUT}")
+        if not isinstance(kind, str) or kind not in KINDS:
+            raise self.refusal(f"is of kind {shown(kind)}; this program draws {', '.join(KINDS)} files")
+        return kind

@@ -1,0 +1,32 @@
+"""Which pictures a file gives: the one place that knows them all."""
+
+from functools import partial
+
+from . import audit_map, basin_map, force_map, peterka_map, quantity_map
+from .opened import OpenedFile
+from .read import PeterkaFile
+
+READERS = {"map": PeterkaFile, "basin": PeterkaFile}
+PLANES = {
+    "map": {
+        "map": peterka_map.draw,
+        "force_1_1": force_map.draw_single_impact,
+        "force_all": force_map.draw_all_impacts,
+    },
+    "basin": {"basin": basin_map.draw_attractors, "basin_impact": basin_map.draw_impact},
+}
+
+
+def open_file(path):
+    """The file, opened and checked by the reader of its kind."""
+    with OpenedFile(path) as header:
+        reader = READERS[header.kind]
+    return reader(path)
+
+
+def pictures_of(file):
+    """{name: function that takes the file and returns a Figure, or None without anything to draw}."""
+    pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
+    if file.audit is not None:
+        pictures["audit"] = audit_map.draw
+    return pictures

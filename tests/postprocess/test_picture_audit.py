@@ -1,0 +1,86 @@
+"""The audit of a map: rings at other labels, the distribution of force errors, refused nonsense."""
+
+import h5py
+import numpy as np
+import pytest
+from peterka_pictures import audit_map
+from peterka_pictures.read import PeterkaFile
+from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map
+
+PLACES = [(0, 0), (0, 2), (1, 2), (3, 3), (2, 0)]
+LABELS = [orbit(1, 1), orbit(1, 1), CHAOTIC, NO_IMPACT, orbit(1, 1)]
+ERRORS = [1e-9, np.nan, np.nan, np.nan, 1e-7]
+AGREES = [1, 0, 1, 1, 1]
+
+
+@pytest.fixture
+def path(tmp_path):
+    return write_audit(write_map(tmp_path / "rig.h5"), PLACES, LABELS, ERRORS, AGREES)
+
+
+def test_other_labels_are_ringed_where_they_are(path, tmp_path):
+    with PeterkaFile(path) as file:
+        drawn = Drawn(audit_map.draw(file), tmp_path / "a.png")
+    same, other = (np.column_stack(line.get_data()) for line in drawn.map_axes.lines)
+    assert same.tolist() == [[1, 0], [3, 1], [4, 3], [1, 2]]  # Omega/omega, gap/A0
+    assert other.tolist() == [[3, 0]]
+    assert drawn.legend_texts() == ["same label (4 cells)", "other label (1)"]
+
+
+def test_shares_of_errors(path, tmp_path):
+    with PeterkaFile(path) as file:
+        drawn = Drawn(audit_map.draw(file), tmp_path / "a.png")
+    errors = drawn.figure.axes[-1]
+    x, y = errors.lines[0].get_data()
+    assert x[1:-1].tolist() == [1e-9, 1e-7] and y.tolist() == [0, 50, 100, 100]
+    assert errors.get_xscale() == "log"
+    assert errors.texts[0].get_text() == "2 cells\nmedian 5.0e-08\nlargest 1.0e-07"
+
+
+def test_equal_forces_have_a_place_on_the_logarithmic_axis(tmp_path):
+    path = write_audit(write_map(tmp_path / "rig.h5"), PLACES, LABELS, [0.0] * 5, AGREES)
+    with PeterkaFile(path) as file:
+        errors = Drawn(audit_map.draw(file), tmp_path / "a.png").figure.axes[-1]
+    assert errors.get_xlim()[0] < errors.lines[0].get_xdata()[1] < errors.get_xlim()[1]
+
+
+def test_no_forces_to_compare(tmp_path):
+    path = write_audit(write_map(tmp_path / "rig.h5"), PLACES, LABELS, [np.nan] * 5, AGREES)
+    with PeterkaFile(path) as file:
+        errors = audit_map.draw(file).axes[-1]
+    assert errors.texts[0].get_text() == "no cell with forces to compare"
+
+
+def test_draw_gives_the_picture(path, draw):
+    assert "rig_audit.png" in draw(path, "--formats", "png").pictures
+
+
+def test_samples_not_solved_yet_are_left_out(tmp_path, draw):
+    path = write_audit(write_map(tmp_path / "rig.h5"), PLACES, [(-128, -1, -1)] * 5, [np.nan] * 5, [-128] * 5)
+    outcome = draw(path, "--formats", "png")
+    assert outcome.code == 0 and "rig_audit.png" not in outcome.pictures and "audit is left out" in outcome.stdout
+
+
+@pytest.mark.parametrize("name, values, reason", [
+    ("row", [0, 0, 1, 3, 4], "don't belong together"),
+    ("column", [0, 1, 2, 3, 0], "don't belong together"),
+    ("cell", [0, 2, 6, 15, -8], "don't belong together"),
+    ("regime", [1, 1, 2, 0, 9], "unknown regime 9"),
+    ("period", [0, 1, 0, 1, 1], "period is below 1"),
+    ("force_error", [1.0, 1.0, 1.0, 1.0, -1.0], "negative error"),
+    ("force_error", [1.0], "force_error of shape (1,)"),
+])
+def test_nonsense_is_refused(path, draw, name, values, reason):
+    with h5py.File(path, "r+") as file:
+        kind = file["audit"][name].dtype
+        del file["audit"][name]
+        file["audit"][name] = np.array(values, dtype=kind)
+    outcome = draw(path)
+    assert outcome.code == 2 and reason in outcome.stderr and outcome.stderr.count("\n") == 1
+
+
+def test_an_audit_that_is_no_group_is_refused(tmp_path, draw):
+    path = write_map(tmp_path / "rig.h5")
+    with h5py.File(path, "r+") as file:
+        file["audit"] = np.zeros(3)
+    assert draw(path).code == 2
