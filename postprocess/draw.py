@@ -22,7 +22,7 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from peterka_pictures import axes  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.pictures import open_file, pictures_of  # noqa: E402
+from peterka_pictures.pictures import open_file, picture_name, pictures_of  # noqa: E402
 
 FORMATS = ("png", "pdf")
 DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
@@ -79,7 +79,7 @@ def draw_file(path, output_dir, formats):
                 tell(f"{path}: no value to draw, {name} is left out")
                 continue
             for suffix in formats:
-                picture = output_dir / f"{path.stem}_{name}.{suffix}"
+                picture = output_dir / f"{picture_name(file, name)}.{suffix}"
                 axes.save(figure, picture)
                 tell(picture)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.

@@ -9,5 +9,9 @@ log_ticks     ticks of logarithmic axes whose labels have room
 axes          axis labels, second scales and the pieces every picture shares
 field_map     a number per cell: what force_map and quantity_map share
 peterka_map, force_map, quantity_map, basin_map, audit_map   the pictures: each takes a file and returns a Figure
+study         files of studies, checked
+methods       the fixed look of each method of integration
+work_precision, labels, stability   the pictures of studies; study_words: their tables
+results_page  the results page in Markdown
 pictures      which pictures a file gives
 """

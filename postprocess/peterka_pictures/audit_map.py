@@ -10,7 +10,6 @@ from matplotlib.lines import Line2D
 
 from . import axes
 from .classes import CLASSES, INDEX, classify
-from .log_ticks import LogTicks, plain_number
 from .reduce import class_picture
 
 WIDTH, ERROR_HEIGHT = 3.7, 1.9  # in
@@ -63,12 +62,8 @@ def _draw_errors(ax, force_error):
     low, high = 10.0 ** np.floor(np.log10(drawn[0]) - 0.1), 10.0 ** np.ceil(np.log10(drawn[-1]) + 0.1)
     steps = 100 * np.arange(len(errors) + 1) / len(errors)
     ax.step(np.concatenate([[low], drawn, [high]]), np.append(steps, 100), where="post", color="#0072B2", linewidth=1.2)
-    ax.set_xscale("log")
     ax.set_xlim(low, high)
-    ax.xaxis.set_major_locator(LogTicks())
-    ax.xaxis.set_major_formatter(plain_number)
-    ax.xaxis.set_minor_locator(axes.NullLocator())
-    ax.grid(color="#D9D9D9", linewidth=0.5)
+    axes.log_scale(ax, "x")
     ax.text(
         0.97, 0.06, f"{len(errors)} cells\nmedian {np.median(errors):.1e}\nlargest {errors[-1]:.1e}",
         transform=ax.transAxes, ha="right", va="bottom", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},

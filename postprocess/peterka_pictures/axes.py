@@ -20,7 +20,7 @@ from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator, NullFormatter, NullLocator
 
-from .log_ticks import LogTicks, plain_number
+from .log_ticks import LogNumbers, LogTicks
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -51,10 +51,10 @@ LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
 
-def new_figure(width, height, image):
-    """A Figure [in x in] in the common style, with a raster fine enough for the (rows, columns) image."""
+def new_figure(width, height, cells=1):
+    """A Figure [in x in] in the common style, with a raster fine enough for so many cells along a side."""
     matplotlib.rcParams.update(STYLE)
-    dpi = COARSE_DPI if max(image.shape) <= FINE_FROM else FINE_DPI
+    dpi = COARSE_DPI if cells <= FINE_FROM else FINE_DPI
     return Figure(figsize=(width, height), dpi=dpi, layout="constrained")
 
 
@@ -80,7 +80,7 @@ def _set_ticks(ticks, log):
     """Round, plain numbers; on a logarithmic axis as many of 1, 2, 5, 10, ... as have room."""
     if log:
         ticks.set_major_locator(LogTicks())
-        ticks.set_major_formatter(plain_number)
+        ticks.set_major_formatter(LogNumbers())
         ticks.set_minor_formatter(NullFormatter())
     else:
         ticks.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))
@@ -115,7 +115,9 @@ def cross_hatch(ax, reduced):
     """Lines over the cells that are True, white in one direction and black in the other."""
     rectangles = Path.make_compound_path(*(_rectangle(reduced, *run) for run in _runs(reduced.image != 0)))
     for hatch, colour in CROSS_HATCH:
-        ax.add_patch(PathPatch(rectangles, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, rasterized=True))
+        ax.add_patch(
+            PathPatch(rectangles, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, rasterized=True)
+        )
 
 
 def cross_hatched_patch(label):
@@ -149,7 +151,7 @@ def stack(width, image, legends, bar=False, panel=0.0):
     legends = [legend for legend in legends if legend[0]]
     rows = sum(-(-len(handles) // columns) + (title is not None) for handles, columns, title in legends)
     height = MAP_HEIGHT + BAR_HEIGHT * bar + LEGEND_GAP * len(legends) + LEGEND_ROW * rows + panel
-    figure = new_figure(width, height, image)
+    figure = new_figure(width, height, max(image.shape))
     shares = [1] + [0.045] * bar + [0.001] * len(legends) + [0.75 * panel / MAP_HEIGHT] * (panel > 0)
     ax, *below = figure.subplots(len(shares), 1, squeeze=False, gridspec_kw={"height_ratios": shares})[:, 0]
     for legend_ax, (handles, columns, title) in zip(below[bar:], legends):
@@ -160,6 +162,22 @@ def stack(width, image, legends, bar=False, panel=0.0):
             handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
         )
     return figure, ax, (below[0] if bar else below[-1] if panel else None)
+
+
+def diagram(width, height, handles, panels=1, columns=2):
+    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend below
+    them. Returns the figure and the Axes, a list where there are several."""
+    rows = -(-len(handles) // columns)
+    figure = new_figure(width, height + LEGEND_GAP + LEGEND_ROW * rows)
+    all_axes = figure.subplots(panels + 1, 1, gridspec_kw={"height_ratios": [1] * panels + [0.001]})
+    for ax in all_axes[1:panels]:
+        ax.sharex(all_axes[0])
+    all_axes[-1].axis("off")
+    all_axes[-1].legend(
+        handles=handles, ncol=columns, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False,
+        handlelength=2.0, handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
+    )
+    return figure, (all_axes[0] if panels == 1 else list(all_axes[:panels]))
 
 
 def _label(handle):
@@ -200,8 +218,25 @@ def notice_incomplete(ax, file):
         )
 
 
+def so_far(file):
+    """The same for a title."""
+    return f"{incomplete_text(file)}\n" if file.computed < 1 else ""
+
+
 def incomplete_text(file):
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
+
+
+def log_scale(ax, *sides):
+    """Makes the sides "x" or "y" of a diagram logarithmic, with few, plain ticks and a pale grid."""
+    for side in sides:
+        getattr(ax, f"set_{side}scale")("log")
+        axis = getattr(ax, f"{side}axis")
+        axis.set_major_locator(LogTicks())
+        axis.set_major_formatter(LogNumbers())
+        axis.set_minor_locator(NullLocator())
+    ax.grid(color="#DDDDDD", linewidth=0.5)
+    ax.set_axisbelow(True)
 
 
 def name_areas(ax, reduced, names):

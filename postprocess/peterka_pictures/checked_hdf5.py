@@ -13,6 +13,8 @@ import numpy as np
 
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
 INTEGER, REAL = "iu", "f"  # kinds of numpy types
+MAX_TEXT = 20000
+_WORD = re.compile(r"[A-Za-z0-9_.+-]{1,60}")
 _ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on damaged files
 
 
@@ -74,6 +76,31 @@ class CheckedFile:
             return self._file[name][rows]
         except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged: {name} cannot be read ({_first_line(error)})") from error
+
+    def words(self, name):
+        """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
+        meanings = self.attribute("flag_meanings", name)
+        try:
+            numbers = np.ravel(self._file[name].attrs.get("flag_values", ()))
+        except _ERRORS:
+            numbers = np.array([])
+        words = meanings.split() if isinstance(meanings, str) else []
+        if not words or len(words) != len(numbers) or numbers.dtype.kind not in INTEGER:
+            raise self.refusal(f"doesn't say what the numbers of {name} mean")
+        strange = [word for word in words if not _WORD.fullmatch(word)]
+        if strange:
+            raise self.refusal(f"has {shown(strange[0])} among the meanings of {name}")
+        return dict(zip(numbers.tolist(), words))
+
+    def text(self, name):
+        """A scalar text as its printable lines; none where there is no such text."""
+        try:
+            dataset = self._own(name)
+            value = dataset[()] if dataset.shape == () and dataset.dtype.kind in "OS" else b""
+        except (NotDrawable, *_ERRORS):
+            return []
+        text = value.decode("utf-8", "replace") if isinstance(value, bytes) else ""
+        return [line for line in map(printable, text[:MAX_TEXT].splitlines()) if line]
 
     def _own(self, name):
         parts = name.split("/")

@@ -3,8 +3,8 @@
 A class is a regime, or one p/q of the periodic regime; p/q is never reduced. Each class has the same colour in every
 picture, so that maps of different rigs can be laid side by side. 1/1 and 1/2 are near the paper's red and green. The
 first seven p/q are the palette of Okabe and Ito; the others were searched for so that every pair stays apart for normal
-sight and for deuteranopes (tests/postprocess/test_picture_colours.py holds that). A doubled orbit is darker than its parent.
-1/1 and 1/2 are equally bright, so pictures also write p/q into the large areas: they can be read in grey.
+sight and for deuteranopes (tests/postprocess/test_picture_colours.py holds that). A doubled orbit is darker than its
+parent. 1/1 and 1/2 are equally bright, so pictures also write p/q into the large areas: they can be read in grey.
 """
 
 from dataclasses import dataclass

@@ -1,23 +1,22 @@
 """Ticks of a logarithmic axis of any range whose labels don't run together.
 
 Matplotlib's own locators put as many labels on a logarithmic axis as its range has decades, whatever room there is.
-This one takes the densest of a few round sequences whose labels have room on an axis of a map's size, and evenly spaced
-round numbers where the range is too narrow for any of them.
+This one takes the densest of a few round sequences whose labels have room on the axis, and evenly spaced round numbers
+where the range is too narrow for any of them. Labels of one axis are all plain, or all powers of ten.
 """
 
 import numpy as np
-from matplotlib.ticker import Locator, MaxNLocator
+from matplotlib.ticker import Formatter, Locator, MaxNLocator
 
 SEQUENCES = [np.arange(1, 10), (1, 2, 5), (1,)]  # within a decade
-LETTER_ROOM, SPACE = 0.027, 0.03
+LETTER, LINE, SPACE = 0.079, 0.12, 0.09  # in: width and height of an 8 pt digit's room, least space between labels
+USUAL_LENGTH = 2.9  # in, of an axis that is in no figure
 PLAIN_FROM, PLAIN_TO = 1e-3, 1e5  # outside these powers of ten are shorter
+ROUNDING = 1e-9
 
 
 class LogTicks(Locator):
-    """`letter_room`: width of a label's letter over the length of the axis."""
-
-    def __init__(self, letter_room=LETTER_ROOM):
-        self._letter_room = letter_room
+    """Set it as the major locator."""
 
     def __call__(self):
         return self.tick_values(*self.axis.get_view_interval())
@@ -28,36 +27,64 @@ class LogTicks(Locator):
             return np.array([])
         for ticks in _sequences(low, high):
             if self._fits(ticks, low, high):
-                return ticks if len(ticks) > 1 else MaxNLocator(nbins=5, steps=[1, 2, 5, 10]).tick_values(low, high)
+                return ticks if len(ticks) > 1 or high > 10 * low else _even_ticks(low, high)
         return np.array([low, high])
 
     def _fits(self, ticks, low, high):
-        places = np.log(ticks / low) / np.log(high / low)
-        widths = self._letter_room * np.array([_letters(tick) for tick in ticks])
+        places = self._length() * np.log(ticks / low) / np.log(high / low)
+        plain = all_plain(ticks)
+        letters = np.array([len(f"{tick:g}") if plain else 4.5 for tick in ticks])
+        widths = np.full(len(ticks), LINE) if self._upright() else LETTER * letters
         return bool(np.all(np.diff(places) >= (widths[:-1] + widths[1:]) / 2 + SPACE))
 
+    def _upright(self):
+        return self.axis is not None and self.axis.axis_name == "y"
 
-def plain_number(value, _=None):
-    """1000 as it is, 1e-6 as a power of ten."""
-    return f"{value:g}" if PLAIN_FROM <= abs(value) < PLAIN_TO or value == 0 else _power_of_ten(value)
+    def _length(self):
+        """Of the axis [in]."""
+        ax = getattr(self.axis, "axes", None)
+        if ax is None or ax.figure is None:
+            return USUAL_LENGTH
+        return (ax.bbox.height if self._upright() else ax.bbox.width) / ax.figure.dpi
 
 
-def _power_of_ten(value):
-    exponent = int(np.floor(np.log10(abs(value)) + 1e-9))
+class LogNumbers(Formatter):
+    """The labels that go with LogTicks."""
+
+    def __call__(self, value, _=None):
+        shown = self.locs
+        if self.axis is not None:
+            low, high = sorted(self.axis.get_view_interval())
+            shown = [tick for tick in self.locs if low <= tick <= high]
+        return plain_number(value) if all_plain(shown) else power_of_ten(value)
+
+
+def all_plain(values):
+    return all(PLAIN_FROM <= value < PLAIN_TO for value in values)
+
+
+def plain_number(value):
+    return f"{value:g}"
+
+
+def power_of_ten(value):
+    exponent = int(np.floor(np.log10(abs(value)) + ROUNDING))
     factor = value / 10.0**exponent
     return f"$10^{{{exponent}}}$" if np.isclose(factor, 1) else f"${factor:g}\\cdot10^{{{exponent}}}$"
 
 
-def _letters(value):
-    if PLAIN_FROM <= value < PLAIN_TO:
-        return len(f"{value:g}")
-    return 4.5 if np.isclose(np.log10(value) % 1, 0) else 6
+def _even_ticks(low, high):
+    ticks = MaxNLocator(nbins=5, steps=[1, 2, 5, 10]).tick_values(low, high)
+    return ticks[(ticks >= low) & (ticks <= high)]
 
 
 def _sequences(low, high):
     """Round numbers within [low, high], from dense to sparse."""
     first, last = int(np.floor(np.log10(low))), int(np.ceil(np.log10(high)))
-    within = lambda values: values[(values >= low * (1 - 1e-9)) & (values <= high * (1 + 1e-9))]  # noqa: E731
+
+    def within(values):
+        return values[(values >= low * (1 - ROUNDING)) & (values <= high * (1 + ROUNDING))]
+
     for factors in SEQUENCES:
         yield within(np.ravel(np.outer(10.0 ** np.arange(first, last + 1), factors)))
     for step in range(2, last - first + 1):

@@ -4,8 +4,8 @@ The dashed line is the edge of no impact of a hammer at rest in its steady state
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
 stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
 
-Crossed lines lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest
-and counts as one impact.
+Crossed lines lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in
+rest and counts as one impact.
 """
 
 import numpy as np

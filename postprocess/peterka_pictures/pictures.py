@@ -2,11 +2,13 @@
 
 from functools import partial
 
-from . import audit_map, basin_map, force_map, peterka_map, quantity_map
+from . import audit_map, basin_map, force_map, labels, peterka_map, quantity_map, stability, work_precision
 from .opened import OpenedFile
 from .read import PeterkaFile
+from .study import StudyFile
 
-READERS = {"map": PeterkaFile, "basin": PeterkaFile}
+READERS = {"map": PeterkaFile, "basin": PeterkaFile, "study": StudyFile}
+STUDIES = {"work_precision": work_precision.draw, "labels": labels.draw, "stability": stability.draw}
 PLANES = {
     "map": {
         "map": peterka_map.draw,
@@ -24,8 +26,16 @@ def open_file(path):
     return reader(path)
 
 
+def picture_name(file, name):
+    """Of a picture's file without its suffix; a study's file often has its topic in its name already."""
+    stem = file.path.stem
+    return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
+
+
 def pictures_of(file):
     """{name: function that takes the file and returns a Figure, or None without anything to draw}."""
+    if file.kind == "study":
+        return {file.topic: STUDIES[file.topic]}
     pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
     if file.audit is not None:
         pictures["audit"] = audit_map.draw

@@ -1,4 +1,4 @@
-"""Tables that a map file may carry beside its cells: attractors of a basin, audited cells. Checked like all the rest."""
+"""Tables that a map file may carry beside its cells, checked like the rest: attractors of a basin, audited cells."""
 
 from dataclasses import dataclass
 

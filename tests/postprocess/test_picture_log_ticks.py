@@ -3,15 +3,11 @@
 import numpy as np
 import pytest
 from peterka_pictures import peterka_map
-from peterka_pictures.log_ticks import LogTicks, plain_number
+from peterka_pictures.log_ticks import LogNumbers, LogTicks
 from peterka_pictures.read import PeterkaFile
 from picture_samples import Drawn, orbit, write_map
 
 RANGES = [(0.5, 4.5), (0.01, 50), (1e-3, 1e3), (2.1, 2.9), (1e-9, 1e12), (0.9, 1.1), (100, 1e15), (3e-7, 2e-5)]
-
-
-def labels_on(axis):
-    return [label for label in axis.get_ticklabels() if label.get_text() and label.get_visible()]
 
 
 @pytest.mark.parametrize("low, high", RANGES)
@@ -22,7 +18,8 @@ def test_labels_on_all_four_sides_stand_apart(tmp_path, low, high):
     top, right = drawn.map_axes.child_axes
     for axis in (drawn.map_axes.xaxis, drawn.map_axes.yaxis, top.xaxis, right.yaxis):
         lower, upper = sorted(axis.get_view_interval())
-        shown = [label for tick, label in zip(axis.get_majorticklocs(), axis.get_ticklabels()) if lower <= tick <= upper]
+        placed = zip(axis.get_majorticklocs(), axis.get_ticklabels())
+        shown = [label for tick, label in placed if lower <= tick <= upper]
         boxes = [label.get_window_extent() for label in shown]
         assert len(boxes) >= 2, axis
         for first, second in zip(boxes, boxes[1:]):
@@ -34,12 +31,19 @@ def test_one_two_five_where_there_is_room():
     assert LogTicks().tick_values(1e-3, 1e3) == pytest.approx([1e-3, 1e-2, 0.1, 1, 10, 100, 1000])
 
 
+def test_a_narrow_range_has_even_ticks_inside_it():
+    assert LogTicks().tick_values(1.2e-5, 1.9e-5) == pytest.approx([1.2e-5, 1.4e-5, 1.6e-5, 1.8e-5])
+    assert LogTicks().tick_values(3e-5, 9.9e-5).min() > 0
+
+
 def test_an_axis_without_a_positive_range_has_no_ticks():
     assert len(LogTicks().tick_values(0, 1)) == 0 and len(LogTicks().tick_values(np.nan, 1)) == 0
 
 
-@pytest.mark.parametrize("value, text", [
-    (1, "1"), (0.05, "0.05"), (2000, "2000"), (1e-6, "$10^{-6}$"), (2e-7, r"$2\cdot10^{-7}$"), (1e15, "$10^{15}$"),
+@pytest.mark.parametrize("ticks, texts", [
+    ([0.05, 1, 2000], ["0.05", "1", "2000"]),
+    ([1e-6, 1e-3, 1], ["$10^{-6}$", "$10^{-3}$", "$10^{0}$"]),
+    ([2e-7, 5e-7], [r"$2\cdot10^{-7}$", r"$5\cdot10^{-7}$"]),
 ])
-def test_numbers_are_plain(value, text):
-    assert plain_number(value) == text
+def test_labels_of_one_axis_are_written_alike(ticks, texts):
+    assert LogNumbers().format_ticks(ticks) == texts

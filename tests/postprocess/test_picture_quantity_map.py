@@ -9,7 +9,8 @@ from matplotlib.colors import to_hex
 from peterka_pictures import field_map, force_map, quantity_map
 from peterka_pictures.read import QUANTITIES, PeterkaFile
 from picture_samples import (
-    CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin, write_map,
+    CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin,
+    write_map,
 )
 
 NAN = np.nan
@@ -35,7 +36,8 @@ def drawn_from(path, name, picture):
 def test_values_and_their_absence_have_their_colours(tmp_path):
     path = write_map(tmp_path / "a.h5", CELLS, fields={"impact_speed": SPEEDS})
     drawn, seen = drawn_from(path, "impact_speed", tmp_path / "a.png")
-    assert [seen[0, 0], seen[0, 1], seen[0, 2], seen[2, 1]] == [colour_of_value(share) for share in (0.25, 0.5, 0.75, 0)]
+    for place, share in {(0, 0): 0.25, (0, 1): 0.5, (0, 2): 0.75, (2, 1): 0}.items():
+        assert seen[place] == colour_of_value(share)
     assert seen[0, 3] == field_map.NO_VALUE_COLOUR
     for column, label in enumerate(["no impact", "sustained contact", "unresolved", "failed"]):
         assert seen[1, column] == colour_named(label), "what is no proved impact shows no value, even if it has one"

@@ -1,0 +1,117 @@
+"""Tables of studies in words, as Markdown: times as multiples of the exact engine's, so that they hold for any machine."""
+
+import numpy as np
+
+from .methods import look, methods_in_order
+from .stability import OUTCOMES, fitted_slope, scene_name, status_word
+from .work_precision import points_of
+
+GOALS = (1e-3, 1e-6, 1e-9, 1e-12)  # errors in peak force asked for
+NONE = "–"
+
+
+def work_precision_table(table):
+    """A row a method: its most careful run, and what the fastest run costs that keeps to an error in the median."""
+    lines = {method: points_of(table, method) for method in methods_in_order(table.method)}
+    unit, reference = _unit([point.seconds for point in lines.get("exact", [])], "µs", 1e6)
+    rows = []
+    for method, points in lines.items():
+        lacking = _share_not_done(table, method)
+        best = min(points, key=lambda point: point.error, default=None)
+        reached = [min((point.seconds for point in points if point.error <= goal), default=None) for goal in GOALS]
+        rows.append([
+            look(method).name,
+            f"{_error(best.error)} ({_error(best.largest)})" if best else NONE,
+            _times(best.seconds / reference) if best else NONE,
+            *(NONE if seconds is None else _times(seconds / reference) for seconds in reached),
+            _percent(lacking),
+        ])
+    head = ["method", "smallest error in peak force: median (largest)", f"its time, {unit}"]
+    head += [f"time for {_error(goal)}" for goal in GOALS]
+    return _markdown([*head, "cells not come through"], rows)
+
+
+def labels_table(table):
+    """Rows of each method's roughest and most careful run."""
+    exact = table.seconds_per_cell[(table.method == "exact") & (table.seconds_per_cell > 0)]
+    unit, reference = _unit(exact, "ms", 1e3)
+    rows = []
+    for method in methods_in_order(table.method):
+        runs = np.flatnonzero((table.method == method) & np.isfinite(table.changed_share))
+        runs = runs[np.argsort(-table.setting[runs])]
+        for run in dict.fromkeys(runs[[0, -1]].tolist() if len(runs) else []):
+            rows.append([
+                look(method).name, f"{table.setting[run]:g}" if table.setting[run] > 0 else NONE,
+                _percent(table.changed_share[run]), _percent(table.unproved_share[run]),
+                _times(table.seconds_per_cell[run] / reference),
+            ])
+    return _markdown(["method", "tolerance", "other labels", "without a proof", f"time, {unit}"], rows)
+
+
+def stability_table(table):
+    """How often each engine has each outcome, and its largest energy imbalance."""
+    rows = []
+    for number, engine in enumerate(table.engine):
+        imbalance = np.abs(table.energy_imbalance[:, number])
+        imbalance = imbalance[np.isfinite(imbalance)]
+        counts = [str(np.sum(table.outcome[:, number] == name)) for name in OUTCOMES]
+        rows.append([engine, *counts, _error(imbalance.max()) if len(imbalance) else NONE])
+    head = ["engine", *(entry.label for entry in OUTCOMES.values()), "largest energy imbalance of a period"]
+    return _markdown(head, rows)
+
+
+def where_engines_break(table):
+    """A list of the scenes in which an engine says why it has no result, by status, or is wrong."""
+    lines = []
+    for number, engine in enumerate(table.engine):
+        scenes = {}
+        for row in np.flatnonzero(np.isin(table.outcome[:, number], ["says_why_not", "wrong"])):
+            wrong = table.outcome[row, number] == "wrong"
+            word = "**wrong**" if wrong else status_word(table, row, number) or "no reason given"
+            scenes.setdefault(word, []).append(scene_name(table.scene[row]))
+        text = "; ".join(f"{word} in {', '.join(names)}" for word, names in sorted(scenes.items()))
+        lines.append(f"- {engine}: {text or 'nowhere'}")
+    return "\n".join(lines)
+
+
+def rigid_limit_sentence(table):
+    fit = fitted_slope(table.contact_stiffness, table.speed_difference)
+    if fit is None:
+        return ""
+    slope = f"{fit[0]:.3f}".replace("-", "−")
+    return (f"As the stop gets stiffer, the impact speed tends to that on a rigid stop like the stiffness to the power "
+            f"{slope}; theory says −0.5.")
+
+
+def _share_not_done(table, method):
+    outcome = table.outcome[table.method == method]
+    known = outcome != ""
+    return float(np.mean(outcome[known] != "done")) if known.any() else np.nan
+
+
+def _unit(exact, unit, per_second):
+    """(the head of a column, seconds of one unit): the exact engine's time, or the plain unit where it is missing."""
+    return ("exact = 1", float(min(exact))) if len(exact) else (unit, 1 / per_second)
+
+
+def _times(ratio):
+    return f"{ratio:.2g}" if ratio < 99.5 else f"{float(f'{ratio:.2g}'):,.0f}".replace(",", " ")
+
+
+def _error(value):
+    if value == 0:
+        return "0"
+    digits, exponent = f"{value:.0e}".split("e")
+    power = f"10<sup>{int(exponent)}</sup>".replace("-", "−")
+    return power if digits == "1" else f"{digits}·{power}"
+
+
+def _percent(share):
+    if not np.isfinite(share):
+        return NONE
+    return "0" if share == 0 else f"{100 * share:.2g} %"
+
+
+def _markdown(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)

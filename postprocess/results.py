@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Writes the results page (Markdown) from files of studies and maps.
+
+    results.py FILE.h5 [FILE.h5 ...] --page PAGE.md --pictures DIR
+
+The pictures of the studies must lie in DIR, where draw.py put them; those that the page shows are copied beside it.
+Exit codes: 0 done; 2 a file cannot be read; 3 the page cannot be written.
+"""
+
+import argparse
+import os
+import shutil
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from peterka_pictures import results_page  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.pictures import open_file  # noqa: E402
+
+DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
+    parser.add_argument("--page", metavar="PAGE.md", type=Path, required=True)
+    parser.add_argument("--pictures", metavar="DIR", type=Path, required=True)
+    arguments = parser.parse_args()
+    try:
+        with ExitStack() as stack:
+            files = [stack.enter_context(open_file(path)) for path in arguments.files]
+            text, pictures = results_page.page(files), results_page.pictures(files)
+        write(text, pictures, arguments.page, arguments.pictures)
+    except NotDrawable as refusal:
+        print(f"results.py: {refusal}", file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print(f"results.py: cannot write the page: {error.filename}: {error.strerror}", file=sys.stderr)
+        return BAD_OUTPUT
+    return DONE
+
+
+def write(text, pictures, page, folder):
+    page.parent.mkdir(parents=True, exist_ok=True)
+    for name in pictures:
+        shutil.copyfile(folder / name, page.parent / name)
+    page.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
