@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # How much error each engine makes for how much time, where each breaks, and what `auto` leaves out of the paper's maps:
-# builds what is needed, runs the studies and the three maps on 2 ranks, draws them, and writes the results page with its
-# pictures. Safe to repeat: what is computed already is not computed again.
+# builds what is needed, runs the studies and the three maps on 2 ranks, draws them, and writes the results page with
+# its pictures. Safe to repeat: what is computed already is not computed again.
 #   jobs/results.sh [RESULTS_FOLDER [PAGE_FOLDER]]     default: results, postprocess/examples
 #   PETERKA_BINARY=... jobs/results.sh                 with a program that is built already
 set -euo pipefail
@@ -15,16 +15,16 @@ cd "$(dirname "$0")/.."
 
 mkdir -p "$results"
 files=()
-compute() { # JOB [ARGUMENT...]
+compute() { # JOB
     local file="$results/$1.h5"
-    mpirun -n 2 "$program" run "jobs/$1.toml" --output "$file" "${@:2}" </dev/null
+    mpirun -n 2 "$program" run "jobs/$1.toml" --output "$file" </dev/null
     files+=("$file")
 }
 compute study_work_precision
 compute study_labels
 compute study_stability
 for rig in 170 150 135; do
-    compute "peterka_${rig}mm" --set audit.cells=200
+    compute "peterka_${rig}mm" # audits itself
 done
 
 /usr/bin/python3 postprocess/draw.py "${files[@]}" --output-dir "$results/pictures"

@@ -165,8 +165,8 @@ def stack(width, image, legends, bar=False, panel=0.0):
 
 
 def diagram(width, height, handles, panels=1, columns=2):
-    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend below
-    them. Returns the figure and the Axes, a list where there are several."""
+    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend
+    below them. Returns the figure and the Axes, a list where there are several."""
     rows = -(-len(handles) // columns)
     figure = new_figure(width, height + LEGEND_GAP + LEGEND_ROW * rows)
     all_axes = figure.subplots(panels + 1, 1, gridspec_kw={"height_ratios": [1] * panels + [0.001]})

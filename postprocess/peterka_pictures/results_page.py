@@ -44,8 +44,8 @@ def _work_precision(file):
         f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
         "left out, and every method does the same work.",
         work_precision_table(file.table),
-        "Errors are of the cells that the method came through; `time for` is the fastest run whose median error is that "
-        "small or smaller.",
+        "Errors are of the cells that the method came through; `time for` is the fastest run whose median error is "
+        "that small or smaller.",
         _picture(file),
     ])
 

@@ -69,8 +69,10 @@ def status_word(table, scene, engine):
 
 
 def fitted_slope(stiffness, difference):
-    """(slope, intercept) of ln |difference| over ln stiffness, by least squares; None with fewer than 2 points."""
+    """(slope, intercept) of ln |difference| over ln stiffness by least squares over the stiffer half of the rungs: the
+    power holds in the limit. None with fewer than 2 points."""
     usable = (stiffness > 0) & np.isfinite(stiffness) & (np.abs(difference) > 0) & np.isfinite(difference)
+    usable &= stiffness >= np.median(stiffness) if len(stiffness) else usable
     if np.sum(usable) < 2 or np.ptp(stiffness[usable]) == 0:
         return None
     slope, intercept = np.polyfit(np.log(stiffness[usable]), np.log(np.abs(difference[usable])), 1)

@@ -4,8 +4,8 @@
     labels           share of changed labels of a small map, one number a run
     stability        what became of extreme scenes, scenes x engines, and the limit of a rigid stop
 
-Names stand in the file as flag_meanings; here they are arrays of words, "" where nothing is computed. Measured times are
-in the group `run`.
+Names stand in the file as flag_meanings; here they are arrays of words, "" where nothing is computed. Measured times
+are in the group `run`. Runs are called trials in the file, whose group `run` is what was measured.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Tables of studies in words, as Markdown: times as multiples of the exact engine's, so that they hold for any machine."""
+"""Tables of studies in words, as Markdown; times are multiples of the exact engine's, so that they hold elsewhere."""
 
 import numpy as np
 
