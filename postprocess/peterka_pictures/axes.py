@@ -43,7 +43,7 @@ STYLE = {
     "pdf.fonttype": 42,
 }
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
-CROSS_HATCH = [("/////", "white"), ("\\" * 5, "black")]  # one of them is seen on any colour
+CROSS_HATCH = [("/" * 7, "white"), ("\\" * 7, "black")]  # one of them is seen on any colour
 COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTERS_PER_INCH = 12.5  # of a title in 9 pt
