@@ -11,6 +11,7 @@ from matplotlib.ticker import FuncFormatter, NullLocator
 
 from . import axes
 from .methods import draw_points, look, marker_look, methods_in_order
+from .work_precision import care
 
 WIDTH, HEIGHT = 3.7, 4.3  # in, without the legend
 
@@ -32,7 +33,7 @@ def draw(file):
     for ax, shares, name in zip(panels, (table.changed_share, table.unproved_share), names):
         for method in methods:
             runs = np.flatnonzero(usable & (table.method == method) & np.isfinite(shares))
-            runs = runs[np.argsort(table.seconds_per_cell[runs])]
+            runs = runs[np.argsort([care(table.setting[run]) for run in runs])]
             draw_points(ax, 1e3 * table.seconds_per_cell[runs], 100 * shares[runs], method)
         _share_scale(ax, table.cells)
         ax.set_ylabel(name)
@@ -51,7 +52,12 @@ def _share_scale(ax, cells):
     largest = max(np.max(line.get_ydata(), initial=0) for line in ax.lines)
     top = max(4 * one_cell, 1.6 * largest)
     ax.set_ylim(-0.35 * one_cell, top)
-    decades = 10.0 ** np.arange(np.ceil(np.log10(one_cell) - 1e-9), 3)
-    ax.set_yticks([0, *decades[decades <= top]])
+    decades = 10.0 ** np.arange(np.floor(np.log10(one_cell)), 3)
+    for factors in ((1,), (1, 2, 5)):
+        ticks = np.ravel(np.outer(decades, factors))
+        ticks = ticks[(ticks >= one_cell * (1 - 1e-9)) & (ticks <= min(top, 100))]
+        if len(ticks) > 1:
+            break
+    ax.set_yticks([0, *ticks])
     ax.yaxis.set_major_formatter(FuncFormatter(lambda share, _: f"{share:g}"))
     ax.yaxis.set_minor_locator(NullLocator())

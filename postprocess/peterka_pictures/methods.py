@@ -22,14 +22,14 @@ _LOOKS = {
     "arkode_explicit": Look("ARKODE explicit", "#D55E00", "^"),
     "arkode_implicit": Look("ARKODE implicit", "#E69F00", "v"),
     "rk4_with_events": Look("RK4 with events", "#CC79A7", "X"),
-    "rk4_without_events": Look("RK4 without events", "#767676", "x"),
+    "rk4_without_events": Look("RK4 without events", "#767676", "h"),
     "cvode": Look("CVODE", "#0072B2", "o"),
     "arkode": Look("ARKODE", "#D55E00", "^"),
 }
 
 
 def look(method):
-    return _LOOKS.get(method, Look(method.replace("_", " "), "#767676", "."))
+    return _LOOKS.get(method, Look(method.replace("_", " "), "#767676", "<"))
 
 
 def methods_in_order(method):
@@ -40,7 +40,7 @@ def methods_in_order(method):
 
 
 def draw_points(ax, x, y, method, low=None, high=None, hollow=None):
-    """A method's points in their order in x, joined by a line where there are several, with a band from low to high;
+    """A method's points in their order, joined by a line where there are several, with a band from low to high;
     `hollow` marks points that stand for part of the work only."""
     appearance = look(method)
     if low is not None and len(x) > 1:
@@ -56,11 +56,10 @@ def draw_points(ax, x, y, method, low=None, high=None, hollow=None):
 def marker_look(method, hollow=False):
     """Keywords of plot() for one marker of a method."""
     appearance = look(method)
-    stroked = appearance.marker in "x."
     return {
         "marker": appearance.marker, "linestyle": "none",
         "markersize": {"*": 9, "P": 7, "X": 5.5, "D": 4.2}.get(appearance.marker, 4.8),
         "markerfacecolor": "white" if hollow else appearance.colour,
-        "markeredgecolor": appearance.colour if hollow or stroked else "black",
-        "markeredgewidth": 1.2 if hollow or stroked else 0.5,
+        "markeredgecolor": appearance.colour if hollow else "black",
+        "markeredgewidth": 1.2 if hollow else 0.5,
     }

@@ -4,7 +4,7 @@ import numpy as np
 
 from .methods import look, methods_in_order
 from .stability import OUTCOMES, fitted_slope, scene_name, status_word
-from .work_precision import points_of
+from .work_precision import care, points_of
 
 GOALS = (1e-3, 1e-6, 1e-9, 1e-12)  # errors in peak force asked for
 NONE = "–"
@@ -38,7 +38,7 @@ def labels_table(table):
     rows = []
     for method in methods_in_order(table.method):
         runs = np.flatnonzero((table.method == method) & np.isfinite(table.changed_share))
-        runs = runs[np.argsort(-table.setting[runs])]
+        runs = runs[np.argsort([care(table.setting[run]) for run in runs])]
         for run in dict.fromkeys(runs[[0, -1]].tolist() if len(runs) else []):
             rows.append([
                 look(method).name, f"{table.setting[run]:g}" if table.setting[run] > 0 else NONE,

@@ -30,7 +30,7 @@ class Point:
 
 
 def points_of(table, method):
-    """The Points of a method, fastest first; without the settings at which it came through no cell at all."""
+    """The Points of a method, the roughest setting first; without those at which it came through no cell at all."""
     points = []
     for run in np.flatnonzero(table.method == method):
         errors, seconds = table.error_peak_force[run], table.seconds_per_cycle[run]
@@ -39,7 +39,12 @@ def points_of(table, method):
             error = np.abs(errors[done])
             points.append(Point(float(table.setting[run]), float(np.median(seconds[done])), float(np.median(error)),
                                 float(error.min()), float(error.max()), int(done.sum()), len(done)))
-    return sorted(points, key=lambda point: point.seconds)
+    return sorted(points, key=lambda point: care(point.setting))
+
+
+def care(setting):
+    """A number that grows with the care a setting asks for: steps a cycle, or the inverse of a tolerance."""
+    return 1 / setting if 0 < setting < 1 else setting
 
 
 def draw(file):

@@ -87,6 +87,26 @@ def test_no_picture_without_a_run_that_came_through(tmp_path, draw):
     assert (outcome.code, outcome.pictures) == (0, []) and "work_precision is left out" in outcome.stdout
 
 
+def test_lines_follow_the_settings_even_where_times_scatter(tmp_path):
+    runs = [("split", tolerance, [tolerance] * 3, [seconds] * 3, DONE)
+            for tolerance, seconds in ((1e-9, 2e-6), (1e-3, 3e-6), (1e-6, 1e-6))]
+    runs += [("rk4_with_events", steps, [1 / steps] * 3, [1e-6] * 3, DONE) for steps in (4000, 500)]
+    with StudyFile(write_work_precision(tmp_path / "a.h5", runs)) as file:
+        settings = {name: [point.setting for point in work_precision.points_of(file.table, name)]
+                    for name in ("split", "rk4_with_events")}
+    assert settings == {"split": [1e-3, 1e-6, 1e-9], "rk4_with_events": [500, 4000]}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_point_that_stands_for_some_cells_is_hollow(tmp_path, method):
+    runs = [(method, 1e-3, [1e-4, 1e-4, NAN], [1e-6] * 3, ["done", "done", "failed"]),
+            (method, 1e-6, [1e-7] * 3, [2e-6] * 3, DONE)]
+    ax = drawn(write_work_precision(tmp_path / "a.h5", runs), work_precision.draw, tmp_path).axes[0]
+    faces = {float(line.get_xdata()[0]): line.get_markerfacecolor() for line in ax.lines if len(line.get_xdata()) == 1}
+    assert faces == {1.0: "white", 2.0: methods.look(method).colour}
+    assert methods.look(method).marker not in "x+.,|_1234", "a marker without an inside cannot be hollow"
+
+
 def test_methods_have_their_own_colour_and_marker():
     looks = [methods.look(name) for name in METHODS]
     assert len({look.marker for look in looks}) == len(METHODS), "in grey the marker tells"
@@ -104,6 +124,15 @@ def test_labels_shares_and_times(tmp_path):
     assert first_points(unproved) == {(0.02, 1.0), (1.0, 0.0)}
     assert changed.get_ylim()[0] < 0 < 12.5 < changed.get_ylim()[1]
     assert "incomplete: 66.6 % computed" in figure._suptitle.get_text() and "1000 cells" in figure._suptitle.get_text()
+
+
+@pytest.mark.parametrize("share", [0.0, 0.004, 1.0])
+def test_shares_have_a_scale_whatever_they_are(tmp_path, share):
+    runs = [("exact", 0, share, share, 2e-5)]
+    ax = drawn(write_labels(tmp_path / "a.h5", runs, cells=576), labels.draw, tmp_path).axes[0]
+    low, high = ax.get_ylim()
+    ticks = [tick for tick in ax.get_yticks() if low <= tick <= high]
+    assert ticks[0] == 0 and len(ticks) >= 3 and ticks[-1] <= 100
 
 
 def test_squares_have_the_colour_and_the_mark_of_their_outcome(tmp_path):
