@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "scene/oscillator.hpp"
+#include "trajectory/contact_force.hpp"
 #include "trajectory/rigid_stop.hpp"
 
 namespace peterka::trajectory {
@@ -15,12 +16,6 @@ using scene::State;
 
 enum class Phase : std::uint8_t { flight, contact, unloaded };
 
-// kappa delta + chi delta': what the stop would exert at this state while it presses. In k A0.
-template <class Real>
-Real contact_force(const Oscillator<Real>& scene, const State<Real>& x) {
-    return scene.kelvin_voigt().stiffness * x[0] + scene.kelvin_voigt().damping * x[1];
-}
-
 // The phase at the start of a cycle is a function of the state alone, so that a cycle is a map. On a rigid stop
 // the hammer is in contact where it is at rest and pressed; an impact is no phase.
 template <class Real>
@@ -30,7 +25,7 @@ Phase phase_of(const Oscillator<Real>& scene, const State<Real>& x) {
         return rests && RigidStop<Real>(scene).presses(0) ? Phase::contact : Phase::flight;
     }
     if (x[0] < 0 || (x[0] == 0 && x[1] <= 0)) return Phase::flight;
-    return contact_force(scene, x) > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
+    return grip(scene, x).value > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
 }
 
 // Order and kind of the contacts in a cycle; two cycles with equal patterns lie on one smooth branch of the

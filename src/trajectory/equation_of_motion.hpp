@@ -1,7 +1,7 @@
 // The equation of motion as a right-hand side, with its derivatives: what a general-purpose integrator needs.
 //
 //     delta'' = eta^2 sin(theta) - 2 zeta delta' - u - r - f,    u = delta + gap, theta = eta tau,
-//     f = kappa delta + chi delta' while the stop presses, 0 otherwise (Kelvin-Voigt),
+//     f(delta, delta') while the stop presses, 0 otherwise: see trajectory/contact_force.hpp,
 //     r = cubic u^3 (relative), or cubic (x^3 - y^3) with y = sin(theta), x = u + y (absolute).
 // Eqs. 3-6 and 14-17 of Aguiar & Weber, nondimensional: see scene/oscillator.hpp. All numbers are in units of
 // A0 and A0 omega; a jerk is in A0 omega^3.
@@ -20,7 +20,8 @@ struct Acceleration {
     Real by_position;
     Real by_velocity;
     Real by_time;            // at fixed position and velocity
-    Real by_position_twice;  // second derivative
+    Real by_position_twice;  // second derivatives; the one by velocity is 0
+    Real by_both;            // by position and velocity
 
     // Its derivative along the trajectory that moves with this velocity.
     [[nodiscard]] Real jerk(Real velocity) const {
@@ -38,7 +39,8 @@ Acceleration<Real> acceleration(const Oscillator<Real>& scene, Phase phase, cons
                          .by_position = -1,
                          .by_velocity = -2 * scene.damping_ratio,
                          .by_time = scene.drive() * scene.frequency * cosine,
-                         .by_position_twice = 0};
+                         .by_position_twice = 0,
+                         .by_both = 0};
     if (scene.cubic != 0) {
         const bool absolute = scene.cubic_form == job::CubicForm::absolute;
         const Real cart = absolute ? sine : Real(0);  // the relative form is the absolute one of a cart at rest
@@ -51,9 +53,12 @@ Acceleration<Real> acceleration(const Oscillator<Real>& scene, Phase phase, cons
         a.by_time -= 3 * scene.cubic * u * (hammer + cart) * cart_velocity;
     }
     if (phase == Phase::contact) {
-        a.value -= contact_force(scene, x);
-        a.by_position -= scene.kelvin_voigt().stiffness;
-        a.by_velocity -= scene.kelvin_voigt().damping;
+        const ContactForce<Real> f = contact_force(scene, x);
+        a.value -= f.value;
+        a.by_position -= f.by_position;
+        a.by_velocity -= f.by_velocity;
+        a.by_position_twice -= f.by_position_twice;
+        a.by_both -= f.by_both;
     }
     return a;
 }

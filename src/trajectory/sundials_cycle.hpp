@@ -15,7 +15,7 @@ template <class Stepper>
 class CycleIntegration {
   public:
     CycleIntegration(const Oscillator<double>& scene, typename Stepper::Method method, double local_tolerance)
-        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, contact_rates(scene), local_tolerance})),
+        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, local_tolerance})),
           stepper_(std::make_unique<Stepper>(*leg_, method)),
           events_(*leg_, *stepper_) {}
 
@@ -78,12 +78,13 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
     if (next == Phase::contact) {
         const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
         if (resumes) {
-            cycle.end[0] = -scene.kelvin_voigt().damping / scene.kelvin_voigt().stiffness * cycle.end[1];
+            cycle.end = at_release(scene, cycle.end);
         } else {
             ++cycle.impacts;
             if (recorder != nullptr) recorder->touch(cycle.end[1]);
             cycle.end[0] = 0;
-            cycle.jacobian.row(1) -= scene.kelvin_voigt().damping * cycle.jacobian.row(0);
+            // saltation: the force jumps by this times the speed
+            cycle.jacobian.row(1) -= contact_force(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
         }
     }
     if (next != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(next));
@@ -128,11 +129,6 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<
         if (end.kind == LegEnd::Kind::cycle) return cycle;
         enter(phase, end.next, cycle, recorder);
         phase = end.next;
-        if (phase == Phase::unloaded &&
-            scene.kelvin_voigt().damping == 0) {  // an elastic stop lets go at delta = 0
-            enter(phase, Phase::flight, cycle, recorder);
-            phase = Phase::flight;
-        }
         time += end.point.time;
     }
     cycle.outcome = Outcome::too_many_events;

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
+#include "trajectory/contact_rates.hpp"
 #include "trajectory/first_crossing.hpp"
 #include "trajectory/sundials_leg.hpp"
 #include "trajectory/sundials_search.hpp"
@@ -50,10 +53,17 @@ class StepEvents {
 
   private:
     enum class Signal { touch, leave, release, resume };  // each rises through zero at its event
+    struct Watch {
+        Signal signal;
+        Phase next;
+    };
+    // What can end the present phase.
+    [[nodiscard]] std::span<const Watch> watched() const;
 
     [[nodiscard]] std::optional<LegPoint> locate(Signal signal, const LegPoint& end);
     [[nodiscard]] LegPoint refine(Signal signal, Bracket bracket);
     [[nodiscard]] Sample force(const LegPoint& point) const;
+    [[nodiscard]] Sample hold(const LegPoint& point) const;
     [[nodiscard]] Sample sample(Signal signal, const LegPoint& point) const;
     [[nodiscard]] LegPoint look(double time) {
         LegPoint point = stepper_->before();
@@ -64,8 +74,24 @@ class StepEvents {
     // Steps that pass over the fast decay of a contact: the motion follows the balance of forces.
     [[nodiscard]] bool passes_over_transients() const {
         return leg_->phase == Phase::contact &&
-               (stepper_->now().time - stepper_->before().time) * leg_->contact.fast > 3;
+               (stepper_->now().time - stepper_->before().time) * fastest(stepper_->before().state) > 3;
     }
+    [[nodiscard]] double fastest(const State<double>& x) const {
+        return rates_of(linearized_contact(leg_->scene, x)).fast;
+    }
+    // Slope of the force where it balances all others but inertia, which is small; what the state says of it is
+    // noise.
+    [[nodiscard]] double balanced_slope(const LegPoint& point) const {
+        const double angle = leg_->start_angle + leg_->scene.frequency * point.time;
+        const auto free = acceleration(leg_->scene, Phase::flight, point.state, angle);
+        return free.by_time + free.by_position * point.state[1];
+    }
+    // Error of the grip at such a point: its terms cancel.
+    [[nodiscard]] double noise(const State<double>& x) const {
+        const auto g = grip(leg_->scene, x);
+        return leg_->local_tolerance * (std::abs(g.by_position * x[0]) + std::abs(g.by_velocity * x[1])) / 2;
+    }
+    static constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
     const SundialsLeg* leg_;
     Stepper* stepper_;
@@ -75,19 +101,27 @@ class StepEvents {
 // The force that the stop exerts or would exert at this point of the present phase, and its derivatives.
 template <class Stepper>
 Sample StepEvents<Stepper>::force(const LegPoint& point) const {
-    const auto& scene = leg_->scene;
     const State<double>& x = point.state;
-    if (passes_over_transients()) {
-        // f = eta^2 sin(theta) - u - r but for inertia, which is small; what the state says of it is noise
-        const double angle = leg_->start_angle + scene.frequency * point.time;
-        const auto free = acceleration(scene, Phase::flight, x, angle);
-        return {point.time, contact_force(scene, x), free.by_time + free.by_position * x[1],
-                std::numeric_limits<double>::quiet_NaN()};
+    const auto f = contact_force(leg_->scene, x);
+    if (passes_over_transients()) return {point.time, f.value, balanced_slope(point), not_known};
+    const auto a = leg_->acceleration_at(x, point.time);
+    return {point.time, f.value, f.by_position * x[1] + f.by_velocity * a.value,
+            (f.by_position_twice * x[1] + 2 * f.by_both * a.value) * x[1] + f.by_position * a.value +
+                f.by_velocity * a.jerk(x[1])};
+}
+
+// Positive while the stop presses, at delta > 0.
+template <class Stepper>
+Sample StepEvents<Stepper>::hold(const LegPoint& point) const {
+    const State<double>& x = point.state;
+    const auto g = grip(leg_->scene, x);
+    if (passes_over_transients() && g.force_per_value > 0) {
+        const double slope = balanced_slope(point) / g.force_per_value - g.value * g.growth * x[1];
+        return {point.time, g.value, slope, not_known};
     }
     const auto a = leg_->acceleration_at(x, point.time);
-    return {point.time, contact_force(scene, x),
-            scene.kelvin_voigt().stiffness * x[1] + scene.kelvin_voigt().damping * a.value,
-            scene.kelvin_voigt().stiffness * a.value + scene.kelvin_voigt().damping * a.jerk(x[1])};
+    return {point.time, g.value, g.by_position * x[1] + g.by_velocity * a.value,
+            g.by_position * a.value + g.by_velocity * a.jerk(x[1])};
 }
 
 template <class Stepper>
@@ -96,10 +130,24 @@ Sample StepEvents<Stepper>::sample(Signal signal, const LegPoint& point) const {
     if (signal == Signal::touch || signal == Signal::leave) {
         s = {point.time, point.state[0], point.state[1], leg_->acceleration_at(point.state, point.time).value};
     } else {
-        s = force(point);
+        s = hold(point);
     }
     if (signal == Signal::leave || signal == Signal::release) s = {s.time, -s.value, -s.slope, -s.curvature};
     return s;
+}
+
+template <class Stepper>
+auto StepEvents<Stepper>::watched() const -> std::span<const Watch> {
+    static constexpr std::array in_flight{Watch{Signal::touch, Phase::contact}};
+    static constexpr std::array in_contact{Watch{Signal::release, Phase::unloaded},
+                                           Watch{Signal::leave, Phase::flight}};
+    static constexpr std::array while_unloaded{Watch{Signal::leave, Phase::flight},
+                                               Watch{Signal::resume, Phase::contact}};
+    if (leg_->phase == Phase::flight) return in_flight;
+    if (leg_->phase == Phase::unloaded) return while_unloaded;
+    const std::span<const Watch> both = in_contact;
+    if (!lets_go_inside(leg_->scene)) return both.last(1);
+    return lets_go_at_surface(leg_->scene) ? both : both.first(1);
 }
 
 // Newton's method with curvature inside a bracket. The last correction is a Taylor step, so that the point is
@@ -107,13 +155,16 @@ Sample StepEvents<Stepper>::sample(Signal signal, const LegPoint& point) const {
 template <class Stepper>
 LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     constexpr int most_looks = 50;
-    constexpr double short_step = 1e-4;  // of the fastest time: the fourth power is beyond rounding
+    // Of the fastest time: the fourth power is beyond rounding, or, where the law's force is not smooth at
+    // delta = 0, the power of 1.5.
+    const bool smooth = !std::holds_alternative<scene::HuntCrossley<double>>(leg_->scene.contact);
+    const double short_step = smooth ? 1e-4 : 1e-7;
     auto& [below, above] = bracket;
     const SignalCurve curve(below, above);
     const double share = sign_change([&](double s) { return curve.value(s); }, true);
     double time = below.time + share * (above.time - below.time);
-    const double rate =
-        std::max({1.0, leg_->scene.frequency, leg_->phase == Phase::contact ? leg_->contact.fast : 1.0});
+    const double rate = std::max(
+        {1.0, leg_->scene.frequency, leg_->phase == Phase::contact ? fastest(stepper_->before().state) : 1.0});
     LegPoint point;
     for (int n = 0; n < most_looks; ++n) {
         point = look(time);
@@ -123,9 +174,7 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
         const double correction = rough ? -s.value / s.slope : parabola_step(s.value, s.slope, s.curvature);
         if (!rough && std::abs(correction) * rate < short_step) return extrapolated(*leg_, point, correction);
         if (above.time - below.time <= 4 * std::numeric_limits<double>::epsilon() * above.time) break;
-        const double noise =
-            leg_->local_tolerance * leg_->scene.kelvin_voigt().stiffness * std::abs(point.state[0]);
-        if (rough && std::abs(s.value) <= noise / 10) break;
+        if (rough && std::abs(s.value) <= noise(point.state) / 10) break;
         time += correction;
         if (!(time > below.time && time < above.time)) time = (below.time + above.time) / 2;
     }
@@ -146,17 +195,12 @@ std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoin
 template <class Stepper>
 auto StepEvents<Stepper>::first_event() -> std::optional<Event> {
     const LegPoint end = stepper_->now();
-    if (leg_->phase != Phase::unloaded) {
-        const bool flight = leg_->phase == Phase::flight;
-        const auto point = locate(flight ? Signal::touch : Signal::release, end);
-        if (!point) return std::nullopt;
-        return Event{.next = flight ? Phase::contact : Phase::unloaded, .point = *point};
+    std::optional<Event> first;
+    for (const Watch& watch : watched()) {
+        const auto point = locate(watch.signal, end);
+        if (point && (!first || point->time < first->point.time)) first = Event{watch.next, *point};
     }
-    const auto leaves = locate(Signal::leave, end);
-    const auto back = locate(Signal::resume, end);
-    if (back && (!leaves || back->time < leaves->time)) return Event{.next = Phase::contact, .point = *back};
-    if (leaves) return Event{.next = Phase::flight, .point = *leaves};
-    return std::nullopt;
+    return first;
 }
 
 template <class Stepper>

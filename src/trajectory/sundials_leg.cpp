@@ -5,16 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace peterka::trajectory {
+#include "trajectory/contact_rates.hpp"
 
-Rates contact_rates(const Oscillator<double>& scene) {
-    const double stiffness = 1 + scene.kelvin_voigt().stiffness;
-    const double damping = scene.damping_ratio + scene.kelvin_voigt().damping / 2;
-    const double discriminant = damping * damping - stiffness;
-    if (discriminant <= 0) return {std::sqrt(stiffness), std::sqrt(stiffness)};
-    const double fast = damping + std::sqrt(discriminant);
-    return {stiffness / fast, fast};
-}
+namespace peterka::trajectory {
 
 void store(const LegPoint& point, N_Vector unknowns) {
     double* y = N_VGetArrayPointer(unknowns);
@@ -45,12 +38,16 @@ int leg_jacobian(double time, N_Vector unknowns, N_Vector /*slope*/, SUNMatrix j
                  N_Vector, N_Vector) {
     const double* y = N_VGetArrayPointer(unknowns);
     const auto a = static_cast<const SundialsLeg*>(leg)->acceleration_at({y[0], y[1]}, time);
+    // Hunt and Crossley's law may have no second derivative at first touch; an iteration gets on without it
+    const double bend = std::isfinite(a.by_position_twice) ? a.by_position_twice : 0;
     SUNMatZero(jacobian);
     for (int column = 0; column < leg_unknowns; column += 2) {
         SM_ELEMENT_D(jacobian, column, column + 1) = 1;
         SM_ELEMENT_D(jacobian, column + 1, column) = a.by_position;
         SM_ELEMENT_D(jacobian, column + 1, column + 1) = a.by_velocity;
-        if (column > 0) SM_ELEMENT_D(jacobian, column + 1, 0) = a.by_position_twice * y[column];
+        if (column == 0) continue;
+        SM_ELEMENT_D(jacobian, column + 1, 0) = bend * y[column] + a.by_both * y[column + 1];
+        SM_ELEMENT_D(jacobian, column + 1, 1) = a.by_both * y[column];
     }
     return 0;
 }
@@ -65,10 +62,10 @@ int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data) {
     const bool contact = leg.phase == Phase::contact;
     const double u = y[0] + scene.gap;
     const double flight_rate = std::sqrt(1 + 3 * std::abs(scene.cubic) * u * u);
-    const Rates rates = contact ? leg.contact : Rates{flight_rate, flight_rate};
+    const Rates rates =
+        contact ? rates_of(linearized_contact(scene, {y[0], y[1]})) : Rates{flight_rate, flight_rate};
     const double response = scene.drive() / (1 + scene.drive());
-    const double length =
-        floor * (contact ? (response + std::abs(scene.gap)) / (1 + scene.kelvin_voigt().stiffness) : response);
+    const double length = floor * (contact ? static_depth(scene, response + std::abs(scene.gap)) : response);
     for (int column = 0; column < leg_unknowns; column += 2) {
         const double smallest = column == 0 ? length : flow_floor / rates.fast;
         const double position = std::abs(y[column]);

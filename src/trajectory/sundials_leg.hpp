@@ -19,17 +19,8 @@ struct LegPoint {
     Jacobian<double> flow = Jacobian<double>::Identity();  // of the state by the leg's first state
 };
 
-// The rates of a linear phase without forcing: of its slow and its fast decay, or twice its natural frequency
-// where it oscillates. In omega.
-struct Rates {
-    double slow = 1;
-    double fast = 1;
-};
-Rates contact_rates(const Oscillator<double>& scene);
-
 struct SundialsLeg {
     Oscillator<double> scene;
-    Rates contact;
     double local_tolerance = 1e-9;
     Phase phase = Phase::flight;
     double start_angle = 0;  // forcing phase at local time 0

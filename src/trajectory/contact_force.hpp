@@ -1,0 +1,109 @@
+// The force of a stop as a function of the state, with its derivatives, and where it lets go.
+//
+//     Kelvin-Voigt    f = kappa delta + chi delta'       lets go where f falls through 0
+//     Hunt-Crossley   f = K delta^n (1 + D delta')       lets go where 1 + D delta' falls through 0, or at
+//     delta = 0
+// Both are the laws' formulas without their "never pulls": phases take care of that. A rigid stop acts by
+// impacts and has no such force: 0. Units as in scene/contact_law.hpp. Hunt-Crossley's formula is carried on to
+// delta < 0 as an odd function, so that an integrator may step past the end of a contact before it finds it.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "scene/oscillator.hpp"
+
+namespace peterka::trajectory {
+
+// By delta and delta'; the second derivative by delta' is 0 in every law.
+template <class Real>
+struct ContactForce {
+    Real value = 0;
+    Real by_position = 0;
+    Real by_velocity = 0;
+    Real by_position_twice = 0;  // infinite at delta = 0 where a Hunt-Crossley exponent is between 1 and 2
+    Real by_both = 0;
+};
+
+template <class Real>
+ContactForce<Real> contact_force(const scene::KelvinVoigt<Real>& law, const scene::State<Real>& x) {
+    return {.value = law.stiffness * x[0] + law.damping * x[1],
+            .by_position = law.stiffness,
+            .by_velocity = law.damping};
+}
+
+template <class Real>
+ContactForce<Real> contact_force(const scene::Restitution<Real>& /*law*/, const scene::State<Real>& /*x*/) {
+    return {};
+}
+
+template <class Real>
+ContactForce<Real> contact_force(const scene::HuntCrossley<Real>& law, const scene::State<Real>& x) {
+    const Real n = law.exponent;
+    const Real slope = law.stiffness * std::pow(std::abs(x[0]), n - 1);  // K |delta|^(n-1)
+    const Real share = 1 + law.dissipation * x[1];
+    ContactForce<Real> f{.value = slope * x[0] * share,
+                         .by_position = n * slope * share,
+                         .by_velocity = slope * x[0] * law.dissipation,
+                         .by_both = n * slope * law.dissipation};
+    if (n > 1) {
+        const Real bend = x[0] != 0 ? slope / x[0] : law.stiffness * std::pow(Real(0), n - 2);
+        f.by_position_twice = n * (n - 1) * bend * share;
+    }
+    return f;
+}
+
+template <class Real>
+ContactForce<Real> contact_force(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
+    return std::visit([&](const auto& law) { return contact_force(law, x); }, scene.contact);
+}
+
+// What must be positive for the stop to press at delta > 0, with the factor that makes it the force.
+template <class Real>
+struct Grip {
+    Real value = 0;
+    Real by_position = 0;
+    Real by_velocity = 0;
+    Real force_per_value = 1;
+    Real growth = 0;  // relative, of that factor by delta
+};
+
+template <class Real>
+Grip<Real> grip(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
+    if (const auto* law = std::get_if<scene::HuntCrossley<Real>>(&scene.contact)) {
+        return {.value = 1 + law->dissipation * x[1],
+                .by_velocity = law->dissipation,
+                .force_per_value = law->stiffness * std::pow(std::abs(x[0]), law->exponent),
+                .growth = law->exponent / x[0]};
+    }
+    const ContactForce<Real> f = contact_force(scene, x);
+    return {.value = f.value, .by_position = f.by_position, .by_velocity = f.by_velocity};
+}
+
+// Whether the stop can let go while delta > 0, and whether a contact can end at delta = 0.
+template <class Real>
+bool lets_go_inside(const scene::Oscillator<Real>& scene) {
+    const auto* spring_dashpot = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact);
+    if (spring_dashpot != nullptr) return spring_dashpot->damping > 0;
+    const auto* nonlinear = std::get_if<scene::HuntCrossley<Real>>(&scene.contact);
+    return nonlinear != nullptr && nonlinear->dissipation > 0;
+}
+template <class Real>
+bool lets_go_at_surface(const scene::Oscillator<Real>& scene) {
+    const auto* spring_dashpot = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact);
+    return spring_dashpot == nullptr || spring_dashpot->damping == 0;
+}
+
+// The state next to x at which the stop just lets go, or takes hold again.
+template <class Real>
+scene::State<Real> at_release(const scene::Oscillator<Real>& scene, scene::State<Real> x) {
+    if (const auto* law = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact)) {
+        x[0] = -law->damping / law->stiffness * x[1];
+    } else if (const auto* nonlinear = std::get_if<scene::HuntCrossley<Real>>(&scene.contact)) {
+        x[1] = -1 / nonlinear->dissipation;
+    }
+    return x;
+}
+
+}  // namespace peterka::trajectory
