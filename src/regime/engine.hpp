@@ -29,6 +29,9 @@ CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSett
 // leaving the term out may change in peak force, away from bifurcations. (absolute form: at |x| <= |u| + 1)
 double effect_of_cubic(const scene::Oscillator<double>& scene, double largest_displacement);
 
+// Whether the stop's own motion is nonlinear, so that only integrators carry it.
+bool has_nonlinear_contact(const scene::Oscillator<double>& scene);
+
 // The engine that keeps the cubic term: what the job names, or the cheapest that is fit for its strength.
 Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
                          double largest_displacement);

@@ -24,7 +24,7 @@ trajectory::Detail detail_of(const job::Output& output) {
     return impacts ? trajectory::Detail::contacts : trajectory::Detail::force;
 }
 
-// Keeps the cubic term. The engine and its steps hang on the largest displacement; where the result goes
+// Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, const Budget& budget,
                             double largest_displacement, trajectory::Detail detail) {
@@ -63,7 +63,8 @@ CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t 
     const scene::Cell cell = scene.cell(row, column);
     const bool automatic = solver.engine == job::EngineChoice::automatic;
     const bool is_linear = cell.oscillator.cubic == 0;
-    if (!automatic || (!is_linear && solver.omit_tolerance == 0)) {
+    const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);
+    if (!automatic || keeps_all) {
         return solve_with_cubic(cell, solver, budget, EngineSettings{}.largest_displacement, detail);
     }
 

@@ -16,10 +16,10 @@
 
 namespace peterka::trajectory {
 
-// By delta and delta'; the second derivative by delta' is 0 in every law.
+// The force and its derivatives by delta and delta'; the second derivative by delta' is 0 in every law.
 template <class Real>
-struct ContactForce {
-    Real value = 0;
+struct ContactResponse {
+    Real force = 0;
     Real by_position = 0;
     Real by_velocity = 0;
     Real by_position_twice = 0;  // infinite at delta = 0 where a Hunt-Crossley exponent is between 1 and 2
@@ -27,26 +27,27 @@ struct ContactForce {
 };
 
 template <class Real>
-ContactForce<Real> contact_force(const scene::KelvinVoigt<Real>& law, const scene::State<Real>& x) {
-    return {.value = law.stiffness * x[0] + law.damping * x[1],
+ContactResponse<Real> contact_response(const scene::KelvinVoigt<Real>& law, const scene::State<Real>& x) {
+    return {.force = law.stiffness * x[0] + law.damping * x[1],
             .by_position = law.stiffness,
             .by_velocity = law.damping};
 }
 
 template <class Real>
-ContactForce<Real> contact_force(const scene::Restitution<Real>& /*law*/, const scene::State<Real>& /*x*/) {
+ContactResponse<Real> contact_response(const scene::Restitution<Real>& /*law*/,
+                                       const scene::State<Real>& /*x*/) {
     return {};
 }
 
 template <class Real>
-ContactForce<Real> contact_force(const scene::HuntCrossley<Real>& law, const scene::State<Real>& x) {
+ContactResponse<Real> contact_response(const scene::HuntCrossley<Real>& law, const scene::State<Real>& x) {
     const Real n = law.exponent;
     const Real slope = law.stiffness * std::pow(std::abs(x[0]), n - 1);  // K |delta|^(n-1)
     const Real share = 1 + law.dissipation * x[1];
-    ContactForce<Real> f{.value = slope * x[0] * share,
-                         .by_position = n * slope * share,
-                         .by_velocity = slope * x[0] * law.dissipation,
-                         .by_both = n * slope * law.dissipation};
+    ContactResponse<Real> f{.force = slope * x[0] * share,
+                            .by_position = n * slope * share,
+                            .by_velocity = slope * x[0] * law.dissipation,
+                            .by_both = n * slope * law.dissipation};
     if (n > 1) {
         const Real bend = x[0] != 0 ? slope / x[0] : law.stiffness * std::pow(Real(0), n - 2);
         f.by_position_twice = n * (n - 1) * bend * share;
@@ -55,8 +56,13 @@ ContactForce<Real> contact_force(const scene::HuntCrossley<Real>& law, const sce
 }
 
 template <class Real>
-ContactForce<Real> contact_force(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
-    return std::visit([&](const auto& law) { return contact_force(law, x); }, scene.contact);
+ContactResponse<Real> contact_response(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
+    return std::visit([&](const auto& law) { return contact_response(law, x); }, scene.contact);
+}
+
+template <class Real>
+Real contact_force(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
+    return contact_response(scene, x).force;
 }
 
 // What must be positive for the stop to press at delta > 0, with the factor that makes it the force.
@@ -77,8 +83,8 @@ Grip<Real> grip(const scene::Oscillator<Real>& scene, const scene::State<Real>& 
                 .force_per_value = law->stiffness * std::pow(std::abs(x[0]), law->exponent),
                 .growth = law->exponent / x[0]};
     }
-    const ContactForce<Real> f = contact_force(scene, x);
-    return {.value = f.value, .by_position = f.by_position, .by_velocity = f.by_velocity};
+    const ContactResponse<Real> f = contact_response(scene, x);
+    return {.value = f.force, .by_position = f.by_position, .by_velocity = f.by_velocity};
 }
 
 // Whether the stop can let go while delta > 0, and whether a contact can end at delta = 0.

@@ -53,8 +53,8 @@ Acceleration<Real> acceleration(const Oscillator<Real>& scene, Phase phase, cons
         a.by_time -= 3 * scene.cubic * u * (hammer + cart) * cart_velocity;
     }
     if (phase == Phase::contact) {
-        const ContactForce<Real> f = contact_force(scene, x);
-        a.value -= f.value;
+        const ContactResponse<Real> f = contact_response(scene, x);
+        a.value -= f.force;
         a.by_position -= f.by_position;
         a.by_velocity -= f.by_velocity;
         a.by_position_twice -= f.by_position_twice;

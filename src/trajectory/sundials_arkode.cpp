@@ -19,10 +19,6 @@ void* create(ArkodeStepper::Method method, N_Vector unknowns, SUNContext context
 
 }  // namespace
 
-void ArkodeStepper::FreeSolver::operator()(void* memory) const {
-    ARKStepFree(&memory);
-}
-
 ArkodeStepper::ArkodeStepper(SundialsLeg& leg, Method method)
     : method_(method),
       unknowns_(sundials_library::make_vector(leg_unknowns, context_)),
@@ -33,14 +29,16 @@ ArkodeStepper::ArkodeStepper(SundialsLeg& leg, Method method)
     looking_ = make_solver(leg, looking_dense_);
 }
 
-ArkodeStepper::Solver ArkodeStepper::make_solver(SundialsLeg& leg,
-                                                 const sundials_library::DenseSolver& dense) const {
-    Solver owner(create(method_, unknowns_.get(), context_));
+sundials_library::Memory ArkodeStepper::make_solver(SundialsLeg& leg,
+                                                    const sundials_library::DenseSolver& dense) const {
+    sundials_library::Memory owner(create(method_, unknowns_.get(), context_), {ARKStepFree});
     void* solver = owner.get();
     sundials_library::require_object(solver, "ARKStepCreate");
     require(ARKStepSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr), "ARKStepSetErrHandlerFn");
     require(ARKStepSetUserData(solver, &leg), "ARKStepSetUserData");
     require(ARKStepWFtolerances(solver, leg_weights), "ARKStepWFtolerances");
+    require(ARKStepSetMaxErrTestFails(solver, most_retries), "ARKStepSetMaxErrTestFails");
+    require(ARKStepSetMaxConvFails(solver, most_retries), "ARKStepSetMaxConvFails");
     if (method_ == Method::implicit_5) {
         require(ARKStepSetTableNum(solver, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE),
                 "ARKStepSetTableNum");
@@ -75,9 +73,7 @@ bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point)
 }
 
 void ArkodeStepper::start(const State<double>& x, double length, double longest_step) {
-    length_ = length;
-    now_ = {0, x, Jacobian<double>::Identity()};
-    before_ = now_;
+    begin(x, length);
     restart(solver_.get(), now_, length);
     require(ARKStepSetMaxStep(solver_.get(), longest_step), "ARKStepSetMaxStep");
 }

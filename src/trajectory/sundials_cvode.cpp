@@ -13,14 +13,10 @@ void require(int flag, const char* call) {
 
 }  // namespace
 
-void CvodeStepper::FreeSolver::operator()(void* memory) const {
-    CVodeFree(&memory);
-}
-
 CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
     : unknowns_(sundials_library::make_vector(leg_unknowns, context_)),
       dense_(unknowns_.get(), context_),
-      solver_(CVodeCreate(method == Method::adams ? CV_ADAMS : CV_BDF, context_)) {
+      solver_(CVodeCreate(method == Method::adams ? CV_ADAMS : CV_BDF, context_), {CVodeFree}) {
     sundials_library::require_object(solver_.get(), "CVodeCreate");
     void* solver = solver_.get();
     require(CVodeSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr), "CVodeSetErrHandlerFn");
@@ -28,6 +24,8 @@ CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
     require(CVodeInit(solver, leg_slope, 0, unknowns_.get()), "CVodeInit");
     require(CVodeSetUserData(solver, &leg), "CVodeSetUserData");
     require(CVodeWFtolerances(solver, leg_weights), "CVodeWFtolerances");
+    require(CVodeSetMaxErrTestFails(solver, most_retries), "CVodeSetMaxErrTestFails");
+    require(CVodeSetMaxConvFails(solver, most_retries), "CVodeSetMaxConvFails");
     if (method == Method::adams) {
         functional_iteration_.reset(SUNNonlinSol_FixedPoint(unknowns_.get(), 0, context_));
         sundials_library::require_object(functional_iteration_.get(), "SUNNonlinSol_FixedPoint");
@@ -39,9 +37,7 @@ CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
 }
 
 void CvodeStepper::start(const State<double>& x, double length, double longest_step) {
-    length_ = length;
-    now_ = {0, x, Jacobian<double>::Identity()};
-    before_ = now_;
+    begin(x, length);
     store(now_, unknowns_.get());
     require(CVodeReInit(solver_.get(), 0, unknowns_.get()), "CVodeReInit");
     require(CVodeSetMaxStep(solver_.get(), longest_step), "CVodeSetMaxStep");

@@ -33,6 +33,10 @@ class CycleIntegration {
     };
 
     LegEnd integrate_leg(const State<double>& x, double length, Recorder<double>* recorder);
+    using Integrals = typename StepEvents<Stepper>::Integrals;
+    void record_step(const LegPoint& end, Integrals& integrals, Recorder<double>& recorder);
+    void record_leg(const State<double>& start, const LegPoint& end, const Integrals& integrals,
+                    Recorder<double>& recorder) const;
     void enter(Phase from, Phase next, Cycle<double>& cycle, Recorder<double>* recorder) const;
 
     std::unique_ptr<SundialsLeg> leg_;
@@ -47,23 +51,45 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
     constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
     constexpr double longest_step =
         0.5;  // in radians of the spring and of the forcing: events are looked for in it
+    Integrals integrals;
     stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
     while (++steps_ <= most_steps && stepper_->step()) {
         if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
         const auto event = events_.first_event();
         const LegPoint end = event ? event->point : stepper_->now();
-        if (recorder != nullptr) {
-            const auto& totals = recorder->totals();
-            if (leg_->phase == Phase::contact) {
-                recorder->force(events_.largest_force(end, totals.largest_force));
-            }
-            recorder->displacement_bound(events_.largest_displacement(end, totals.displacement_bound));
-        }
+        if (recorder != nullptr) record_step(end, integrals, *recorder);
         if (events_.failed()) break;
+        if (!event && end.time < length) continue;
+        if (recorder != nullptr) record_leg(x, end, integrals, *recorder);
         if (event) return {LegEnd::Kind::event, event->next, end};
-        if (end.time >= length) return {LegEnd::Kind::cycle, leg_->phase, end};
+        return {LegEnd::Kind::cycle, leg_->phase, end};
     }
     return {};
+}
+
+template <class Stepper>
+void CycleIntegration<Stepper>::record_step(const LegPoint& end, Integrals& integrals,
+                                            Recorder<double>& recorder) {
+    const auto& totals = recorder.totals();
+    const bool presses = leg_->phase == Phase::contact;
+    if (presses) recorder.force(events_.largest_force(end, totals.largest_force));
+    recorder.displacement_bound(events_.displacement_bound(end, totals.displacement_bound));
+    if (!recorder.records_contacts()) return;
+    recorder.displacement(events_.largest_displacement(end, totals.largest_displacement));
+    if (presses || recorder.records_energy()) events_.add_integrals(end, integrals);
+}
+
+// What the stop did follows from the balances of momentum and energy: as exact as the integration, and free of
+// the force itself, which is noise in a stiff contact.
+template <class Stepper>
+void CycleIntegration<Stepper>::record_leg(const State<double>& start, const LegPoint& end,
+                                           const Integrals& integrals, Recorder<double>& recorder) const {
+    if (recorder.records_energy()) recorder.energy(integrals.drive_work, integrals.damper_work);
+    if (!recorder.records_contacts() || leg_->phase != Phase::contact) return;
+    const double slowing = start[1] - end.state[1];
+    const double mean = (start[1] + end.state[1]) / 2;
+    recorder.press(
+        {.impulse = slowing + integrals.push, .time = end.time, .work = slowing * mean + integrals.push_work});
 }
 
 // Puts the state exactly on the surface of the event that leads into a phase, and counts it.
@@ -84,10 +110,12 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
             if (recorder != nullptr) recorder->touch(cycle.end[1]);
             cycle.end[0] = 0;
             // saltation: the force jumps by this times the speed
-            cycle.jacobian.row(1) -= contact_force(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
+            cycle.jacobian.row(1) -= contact_response(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
         }
     }
-    if (next != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(next));
+    // the end of a contact is one token, wherever the stop lets go
+    if (from == Phase::contact) cycle.pattern = append(cycle.pattern, pattern_of(Phase::unloaded));
+    if (next == Phase::contact) cycle.pattern = append(cycle.pattern, pattern_of(Phase::contact));
 }
 
 template <class Stepper>

@@ -45,7 +45,17 @@ class StepEvents {
 
     // Over the step up to `end`; never less than what was the largest before.
     [[nodiscard]] double largest_force(const LegPoint& end, double largest);
-    [[nodiscard]] double largest_displacement(const LegPoint& end, double largest) const;
+    [[nodiscard]] double displacement_bound(const LegPoint& end, double largest) const;
+    [[nodiscard]] double largest_displacement(const LegPoint& end, double largest);
+
+    // Over the step up to `end`, of what acts on the hammer besides the stop.
+    struct Integrals {
+        double push = 0;         // of its acceleration a without the stop
+        double push_work = 0;    // of a delta'
+        double drive_work = 0;   // of eta^2 sin(theta) delta'
+        double damper_work = 0;  // of 2 zeta delta'^2
+    };
+    void add_integrals(const LegPoint& end, Integrals& sum);
 
     // An integration to a point within the step failed: what was found is void.
     [[nodiscard]] bool failed() const { return failed_; }
@@ -102,10 +112,10 @@ class StepEvents {
 template <class Stepper>
 Sample StepEvents<Stepper>::force(const LegPoint& point) const {
     const State<double>& x = point.state;
-    const auto f = contact_force(leg_->scene, x);
-    if (passes_over_transients()) return {point.time, f.value, balanced_slope(point), not_known};
+    const auto f = contact_response(leg_->scene, x);
+    if (passes_over_transients()) return {point.time, f.force, balanced_slope(point), not_known};
     const auto a = leg_->acceleration_at(x, point.time);
-    return {point.time, f.value, f.by_position * x[1] + f.by_velocity * a.value,
+    return {point.time, f.force, f.by_position * x[1] + f.by_velocity * a.value,
             (f.by_position_twice * x[1] + 2 * f.by_both * a.value) * x[1] + f.by_position * a.value +
                 f.by_velocity * a.jerk(x[1])};
 }
@@ -212,7 +222,7 @@ double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
 }
 
 template <class Stepper>
-double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double largest) const {
+double StepEvents<Stepper>::displacement_bound(const LegPoint& end, double largest) const {
     const LegPoint& start = stepper_->before();
     const double gap = leg_->scene.gap;
     largest = std::max({largest, std::abs(start.state[0] + gap), std::abs(end.state[0] + gap)});
@@ -220,6 +230,50 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
     const SignalCurve position(sample(Signal::touch, start), sample(Signal::touch, end));
     for (const double bound : position.at) largest = std::max(largest, std::abs(bound + gap));
     return largest;
+}
+
+template <class Stepper>
+double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double largest) {
+    const LegPoint& start = stepper_->before();
+    for (const double side : {1.0, -1.0}) {
+        const auto outwards = [&](const LegPoint& point) {
+            const double a =
+                passes_over_transients() ? not_known : leg_->acceleration_at(point.state, point.time).value;
+            return Sample{point.time, side * (point.state[0] + leg_->scene.gap), side * point.state[1],
+                          side * a};
+        };
+        if (end.time > start.time) {
+            largest = largest_between(
+                outwards(start), outwards(end), [&](double time) { return outwards(look(time)); },
+                leg_->local_tolerance, largest);
+        } else {
+            largest = std::max(largest, outwards(end).value);
+        }
+    }
+    return largest;
+}
+
+// By Gauss and Legendre's rule of 4 nodes: within a step the motion turns by about a radian.
+template <class Stepper>
+void StepEvents<Stepper>::add_integrals(const LegPoint& end, Integrals& sum) {
+    constexpr std::array nodes{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+                               0.8611363115940526};
+    constexpr std::array weights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                 0.3478548451374538};
+    const auto& scene = leg_->scene;
+    const double start = stepper_->before().time;
+    const double half = (end.time - start) / 2;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const LegPoint point = look(start + half * (1 + nodes[i]));
+        const double angle = leg_->start_angle + scene.frequency * point.time;
+        const double velocity = point.state[1];
+        const double push = acceleration(scene, Phase::flight, point.state, angle).value;
+        const double weight = half * weights[i];
+        sum.push += weight * push;
+        sum.push_work += weight * push * velocity;
+        sum.drive_work += weight * scene.drive() * std::sin(angle) * velocity;
+        sum.damper_work += weight * 2 * scene.damping_ratio * velocity * velocity;
+    }
 }
 
 }  // namespace peterka::trajectory

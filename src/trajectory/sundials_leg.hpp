@@ -38,6 +38,9 @@ LegPoint load(N_Vector unknowns, double time);
 int leg_slope(double time, N_Vector unknowns, N_Vector slope, void* leg);
 int leg_jacobian(double time, N_Vector unknowns, N_Vector slope, SUNMatrix jacobian, void* leg, N_Vector,
                  N_Vector, N_Vector);
+// Times that a step may be shortened: Hunt and Crossley's force starts with a kink that hides from the first
+// guess.
+constexpr int most_retries = 50;
 // Errors are relative to the energy of the motion, position and velocity together: a position that passes
 // through zero is no more exact than its neighbours. Each column of the flow is judged in the same way.
 int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data);

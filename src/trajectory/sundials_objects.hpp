@@ -39,6 +39,13 @@ using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, Free>;
 using LinearSolver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, Free>;
 using NonlinearSolver = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, Free>;
 
+// The memory of an integrator, freed by the library's own function for it.
+struct FreeMemory {
+    void (*free)(void**) = nullptr;
+    void operator()(void* memory) const { free(&memory); }
+};
+using Memory = std::unique_ptr<void, FreeMemory>;
+
 Vector make_vector(sunindextype size, const sundials::Context& context);
 
 // A dense matrix and the direct solver that works on it.

@@ -5,14 +5,29 @@
 // stepper and stay where it is. Errors: see trajectory/sundials_objects.hpp.
 #pragma once
 
-#include <memory>
-
 #include "trajectory/sundials_leg.hpp"
 #include "trajectory/sundials_objects.hpp"
 
 namespace peterka::trajectory {
 
-class CvodeStepper {
+// How far a leg has come.
+class LegProgress {
+  public:
+    [[nodiscard]] const LegPoint& before() const { return before_; }  // the last step
+    [[nodiscard]] const LegPoint& now() const { return now_; }
+
+  protected:
+    void begin(const State<double>& x, double length) {
+        length_ = length;
+        now_ = {0, x, Jacobian<double>::Identity()};
+        before_ = now_;
+    }
+    double length_ = 0;
+    LegPoint before_;
+    LegPoint now_;
+};
+
+class CvodeStepper : public LegProgress {
   public:
     enum class Method { adams, bdf };
     CvodeStepper(SundialsLeg& leg, Method method);
@@ -21,43 +36,29 @@ class CvodeStepper {
     void start(const State<double>& x, double length, double longest_step);
     // One step. False where the integration failed.
     [[nodiscard]] bool step();
-    [[nodiscard]] const LegPoint& before() const { return before_; }
-    [[nodiscard]] const LegPoint& now() const { return now_; }
     // Within the last step, from the method's own polynomial. False where the integration failed.
     [[nodiscard]] bool look(double time, LegPoint& point);
 
   private:
-    struct FreeSolver {
-        void operator()(void* memory) const;
-    };
     sundials::Context context_;
     sundials_library::Vector unknowns_;
     sundials_library::DenseSolver dense_;
     sundials_library::NonlinearSolver functional_iteration_;  // Adams
-    std::unique_ptr<void, FreeSolver> solver_;
-    double length_ = 0;
-    LegPoint before_;
-    LegPoint now_;
+    sundials_library::Memory solver_;
 };
 
-class ArkodeStepper {
+class ArkodeStepper : public LegProgress {
   public:
     enum class Method { explicit_5, explicit_8, implicit_5 };
     ArkodeStepper(SundialsLeg& leg, Method method);
 
     void start(const State<double>& x, double length, double longest_step);
     [[nodiscard]] bool step();
-    [[nodiscard]] const LegPoint& before() const { return before_; }
-    [[nodiscard]] const LegPoint& now() const { return now_; }
     // By a shorter step from the same start: as accurate as the step itself, stiff or not.
     [[nodiscard]] bool look(double time, LegPoint& point);
 
   private:
-    struct FreeSolver {
-        void operator()(void* memory) const;
-    };
-    using Solver = std::unique_ptr<void, FreeSolver>;
-    Solver make_solver(SundialsLeg& leg, const sundials_library::DenseSolver& dense) const;
+    sundials_library::Memory make_solver(SundialsLeg& leg, const sundials_library::DenseSolver& dense) const;
     void restart(void* solver, const LegPoint& from, double stop);
     [[nodiscard]] bool evolve(void* solver, double stop, int task, LegPoint& point);
 
@@ -66,11 +67,8 @@ class ArkodeStepper {
     sundials_library::Vector unknowns_;
     sundials_library::DenseSolver dense_;
     sundials_library::DenseSolver looking_dense_;
-    Solver solver_;
-    Solver looking_;  // goes from the start of a step to a point within it
-    double length_ = 0;
-    LegPoint before_;
-    LegPoint now_;
+    sundials_library::Memory solver_;
+    sundials_library::Memory looking_;  // goes from the start of a step to a point within it
 };
 
 }  // namespace peterka::trajectory
