@@ -15,7 +15,7 @@ namespace {
 // does.
 bool contact_is_stiff(const scene::Oscillator<double>& scene) {
     // an impact at the cart's speed or so, for laws whose rates hang on it
-    const double response = scene.drive() / (1 + scene.drive());
+    const double response = trajectory::response_length(scene);
     const scene::State<double> impact(trajectory::static_depth(scene, response + std::abs(scene.gap)),
                                       response * std::max(1.0, scene.frequency));
     const auto [damping, stiffness] = trajectory::linearized_contact(scene, impact);

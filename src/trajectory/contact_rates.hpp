@@ -24,6 +24,11 @@ struct Rates {
 };
 Rates rates_of(const LinearizedContact& contact);
 
+// The response to the forcing off resonance: the size of a motion. [A0]
+inline double response_length(const scene::Oscillator<double>& scene) {
+    return scene.drive() / (1 + scene.drive());
+}
+
 // How deep a force [k A0] presses into the stop at rest.
 double static_depth(const scene::Oscillator<double>& scene, double force);
 

@@ -1,13 +1,8 @@
-// The legs of a forcing cycle with a rigid stop: flights in closed form between impacts, and rest on the stop.
+// The legs of a forcing cycle with a rigid stop: flights in closed form between impacts.
 //
-// What happens at the stop is told in rigid_stop.hpp. A flight that starts from rest at the stop starts because
-// nothing presses: while a <= 0 the hammer can't be back before half a natural period is over (the response of
-// the spring to a force of one sign has that sign for so long), so the search for the next impact begins where
-// the shorter of both ends.
-//
-// A cycle has at most 10,000 impacts. With r above about 0.9986 a chatter may take more; then the cycle's
-// outcome is too_many_events. The same happens to an elastic hammer (r = 1) that is pressed so hard that it
-// hops faster.
+// A flight that starts from rest at the stop starts because nothing presses: while a <= 0 the hammer can't be
+// back before half a natural period is over (the response of the spring to a force of one sign has that sign
+// for so long), so the search for the next impact begins where the shorter of both ends.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +14,7 @@
 #include "trajectory/first_crossing.hpp"
 #include "trajectory/journey.hpp"
 #include "trajectory/leg_record.hpp"
+#include "trajectory/rigid_course.hpp"
 #include "trajectory/spring_change.hpp"
 
 namespace peterka::trajectory {
@@ -31,20 +27,22 @@ class RigidLegs {
     RigidLegs(const Oscillator<Real>& scene, const SpringChange<Real>& change)
         : RigidLegs(scene, change(motion::flight_equation(scene))) {}
 
-    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const;
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return course_.depart(x); }
 
     // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
     // says why.
-    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
+    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const {
+        return course_.run(journey, end, recorder, [&](Journey<Real>& flying, Real end_time) {
+            return fly(flying, end_time, recorder);
+        });
+    }
 
     // At the end of the cycle.
-    void arrive(Journey<Real>& journey, Recorder<Real>* recorder) const {
-        end_chain_before(2 * std::numbers::pi_v<Real>, journey.chain, recorder);
-    }
+    void arrive(Journey<Real>& journey, Recorder<Real>* recorder) const { course_.arrive(journey, recorder); }
 
   private:
     RigidLegs(const Oscillator<Real>& scene, const motion::LinearEquation<Real>& flight)
-        : scene_(scene), flight_(flight), touch_({.position = 1}, flight_), stop_(scene, flight) {}
+        : scene_(scene), flight_(flight), touch_({.position = 1}, flight_), course_(scene, {scene, flight}) {}
 
     static bool from_rest(const Leg<Real>& leg) {
         return leg.start().state[0] == 0 && leg.start().state[1] == 0;
@@ -57,31 +55,19 @@ class RigidLegs {
     }
     [[nodiscard]] Search<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
     bool fly(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
-    void hit(Journey<Real>& journey, Recorder<Real>* recorder) const;
-    bool rest(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
     Oscillator<Real> scene_;
     motion::LinearMotion<Real> flight_;
     Probe<Real> touch_;
-    RigidStop<Real> stop_;
+    RigidCourse<Real> course_;
 };
-
-template <class Real>
-Journey<Real> RigidLegs<Real>::depart(const State<Real>& x) const {
-    // a start on the stop may be wrong by the rounding of its place
-    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(scene_.gap));
-    Journey<Real> journey(scene_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
-    journey.chain = chain_at_start(stop_, journey.cycle.pattern);
-    if (x[0] > rounding) journey.stop(Cycle<Real>::Outcome::inside_stop);
-    return journey;
-}
 
 template <class Real>
 Search<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Real left) const {
     const Moment<Real>& start = leg.start();
     if (!from_rest(leg)) return first_crossing(leg, touch_, start, left);
     const Real away = std::min(std::numbers::pi_v<Real> / flight_.natural_frequency(),
-                               stop_.ahead_to_pressing(theta) / scene_.frequency);
+                               course_.stop().ahead_to_pressing(theta) / scene_.frequency);
     if (away >= left) return {Search<Real>::Outcome::none, leg.at(left), 0};
     return first_crossing(leg, touch_, leg.at(away), left);
 }
@@ -116,55 +102,6 @@ bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>*
     if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than rounding tells
     journey.time = hits ? journey.time + end.time : end_time;
     return true;
-}
-
-template <class Real>
-void RigidLegs<Real>::hit(Journey<Real>& journey, Recorder<Real>* recorder) const {
-    const auto rest = strike(stop_, scene_.frequency * journey.time, journey.cycle, journey.chain, recorder);
-    if (!rest) return;
-    journey.phase = Phase::contact;
-    journey.rest_from = journey.time + *rest;
-}
-
-// At rest on the stop. False where it lasts until the end.
-template <class Real>
-bool RigidLegs<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    const Real from = journey.rest_from;
-    const Real theta = scene_.frequency * from;
-    const Real release = from + (stop_.presses(theta) ? stop_.ahead_to_release(theta) / scene_.frequency : 0);
-    const bool lets_go = release < end_time;
-    journey.time = lets_go ? release : end_time;
-    journey.rest_from = journey.time;
-    journey.cycle.touched = true;
-    journey.cycle.jacobian.setZero();
-    if (recorder != nullptr) {
-        record_sticking(stop_, theta, scene_.frequency * journey.time, *recorder);
-        recorder->displacement_bound(std::abs(scene_.gap));
-        recorder->displacement(std::abs(scene_.gap));
-        if (lets_go) recorder->leave();
-    }
-    if (lets_go) journey.phase = Phase::flight;
-    return lets_go;
-}
-
-template <class Real>
-bool RigidLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    constexpr int most_events = 20'000;
-    const Cycle<Real>& cycle = journey.cycle;
-    if (cycle.outcome != Cycle<Real>::Outcome::done) return false;
-    for (; journey.events < most_events; ++journey.events) {
-        const bool arrives = cycle.end[0] == 0 && cycle.end[1] > 0;
-        if (journey.phase == Phase::contact) {
-            if (!rest(journey, end_time, recorder)) return true;
-        } else if (arrives) {
-            hit(journey, recorder);
-        } else if (journey.time >= end_time) {
-            return true;
-        } else if (!fly(journey, end_time, recorder)) {
-            return false;
-        }
-    }
-    return journey.stop(Cycle<Real>::Outcome::too_many_events);
 }
 
 }  // namespace peterka::trajectory

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "trajectory/recorder.hpp"
+#include "trajectory/rigid_course.hpp"
 #include "trajectory/sundials_events.hpp"
 #include "trajectory/sundials_steppers.hpp"
 
@@ -17,7 +19,11 @@ class CycleIntegration {
     CycleIntegration(const Oscillator<double>& scene, typename Stepper::Method method, double local_tolerance)
         : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, local_tolerance})),
           stepper_(std::make_unique<Stepper>(*leg_, method)),
-          events_(*leg_, *stepper_) {}
+          events_(*leg_, *stepper_) {
+        if (std::holds_alternative<scene::Restitution<double>>(scene.contact)) {
+            course_.emplace(scene, RigidStop<double>(scene));
+        }
+    }
 
     [[nodiscard]] const Oscillator<double>& scene() const { return leg_->scene; }
     [[nodiscard]] Cycle<double> cycle(const State<double>& x, Recorder<double>* recorder);
@@ -37,12 +43,24 @@ class CycleIntegration {
     void record_step(const LegPoint& end, Integrals& integrals, Recorder<double>& recorder);
     void record_leg(const State<double>& start, const LegPoint& end, const Integrals& integrals,
                     Recorder<double>& recorder) const;
+    // Against a stop that gives way, and against a rigid one.
+    Cycle<double> pressing_cycle(const State<double>& x, Recorder<double>* recorder);
+    Cycle<double> striking_cycle(const State<double>& x, Recorder<double>* recorder);
+    // A hammer that leaves its rest on the stop can't be back before something presses again, or before its
+    // spring swings back.
+    [[nodiscard]] double time_away(double theta) const {
+        const double stiffening = 3 * std::abs(leg_->scene.cubic) * (1 + leg_->scene.gap * leg_->scene.gap);
+        return std::min(1 / std::sqrt(1 + stiffening),
+                        course_->stop().ahead_to_pressing(theta) / leg_->scene.frequency);
+    }
+    bool fly(Journey<double>& journey, double end_time, Recorder<double>* recorder);
     void enter(Phase from, Phase next, Cycle<double>& cycle, Recorder<double>* recorder) const;
 
     std::unique_ptr<SundialsLeg> leg_;
     std::unique_ptr<Stepper> stepper_;
     StepEvents<Stepper> events_;
-    int steps_ = 0;  // in this cycle
+    std::optional<RigidCourse<double>> course_;  // of a rigid stop
+    int steps_ = 0;                              // in this cycle
 };
 
 template <class Stepper>
@@ -51,6 +69,8 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
     constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
     constexpr double longest_step =
         0.5;  // in radians of the spring and of the forcing: events are looked for in it
+    const double instant = 1e-14 * leg_->scene.period();  // too short for an integrator
+    if (length <= instant) return {LegEnd::Kind::cycle, leg_->phase, extrapolated(*leg_, {.state = x}, length)};
     Integrals integrals;
     stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
     while (++steps_ <= most_steps && stepper_->step()) {
@@ -120,18 +140,20 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
 
 template <class Stepper>
 Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<double>* recorder) {
+    events_.forget_failure();
+    steps_ = 0;
+    if (!x.allFinite() || !std::isfinite(leg_->scene.period()))
+        return {.outcome = Outcome::not_finite, .end = x};
+    return course_ ? striking_cycle(x, recorder) : pressing_cycle(x, recorder);
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, Recorder<double>* recorder) {
     constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
     const auto& scene = leg_->scene;
     const double period = scene.period();
-    const double instant = 1e-14 * period;  // too short for an integrator
-    events_.forget_failure();
-    steps_ = 0;
     Cycle<double> cycle;
     cycle.end = x;
-    if (!x.allFinite() || !std::isfinite(period)) {
-        cycle.outcome = Outcome::not_finite;
-        return cycle;
-    }
     Phase phase = phase_of(scene, x);
     cycle.pattern = pattern_of(phase);
     double time = 0;
@@ -140,10 +162,7 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<
         leg_->start_angle = scene.frequency * time;
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
-        const double left = period - time;
-        const LegEnd end = left > instant ? integrate_leg(cycle.end, left, recorder)
-                                          : LegEnd{LegEnd::Kind::cycle, phase,
-                                                   extrapolated(*leg_, {.state = cycle.end}, left)};
+        const LegEnd end = integrate_leg(cycle.end, period - time, recorder);
         if (end.kind == LegEnd::Kind::failure) {
             cycle.outcome = Outcome::solver_failed;
             return cycle;
@@ -161,6 +180,39 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<
     }
     cycle.outcome = Outcome::too_many_events;
     return cycle;
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, Recorder<double>* recorder) {
+    Journey<double> journey = course_->depart(x);
+    const auto flight = [&](Journey<double>& flying, double end_time) {
+        return fly(flying, end_time, recorder);
+    };
+    if (course_->run(journey, leg_->scene.period(), recorder, flight)) course_->arrive(journey, recorder);
+    return journey.cycle;
+}
+
+template <class Stepper>
+bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, Recorder<double>* recorder) {
+    constexpr double low = 1e-3;  // of the response's size: the floor of the error weights
+    const auto& scene = leg_->scene;
+    Cycle<double>& cycle = journey.cycle;
+    const double speed = -cycle.end[1];
+    leg_->start_angle = scene.frequency * journey.time;
+    leg_->hop_speed = cycle.end[0] == 0 && speed > 0 && speed < low * response_length(scene) ? speed : 0;
+    const bool from_rest = cycle.end[0] == 0 && speed == 0;
+    events_.trust_after(from_rest ? time_away(leg_->start_angle) : 0);
+    cycle.separated = true;
+
+    const LegEnd end = integrate_leg(cycle.end, end_time - journey.time, recorder);
+    if (end.kind == LegEnd::Kind::failure) return journey.stop(Outcome::solver_failed);
+    const bool hits = end.kind == LegEnd::Kind::event;
+    cycle.end = end.point.state;
+    cycle.jacobian = (end.point.flow * cycle.jacobian).eval();
+    if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) return journey.stop(Outcome::not_finite);
+    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than the integration tells
+    journey.time = hits ? journey.time + end.point.time : end_time;
+    return true;
 }
 
 }  // namespace peterka::trajectory

@@ -42,6 +42,8 @@ class StepEvents {
         LegPoint point{};
     };
     [[nodiscard]] std::optional<Event> first_event();
+    // Up to this time of the leg no event is possible, whatever rounding says.
+    void trust_after(double time) { quiet_ = time; }
 
     // Over the step up to `end`; never less than what was the largest before.
     [[nodiscard]] double largest_force(const LegPoint& end, double largest);
@@ -106,6 +108,7 @@ class StepEvents {
     const SundialsLeg* leg_;
     Stepper* stepper_;
     bool failed_ = false;
+    double quiet_ = 0;
 };
 
 // The force that the stop exerts or would exert at this point of the present phase, and its derivatives.
@@ -194,7 +197,9 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
 // The event of this signal in the last step, up to `end`.
 template <class Stepper>
 std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoint& end) {
-    Sample start = sample(signal, stepper_->before());
+    if (end.time <= quiet_) return std::nullopt;
+    const LegPoint& before = stepper_->before();
+    Sample start = sample(signal, before.time < quiet_ ? look(quiet_) : before);
     start.value = std::min(start.value, 0.0);  // a leg starts on a surface, give or take rounding
     const auto bracket =
         first_rise(start, sample(signal, end), [&](double time) { return sample(signal, look(time)); });

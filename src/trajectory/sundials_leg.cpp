@@ -52,26 +52,48 @@ int leg_jacobian(double time, N_Vector unknowns, N_Vector /*slope*/, SUNMatrix j
     return 0;
 }
 
+namespace {
+
+// What counts as small in a leg: below it errors are absolute.
+struct Smallness {
+    double position;
+    double velocity;
+};
+
+// A rebound at a low speed w leads back to a rigid stop after about 2 w/a, on a hop of about w^2/a.
+Rates rates_in_leg(const SundialsLeg& leg, const State<double>& x) {
+    if (leg.phase == Phase::contact) return rates_of(linearized_contact(leg.scene, x));
+    const double u = x[0] + leg.scene.gap;
+    const double flight = std::sqrt(1 + 3 * std::abs(leg.scene.cubic) * u * u);
+    if (leg.hop_speed == 0) return {flight, flight};
+    return {flight, std::max(flight, std::abs(leg.acceleration_at({0, 0}, 0).value) / leg.hop_speed)};
+}
+
+Smallness smallness_in_leg(const SundialsLeg& leg, const Rates& rates) {
+    constexpr double floor = 1e-3;  // of the response's size
+    const double response = response_length(leg.scene);
+    if (leg.hop_speed > 0) return {leg.hop_speed / rates.fast, leg.hop_speed};
+    const double size =
+        leg.phase == Phase::contact ? static_depth(leg.scene, response + std::abs(leg.scene.gap)) : response;
+    return {floor * size, rates.slow * floor * size};
+}
+
+}  // namespace
+
 int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data) {
-    constexpr double floor = 1e-3;       // of the response's size: below it errors count as absolute
-    constexpr double flow_floor = 1e-6;  // the same for the flow, whose columns start with size 1
+    constexpr double flow_floor = 1e-6;  // of the flow's columns, which start with size 1
     const auto& leg = *static_cast<const SundialsLeg*>(leg_data);
-    const auto& scene = leg.scene;
     const double* y = N_VGetArrayPointer(unknowns);
     double* w = N_VGetArrayPointer(weights);
-    const bool contact = leg.phase == Phase::contact;
-    const double u = y[0] + scene.gap;
-    const double flight_rate = std::sqrt(1 + 3 * std::abs(scene.cubic) * u * u);
-    const Rates rates =
-        contact ? rates_of(linearized_contact(scene, {y[0], y[1]})) : Rates{flight_rate, flight_rate};
-    const double response = scene.drive() / (1 + scene.drive());
-    const double length = floor * (contact ? static_depth(scene, response + std::abs(scene.gap)) : response);
+    const Rates rates = rates_in_leg(leg, {y[0], y[1]});
+    const Smallness of_state = smallness_in_leg(leg, rates);
+    const Smallness of_flow{flow_floor / rates.fast, rates.slow * flow_floor / rates.fast};
     for (int column = 0; column < leg_unknowns; column += 2) {
-        const double smallest = column == 0 ? length : flow_floor / rates.fast;
+        const Smallness& smallest = column == 0 ? of_state : of_flow;
         const double position = std::abs(y[column]);
         const double velocity = std::abs(y[column + 1]);
-        w[column] = 1 / (leg.local_tolerance * (position + velocity / rates.fast + smallest));
-        w[column + 1] = 1 / (leg.local_tolerance * (velocity + rates.slow * (position + smallest)));
+        w[column] = 1 / (leg.local_tolerance * (position + velocity / rates.fast + smallest.position));
+        w[column + 1] = 1 / (leg.local_tolerance * (velocity + rates.slow * position + smallest.velocity));
         // the slope tells of a state that is not finite; a weight must be a number
         if (!(w[column] > 0)) w[column] = 1;
         if (!(w[column + 1] > 0)) w[column + 1] = 1;

@@ -24,6 +24,7 @@ struct SundialsLeg {
     double local_tolerance = 1e-9;
     Phase phase = Phase::flight;
     double start_angle = 0;  // forcing phase at local time 0
+    double hop_speed = 0;    // of a flight that starts with a rebound too slow for the usual scales
 
     [[nodiscard]] Acceleration<double> acceleration_at(const State<double>& x, double time) const {
         return acceleration(scene, phase, x, start_angle + scene.frequency * time);

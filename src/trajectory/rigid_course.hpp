@@ -1,0 +1,107 @@
+// A forcing cycle against a rigid stop, whatever carries the flights: impacts, chatter and rest in their order.
+//
+// What happens at the stop is told in rigid_stop.hpp, and what an impact does to cycle and record in
+// rigid_impact.hpp.
+//
+// A cycle has at most 10,000 impacts. With r above about 0.9986 a chatter may take more; then the cycle's
+// outcome is too_many_events. The same happens to an elastic hammer (r = 1) that is pressed so hard that it
+// hops faster.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trajectory/journey.hpp"
+
+namespace peterka::trajectory {
+
+template <class Real>
+class RigidCourse {
+  public:
+    RigidCourse(const Oscillator<Real>& scene, const RigidStop<Real>& stop) : scene_(scene), stop_(stop) {}
+
+    [[nodiscard]] const RigidStop<Real>& stop() const { return stop_; }
+
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const;
+
+    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
+    // says why. fly(journey, end) flies to the next impact, which it leaves to be done, or to the end; it is
+    // false where the journey ends before its time.
+    template <class Fly>
+    bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder, Fly&& fly) const;
+
+    // At the end of the cycle.
+    void arrive(Journey<Real>& journey, Recorder<Real>* recorder) const {
+        end_chain_before(2 * std::numbers::pi_v<Real>, journey.chain, recorder);
+    }
+
+  private:
+    void hit(Journey<Real>& journey, Recorder<Real>* recorder) const;
+    bool rest(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
+
+    Oscillator<Real> scene_;
+    RigidStop<Real> stop_;
+};
+
+template <class Real>
+Journey<Real> RigidCourse<Real>::depart(const State<Real>& x) const {
+    // a start on the stop may be wrong by the rounding of its place
+    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(scene_.gap));
+    Journey<Real> journey(scene_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
+    journey.chain = chain_at_start(stop_, journey.cycle.pattern);
+    if (x[0] > rounding) journey.stop(Cycle<Real>::Outcome::inside_stop);
+    return journey;
+}
+
+template <class Real>
+void RigidCourse<Real>::hit(Journey<Real>& journey, Recorder<Real>* recorder) const {
+    const auto rest = strike(stop_, scene_.frequency * journey.time, journey.cycle, journey.chain, recorder);
+    if (!rest) return;
+    journey.phase = Phase::contact;
+    journey.rest_from = journey.time + *rest;
+}
+
+// At rest on the stop. False where it lasts until the end.
+template <class Real>
+bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
+    const Real from = journey.rest_from;
+    const Real theta = scene_.frequency * from;
+    const Real release = from + (stop_.presses(theta) ? stop_.ahead_to_release(theta) / scene_.frequency : 0);
+    const bool lets_go = release < end_time;
+    journey.time = lets_go ? release : end_time;
+    journey.rest_from = journey.time;
+    journey.cycle.touched = true;
+    journey.cycle.jacobian.setZero();
+    if (recorder != nullptr) {
+        record_sticking(stop_, theta, scene_.frequency * journey.time, *recorder);
+        recorder->displacement_bound(std::abs(scene_.gap));
+        recorder->displacement(std::abs(scene_.gap));
+        if (lets_go) recorder->leave();
+    }
+    if (lets_go) journey.phase = Phase::flight;
+    return lets_go;
+}
+
+template <class Real>
+template <class Fly>
+bool RigidCourse<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder, Fly&& fly) const {
+    constexpr int most_events = 20'000;
+    const Cycle<Real>& cycle = journey.cycle;
+    if (cycle.outcome != Cycle<Real>::Outcome::done) return false;
+    for (; journey.events < most_events; ++journey.events) {
+        const bool arrives = cycle.end[0] == 0 && cycle.end[1] > 0;
+        if (journey.phase == Phase::contact) {
+            if (!rest(journey, end_time, recorder)) return true;
+        } else if (arrives) {
+            hit(journey, recorder);
+        } else if (journey.time >= end_time) {
+            return true;
+        } else if (!fly(journey, end_time)) {
+            return false;
+        }
+    }
+    return journey.stop(Cycle<Real>::Outcome::too_many_events);
+}
+
+}  // namespace peterka::trajectory
