@@ -51,7 +51,7 @@ class RigidLegs {
     // the impulse response's slopes, which are positive up to 1/(w + 2 b) at least.
     [[nodiscard]] Real fall_time(Real theta) const {
         const Real slopes = 1 / (flight_.natural_frequency() + 2 * flight_.equation().damping);
-        return std::min(slopes, stop_.ahead_to_pressing(theta) / scene_.frequency);
+        return std::min(slopes, course_.stop().ahead_to_pressing(theta) / scene_.frequency);
     }
     [[nodiscard]] Search<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
     bool fly(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
