@@ -13,8 +13,9 @@
 
 namespace peterka::job {
 
-enum class Kind { map, basin };
+enum class Kind { map, basin, study };
 enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
+enum class StudyTopic { work_precision, labels, stability };
 enum class Spacing { linear, log };
 enum class EngineChoice { automatic, exact, split, cvode, arkode };
 
@@ -125,6 +126,21 @@ struct Audit {
     friend bool operator==(const Audit&, const Audit&) = default;
 };
 
+// What a study compares: engines and common practice, on cells, on a map, or on a battery of extreme scenes.
+struct Study {
+    StudyTopic topic = StudyTopic::work_precision;
+    // work_precision: cells (Omega/omega, gap/A0); by default regular ones of the paper's 170 mm rig
+    std::vector<double> frequency_ratio = {2.0, 1.3, 1.1, 3.5, 2.75, 0.8, 3.1, 4.2};
+    std::vector<double> gap_ratio = {0.0, 1.0, 4.0, 0.3, 0.0, 0.2, 0.0, 0.5};
+    // work_precision and labels: relative errors in peak force that are asked for
+    std::vector<double> tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
+    // work_precision: of the methods with a fixed step
+    std::vector<std::int64_t> steps_per_cycle = {500, 1000, 2000, 4000, 8000, 16000};
+    std::int64_t cycles = 200;  // work_precision: followed and timed [forcing cycles]
+    std::int64_t repeats = 3;   // work_precision: the best of so many times counts
+    friend bool operator==(const Study&, const Study&) = default;
+};
+
 struct Limits {
     std::int64_t failed_cells = 0;  // more failed cells than this end the run with exit code 4
     friend bool operator==(const Limits&, const Limits&) = default;
@@ -144,6 +160,7 @@ struct Job {
     Solver solver;
     Output output;
     Audit audit;
+    Study study;  // study only
     Limits limits;
     [[nodiscard]] std::int64_t cells() const { return columns.points * rows.points; }
     friend bool operator==(const Job&, const Job&) = default;

@@ -29,8 +29,17 @@ struct Names;
 
 template <>
 struct Names<Kind> {
-    static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"}};
-    static LaterNames later() { return {"sweep", "trace", "study"}; }
+    static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
+                                    Named{Kind::study, "study"}};
+    static LaterNames later() { return {"sweep", "trace"}; }
+};
+
+template <>
+struct Names<StudyTopic> {
+    static constexpr std::array all{Named{StudyTopic::work_precision, "work_precision"},
+                                    Named{StudyTopic::labels, "labels"},
+                                    Named{StudyTopic::stability, "stability"}};
+    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -102,8 +111,8 @@ struct AxisNames {
 };
 
 [[nodiscard]] constexpr AxisNames axis_names(Kind kind) {
-    if (kind == Kind::map) return {"frequency_ratio", "gap_ratio"};
-    return {"displacement_ratio", "velocity_ratio"};
+    if (kind == Kind::basin) return {"displacement_ratio", "velocity_ratio"};
+    return {"frequency_ratio", "gap_ratio"};
 }
 
 }  // namespace peterka::job

@@ -76,6 +76,23 @@ std::string reason_for_other_law(ContactLaw law) {
         name(law));
 }
 
+std::string rule_of_cells(const Study& study) {
+    const std::size_t frequencies = study.frequency_ratio.size();
+    const std::size_t gaps = study.gap_ratio.size();
+    if (frequencies == gaps) return {};
+    return fmt::format(
+        "study.frequency_ratio has {} values and study.gap_ratio has {}; together they name cells, one pair "
+        "each; give both lists with the same length",
+        frequencies, gaps);
+}
+
+std::string rule_of_study(const Contact& contact) {
+    if (std::holds_alternative<KelvinVoigt>(contact)) return {};
+    return "a study needs contact.law = \"kelvin_voigt\"; it compares ways to follow a spring and a dashpot, "
+           "and "
+           "brings other stops along where it needs them; give the stop's stiffness and damping";
+}
+
 std::string rule_of_title(std::string_view title) {
     constexpr std::size_t longest = 1000;  // [bytes]
     if (title.size() > longest) {

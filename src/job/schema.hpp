@@ -155,8 +155,9 @@ void describe_axes(Walker& axes, Job& job, const Quantity& columns, const Quanti
                [&](auto& table) { describe(table, job.rows, rows); });
 }
 
+// The plane of a map and the start of its cells.
 template <typename Walker>
-void describe_map(Walker& file, Job& job) {
+void describe_plane(Walker& file, Job& job) {
     file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
         describe_axes(axes, job, frequency_ratio, gap_ratio);
         constexpr auto why =
@@ -171,7 +172,16 @@ void describe_map(Walker& file, Job& job) {
                    table.number({velocity_ratio.name, velocity_ratio.meaning}, job.start.velocity_ratio,
                                 velocity_ratio.range);
                });
+}
+
+template <typename Walker>
+void describe_map(Walker& file, Job& job) {
+    describe_plane(file, job);
     file.refuse("operating_point", "belongs to a basin; a map covers the plane of its axes; remove this table");
+    file.rule({"axes"}, [&] {
+        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
+                                  "the lowest axes.gap_ratio", job.rows.from);
+    });
 }
 
 template <typename Walker>
@@ -194,6 +204,10 @@ void describe_basin(Walker& file, Job& job) {
                    axes.refuse(gap_ratio.name, why);
                });
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
+    file.rule({"axes"}, [&] {
+        return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
+                                  "operating_point.gap_ratio", job.operating_point.gap_ratio);
+    });
 }
 
 template <typename Walker>
@@ -226,49 +240,9 @@ void describe(Walker& table, Audit& audit) {
                                         "an audited cell costs a thousand others, and a sample tells enough"));
 }
 
-// Tables of kinds that are named already; saying so helps more than "unknown table".
+// Of a map or a basin: how it is computed, and what is stored.
 template <typename Walker>
-void refuse_later_tables(Walker& file) {
-    for (const auto* name : {"sweep", "trace", "study", "refine"}) {
-        file.refuse(name, "is not in this version; it computes maps and basins; remove this table");
-    }
-}
-
-template <typename Walker>
-void describe(Walker& file, Job& job) {
-    std::int64_t schema = schema_version;
-    file.integer({"schema", "version of the job file's own format", "1"}, schema,
-                 from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
-    const bool kind_is_known = file.choice({"kind", "kind of the job, map or basin", "\"map\""}, job.kind);
-    file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
-    file.rule({"title"}, [&] { return rule_of_title(job.title); });
-
-    file.table({"hammer", "mass, springs and damping of the hammer", "mass_kg = 0.298"},
-               [&](auto& table) { describe(table, job.hammer); });
-    file.table({"cart", "motion of the cart", "amplitude_m = 0.89e-3"},
-               [&](auto& table) { describe(table, job.cart); });
-    file.table({"contact", "law and numbers of the stop", "law = \"kelvin_voigt\""},
-               [&](auto& table) { describe(table, job.contact); });
-    file.note([&] { return derived_numbers_in_words(job); });
-
-    if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point"});
-    } else if (job.kind == Kind::map) {
-        describe_map(file, job);
-        file.rule({"axes"}, [&] {
-            return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
-                                      "the lowest axes.gap_ratio", job.rows.from);
-        });
-    } else {
-        describe_basin(file, job);
-        file.rule({"axes"}, [&] {
-            return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
-                                      "operating_point.gap_ratio", job.operating_point.gap_ratio);
-        });
-    }
-
-    file.table({"steady_state", "when a regime counts as proved"},
-               [&](auto& table) { describe(table, job.steady_state); });
+void describe_settings(Walker& file, Job& job) {
     file.table({"solver", "engine and tolerances"}, [&](auto& table) {
         describe(table, job.solver);
         table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.contact, job.solver); });
@@ -289,6 +263,122 @@ void describe(Walker& file, Job& job) {
                        job.limits.failed_cells,
                        from_to<std::int64_t>(0, std::numeric_limits<std::int64_t>::max(), "it counts cells"));
                });
+}
+
+// The keys of a study that only some topics have.
+template <typename Walker>
+void describe(Walker& table, Study& study) {
+    const bool known =
+        table.choice({"topic",
+                      "what is compared: work_precision (error against time), labels (regimes of "
+                      "a map) or stability (extreme scenes)",
+                      "\"work_precision\""},
+                     study.topic);
+    if (!known) {
+        return table.skip(
+            {"frequency_ratio", "gap_ratio", "tolerances", "steps_per_cycle", "cycles", "repeats"});
+    }
+    if (study.topic == StudyTopic::stability) {
+        table.refuse("tolerances",
+                     "belongs to other topics; a stability study asks for solver.tolerance; remove it");
+    } else {
+        table.numbers(
+            {"tolerances", "relative errors in peak force that integrators are asked for [1]"},
+            study.tolerances,
+            from_to(1e-12, 0.1, "an integrator's steps add up rounding errors, and must stay a solution"));
+    }
+    if (study.topic != StudyTopic::work_precision) {
+        constexpr auto why = "belongs to topic = \"work_precision\"; only that follows single cells; remove it";
+        for (const auto* name : {"frequency_ratio", "gap_ratio", "steps_per_cycle", "cycles", "repeats"}) {
+            table.refuse(name, why);
+        }
+        return;
+    }
+    table.numbers({frequency_ratio.name, "excitation frequencies of the cells, Omega/omega [1]"},
+                  study.frequency_ratio, frequency_ratio.range);
+    table.numbers({gap_ratio.name, "gaps of the cells, gap/A0 [1]"}, study.gap_ratio, gap_ratio.range);
+    table.rule({frequency_ratio.name, gap_ratio.name}, [&] { return rule_of_cells(study); });
+    table.integers({"steps_per_cycle", "of the methods with a fixed step"}, study.steps_per_cycle,
+                   from_to<std::int64_t>(1, 10'000'000, "a cycle is cut into whole steps"));
+    table.integer({"cycles", "followed and timed in each run [forcing cycles]"}, study.cycles,
+                  from_to<std::int64_t>(1, 1'000'000, "a run lasts whole forcing cycles"));
+    table.integer({"repeats", "of each run, the fastest of which counts"}, study.repeats,
+                  from_to<std::int64_t>(1, 1000, "a time is measured at least once"));
+}
+
+template <typename Walker>
+void describe_study(Walker& file, Job& job) {
+    file.table({"study", "what is compared, and how", "topic = \"work_precision\""},
+               [&](auto& table) { describe(table, job.study); });
+    file.rule({"study"}, [&] { return rule_of_study(job.contact); });
+    if (job.study.topic == StudyTopic::labels) {
+        describe_plane(file, job);
+    } else {
+        constexpr auto why =
+            "belongs to a map, a basin or a study of labels; this topic has scenes of its own; remove this "
+            "table";
+        file.refuse("axes", why);
+        file.refuse("start", why);
+    }
+    if (job.study.topic == StudyTopic::stability) {
+        file.table({"solver", "what is asked of the engines"}, [&](auto& table) {
+            table.number(
+                {"tolerance", "relative error asked for in peak force [1]"}, job.solver.tolerance,
+                from_to(1e-12, 0.1, "an integrator's steps add up rounding errors, and must stay a solution"));
+            for (const auto* name : {"engine", "omit_tolerance"}) {
+                table.refuse(name, "is for maps; a study runs every engine with every term; remove it");
+            }
+        });
+    } else {
+        file.refuse("solver",
+                    "is for maps; a study runs every engine at its study.tolerances; remove this table");
+    }
+    file.refuse("operating_point", "belongs to a basin; a study has scenes of its own; remove this table");
+    file.refuse("output", "is for maps; a study has fields of its own; remove this table");
+    file.refuse("audit", "is for maps; a study is an audit itself; remove this table");
+    file.refuse("limits", "is for maps; a study tells failures as results; remove this table");
+}
+
+// Tables of kinds that are named already; saying so helps more than "unknown table".
+template <typename Walker>
+void refuse_later_tables(Walker& file) {
+    for (const auto* name : {"sweep", "trace", "refine"}) {
+        file.refuse(name, "is not in this version; it computes maps, basins and studies; remove this table");
+    }
+}
+
+template <typename Walker>
+void describe(Walker& file, Job& job) {
+    std::int64_t schema = schema_version;
+    file.integer({"schema", "version of the job file's own format", "1"}, schema,
+                 from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
+    const bool kind_is_known =
+        file.choice({"kind", "kind of the job: map, basin or study", "\"map\""}, job.kind);
+    file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
+    file.rule({"title"}, [&] { return rule_of_title(job.title); });
+
+    file.table({"hammer", "mass, springs and damping of the hammer", "mass_kg = 0.298"},
+               [&](auto& table) { describe(table, job.hammer); });
+    file.table({"cart", "motion of the cart", "amplitude_m = 0.89e-3"},
+               [&](auto& table) { describe(table, job.cart); });
+    file.table({"contact", "law and numbers of the stop", "law = \"kelvin_voigt\""},
+               [&](auto& table) { describe(table, job.contact); });
+    file.note([&] { return derived_numbers_in_words(job); });
+
+    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "study"});
+    if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
+    if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
+    file.table({"steady_state", "when a regime counts as proved"},
+               [&](auto& table) { describe(table, job.steady_state); });
+    if (kind_is_known && job.kind == Kind::study) {
+        describe_study(file, job);
+    } else {
+        describe_settings(file, job);
+        if (kind_is_known)
+            file.refuse("study",
+                        "belongs to kind = \"study\"; a map or basin has one engine and compares none; remove "
+                        "this table");
+    }
     refuse_later_tables(file);
 }
 

@@ -31,12 +31,50 @@ void TableReader::read_number(const Key& key, const Value& value, double& number
 }
 
 void TableReader::integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range) {
+    if (const Value* given = ask(key)) read_integer(key, *given, value, range);
+}
+
+void TableReader::read_integer(const Key& key, const Value& value, std::int64_t& number,
+                               const Range<std::int64_t>& range) {
+    const auto* integer = value.as<std::int64_t>();
+    if (integer == nullptr) return wrong_type(key, value, "an integer", toml_text(number));
+    number = *integer;
+    check_range(key, value, number, range);
+}
+
+template <typename Number, typename ReadElement>
+void TableReader::read_list(const Key& key, std::vector<Number>& values, ReadElement read_element) {
+    constexpr std::size_t most = 100;
     const Value* given = ask(key);
     if (given == nullptr) return;
-    const auto* integer = given->as<std::int64_t>();
-    if (integer == nullptr) return wrong_type(key, *given, "an integer", toml_text(value));
-    value = *integer;
-    check_range(key, *given, value, range);
+    const auto* list = given->as<Array>();
+    if (list == nullptr)
+        return wrong_type(key, *given, "a list", fmt::format("[{}]", toml_text(values.front())));
+    const std::size_t size = list->values.size();
+    if (size == 0 || size > most) {
+        return fault(
+            key.name, given->where,
+            fmt::format("{} has {} values; a study takes from 1 to {} of them ({}); {}", full_name(key.name),
+                        size, most, key.meaning, size == 0 ? "add one" : "remove some"));
+    }
+    std::vector<Number> read;
+    for (const Value& element : list->values) {
+        Number number = values.front();
+        read_element(element, number);
+        read.push_back(number);
+    }
+    values = read;
+}
+
+void TableReader::numbers(const Key& key, std::vector<double>& values, const Range<double>& range) {
+    read_list(key, values,
+              [&](const Value& element, double& number) { read_number(key, element, number, range); });
+}
+
+void TableReader::integers(const Key& key, std::vector<std::int64_t>& values,
+                           const Range<std::int64_t>& range) {
+    read_list(key, values,
+              [&](const Value& element, std::int64_t& number) { read_integer(key, element, number, range); });
 }
 
 void TableReader::text(const Key& key, std::string& value) {

@@ -26,6 +26,9 @@ class TableReader {
 
     void number(const Key& key, double& value, const Range<double>& range);
     void integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
+    // Lists of one number or more; one that is given replaces the default.
+    void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
+    void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);
     void text(const Key& key, std::string& value);
     void either(const Alternative& first, const Alternative& second, std::string_view why);
 
@@ -77,6 +80,10 @@ class TableReader {
     const Value* ask(const Key& key);  // nullptr where it is not given; a fault if it had to be
     std::optional<TableReader> open(const Key& key);
     void read_number(const Key& key, const Value& value, double& number, const Range<double>& range);
+    void read_integer(const Key& key, const Value& value, std::int64_t& number,
+                      const Range<std::int64_t>& range);
+    template <typename Number, typename ReadElement>
+    void read_list(const Key& key, std::vector<Number>& values, ReadElement read_element);
     void read_alternative(const Alternative& alternative);
     std::optional<std::size_t> choose(const Key& key, const Words& names, const Words& later,
                                       std::string_view standard);

@@ -26,6 +26,10 @@ class TableWriter {
     void integer(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
         line(key, toml_text(value));
     }
+    void numbers(const Key& key, const std::vector<double>& values, const Range<double>&) { list(key, values); }
+    void integers(const Key& key, const std::vector<std::int64_t>& values, const Range<std::int64_t>&) {
+        list(key, values);
+    }
     void text(const Key& key, const std::string& value) { line(key, toml_text(value)); }
     void either(const Alternative& first, const Alternative& second, std::string_view why);
 
@@ -68,6 +72,12 @@ class TableWriter {
 
     [[nodiscard]] bool is_written(const Key& key) const {
         return style_ == Style::for_people || key.is_identity;
+    }
+    template <typename Number>
+    void list(const Key& key, const std::vector<Number>& values) {
+        std::string text;
+        for (const Number value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
+        line(key, "[" + text + "]");
     }
     void line(const Key& key, const std::string& value);
     void header();  // before the first key: a table of tables alone needs none

@@ -9,7 +9,7 @@ Scene::Scene(const job::Job& job) : job_(job), scales_(scales_of(job)), oscillat
 Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const double across = job::axis_value(job_.columns, column);
     const double up = job::axis_value(job_.rows, row);
-    const bool is_map = job_.kind == job::Kind::map;
+    const bool is_map = job_.kind != job::Kind::basin;  // a study of labels has the plane of a map
 
     Cell cell{oscillator_, {}};
     cell.oscillator.frequency = is_map ? across : job_.operating_point.frequency_ratio;

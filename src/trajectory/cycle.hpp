@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <variant>
 
 #include "scene/oscillator.hpp"
@@ -50,9 +51,18 @@ struct Cycle {
     State<Real> end = State<Real>::Zero();
     Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // of the end by the start
     EventPattern pattern = 0;
-    int impacts = 0;         // upward crossings of delta = 0; each one of a chatter
-    bool touched = false;    // the stop pressed at some time
-    bool separated = false;  // delta < 0 at some time
+    int impacts = 0;  // upward crossings of delta = 0; each one of a chatter
+    Real last_touch = std::numeric_limits<Real>::quiet_NaN();  // tau at the last impact, from the cycle's start
+    bool touched = false;                                      // the stop pressed at some time
+    bool separated = false;                                    // delta < 0 at some time
+};
+
+// A cycle of a map that always measures. A completed chatter counts as one impact.
+template <class Real>
+struct MeasuredCycle : Cycle<Real> {
+    Real peak_force = 0;            // largest F/(k A0)
+    Real impact_speed = 0;          // largest delta' at first touch
+    Real largest_displacement = 0;  // of |u| where the map looked
 };
 
 }  // namespace peterka::trajectory

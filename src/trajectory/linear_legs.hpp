@@ -165,8 +165,10 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
             journey.time = end_time;
             return true;
         }
+        const int impacts = cycle.impacts;
         enter(event.next, journey, recorder);
         journey.time += end.time;
+        if (cycle.impacts > impacts) cycle.last_touch = journey.time;
         ++journey.events;
     }
     return journey.stop(Cycle<Real>::Outcome::too_many_events);

@@ -174,9 +174,11 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
             return cycle;
         }
         if (end.kind == LegEnd::Kind::cycle) return cycle;
-        enter(phase, end.next, cycle, recorder);
-        phase = end.next;
         time += end.point.time;
+        const int impacts = cycle.impacts;
+        enter(phase, end.next, cycle, recorder);
+        if (cycle.impacts > impacts) cycle.last_touch = time;
+        phase = end.next;
     }
     cycle.outcome = Outcome::too_many_events;
     return cycle;

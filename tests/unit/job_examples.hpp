@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "job/job.hpp"
 
@@ -57,6 +58,35 @@ inline Job basin() {
     job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
     job.start = {};
     return job;
+}
+
+inline Job study(StudyTopic topic) {
+    Job job = topic == StudyTopic::labels ? map() : Job{};
+    job.kind = Kind::study;
+    job.title = "A study";
+    job.hammer = basin().hammer;
+    job.cart = map().cart;
+    job.contact = map().contact;
+    job.steady_state = map().steady_state;
+    job.solver = {};
+    job.output = {};
+    job.audit = {};
+    job.limits = {};
+    job.study.topic = topic;
+    if (topic == StudyTopic::stability) job.solver.tolerance = 2e-9;
+    if (topic != StudyTopic::stability) job.study.tolerances = {1e-3, 1e-5};
+    if (topic == StudyTopic::work_precision) {
+        job.study.frequency_ratio = {2.5, 1.0};
+        job.study.gap_ratio = {0.25, -1.0};
+        job.study.steps_per_cycle = {100, 300};
+        job.study.cycles = 77;
+        job.study.repeats = 5;
+    }
+    return job;
+}
+
+inline std::vector<Job> studies() {
+    return {study(StudyTopic::work_precision), study(StudyTopic::labels), study(StudyTopic::stability)};
 }
 
 }  // namespace peterka::job::examples

@@ -86,9 +86,15 @@ const std::map<std::string, std::string> other_values{
     {"output.fields", "[\"lyapunov\"]"},
     {"audit.cells", "151"},
     {"limits.failed_cells", "8"},
+    {"study.frequency_ratio", "[3.5, 1.5]"},
+    {"study.gap_ratio", "[0.5, -2.0]"},
+    {"study.tolerances", "[0.01]"},
+    {"study.steps_per_cycle", "[200]"},
+    {"study.cycles", "78"},
+    {"study.repeats", "6"},
 };
 // Keys with one value only in this version, or whose other values take other keys.
-const std::set<std::string> fixed{"schema", "kind", "contact.law"};
+const std::set<std::string> fixed{"schema", "kind", "contact.law", "study.topic"};
 
 std::string other_value(const std::string& key, const std::string& value) {
     if (key.ends_with(".from")) return "1.25";
@@ -112,10 +118,10 @@ std::map<std::string, std::string> keys_and_values(const std::string& resolved) 
     return keys;
 }
 
-void expect_every_key_to_be_wired_through(const Job& job) {
+void expect_every_key_to_be_wired_through(const Job& job, std::size_t least_keys = 25) {
     const std::string before = resolved_text(job);
     const auto keys = keys_and_values(before);
-    ASSERT_GT(keys.size(), 25U);
+    ASSERT_GT(keys.size(), least_keys);
     for (const auto& [key, value] : keys) {
         if (fixed.contains(key)) continue;
         SCOPED_TRACE(key);
@@ -150,6 +156,20 @@ TEST(JobKeys, OfANonlinearStopAreWiredThrough) {
     job.contact = HuntCrossley{.stiffness_n_per_m_pow_n = 5.5e8, .exponent = 1.6, .dissipation_s_per_m = 0.3};
     job.solver.engine = EngineChoice::arkode;
     expect_every_key_to_be_wired_through(job);
+}
+
+TEST(JobKeys, OfStudiesAreWiredThrough) {
+    for (const Job& job : examples::studies()) expect_every_key_to_be_wired_through(job, 14);
+}
+
+TEST(JobKeys, AStudyOfPrecisionHasRegularCellsByDefault) {
+    Job job = examples::study(StudyTopic::work_precision);
+    job.study = {};
+    std::string text = identity_text(job);
+    text = text.substr(0, text.find("[study]")) + "[study]\ntopic = \"work_precision\"\n";
+    const Job read = read_job_text(text, "study");
+    EXPECT_EQ(read.study, Study{});
+    EXPECT_EQ(read.study.frequency_ratio.size(), 8U);
 }
 
 }  // namespace

@@ -140,6 +140,7 @@ TEST(JobRoundTrip, RandomJobsReadBackEqualBitForBit) {
 TEST(JobRoundTrip, ExamplesReadBackEqual) {
     EXPECT_EQ(read_job_text(resolved_text(examples::map()), "map"), examples::map());
     EXPECT_EQ(read_job_text(resolved_text(examples::basin()), "basin"), examples::basin());
+    for (const Job& job : examples::studies()) EXPECT_EQ(read_job_text(resolved_text(job), "study"), job);
 }
 
 TEST(JobIdentity, HasNoTitleNoLimitsAndNoComments) {
@@ -148,6 +149,14 @@ TEST(JobIdentity, HasNoTitleNoLimitsAndNoComments) {
         EXPECT_EQ(text.find("title"), std::string::npos);
         EXPECT_EQ(text.find("limits"), std::string::npos);
         EXPECT_EQ(text.find('#'), std::string::npos);
+        EXPECT_EQ(identity_text(read_job_text(text, "identity")), text);
+    }
+}
+
+TEST(JobIdentity, OfAStudyReadsBack) {
+    for (const Job& job : examples::studies()) {
+        const std::string text = identity_text(job);
+        EXPECT_EQ(text.find("title"), std::string::npos);
         EXPECT_EQ(identity_text(read_job_text(text, "identity")), text);
     }
 }
