@@ -6,6 +6,7 @@
 #include "program/command_line.hpp"
 #include "program/run_plan.hpp"
 #include "run_job.hpp"
+#include "run_study.hpp"
 #include "support/print.hpp"
 
 int main(int argc, char** argv) {
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
             if (request.command == Command::run) plan = plan_run(request);
         });
         share(session, plan);
-        return plan ? run_job(session, *plan) : ExitCode::done;
+        if (!plan) return ExitCode::done;
+        return plan->job.kind == job::Kind::study ? run_study(session, *plan) : run_job(session, *plan);
     });
 }

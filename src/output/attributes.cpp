@@ -56,6 +56,13 @@ void write_attribute(const Checked& check, hid_t object, const char* name,
     write(check, object, name, H5T_STD_I8LE, H5T_NATIVE_INT8, space, numbers.data());
 }
 
+void write_attribute(const Checked& check, hid_t object, const char* name,
+                     std::span<const std::int32_t> numbers) {
+    const hsize_t count = numbers.size();
+    const SpaceId space(check(H5Screate_simple(1, &count, nullptr), "H5Screate_simple"));
+    write(check, object, name, H5T_STD_I32LE, H5T_NATIVE_INT32, space, numbers.data());
+}
+
 std::optional<std::string> read_text(hid_t object, const char* name) {
     const AttributeId attribute = open_scalar(object, name);
     if (attribute.id() < 0) return std::nullopt;

@@ -17,6 +17,8 @@ void write_attribute(const Checked& check, hid_t object, const char* name, doubl
 void write_attribute(const Checked& check, hid_t object, const char* name, std::int32_t number);
 void write_attribute(const Checked& check, hid_t object, const char* name,
                      std::span<const std::int8_t> numbers);
+void write_attribute(const Checked& check, hid_t object, const char* name,
+                     std::span<const std::int32_t> numbers);
 
 // Nothing if the object has no such attribute or one of another type.
 [[nodiscard]] std::optional<std::string> read_text(hid_t object, const char* name);

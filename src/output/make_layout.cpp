@@ -58,11 +58,16 @@ void describe(const Checked& check, hid_t dataset, const Variable& variable) {
     write_attribute(check, dataset, "long_name", variable.long_name);
     if (*variable.units != '\0') write_attribute(check, dataset, "units", variable.units);
     if (variable.flags.empty()) return;
-    std::vector<std::int8_t> values(variable.flags.size());
-    std::iota(values.begin(), values.end(), std::int8_t{0});
+    std::vector<std::int32_t> values(variable.flags.size());
+    std::iota(values.begin(), values.end(), 0);
     std::string meanings;
     for (const char* name : variable.flags) meanings += (meanings.empty() ? "" : " ") + std::string(name);
-    write_attribute(check, dataset, "flag_values", values);
+    if (variable.number == Number::int32) {
+        write_attribute(check, dataset, "flag_values", std::span<const std::int32_t>(values));
+    } else {  // CF wants them in the variable's own type
+        const std::vector<std::int8_t> small(values.begin(), values.end());
+        write_attribute(check, dataset, "flag_values", std::span<const std::int8_t>(small));
+    }
     write_attribute(check, dataset, "flag_meanings", meanings);
     write_attribute(check, dataset, "comment", fmt::format("{}: not computed yet", variable.fill));
 }

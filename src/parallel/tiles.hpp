@@ -29,25 +29,27 @@ struct Tile {
 
 class Tiling {
   public:
-    explicit Tiling(Extent grid)
+    explicit Tiling(Extent grid, Extent largest_tile = tile_extent)
         : grid_(grid),
-          tiles_{(grid.rows + tile_extent.rows - 1) / tile_extent.rows,
-                 (grid.columns + tile_extent.columns - 1) / tile_extent.columns} {}
+          largest_tile_(largest_tile),
+          tiles_{(grid.rows + largest_tile.rows - 1) / largest_tile.rows,
+                 (grid.columns + largest_tile.columns - 1) / largest_tile.columns} {}
 
     [[nodiscard]] Extent grid() const { return grid_; }
     [[nodiscard]] std::int64_t count() const { return tiles_.rows * tiles_.columns; }
     [[nodiscard]] Tile tile(std::int64_t index) const {
-        const std::int64_t row = index / tiles_.columns * tile_extent.rows;
-        const std::int64_t column = index % tiles_.columns * tile_extent.columns;
+        const std::int64_t row = index / tiles_.columns * largest_tile_.rows;
+        const std::int64_t column = index % tiles_.columns * largest_tile_.columns;
         return {index,
                 row,
                 column,
-                {std::min(tile_extent.rows, grid_.rows - row),
-                 std::min(tile_extent.columns, grid_.columns - column)}};
+                {std::min(largest_tile_.rows, grid_.rows - row),
+                 std::min(largest_tile_.columns, grid_.columns - column)}};
     }
 
   private:
     Extent grid_;
+    Extent largest_tile_;
     Extent tiles_;
 };
 

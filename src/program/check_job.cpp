@@ -12,6 +12,7 @@
 #include "output/layout.hpp"
 #include "output/map_size.hpp"
 #include "program/run_plan.hpp"
+#include "study/topic.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -33,10 +34,21 @@ std::string free_space_text(const std::filesystem::path& file) {
     return readable_bytes(static_cast<std::int64_t>(space.available)) + " free there";
 }
 
+std::string check_study(const Request& request, const job::Job& job) {
+    return fmt::format(
+               "# {} is a sound job. It would be computed as follows.\n"
+               "#   runs     {}, dealt to the ranks\n"
+               "#   file     {} ({})\n\n",
+               request.job_file.string(), readable_count(study::count_tasks(job)),
+               map_file_of(request).string(), free_space_text(map_file_of(request))) +
+           job::resolved_text(job);
+}
+
 }  // namespace
 
 std::string check_job(const Request& request) {
     const job::Job job = job::read_job_file(request.job_file, request.overrides);
+    if (job.kind == job::Kind::study) return check_study(request, job);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job.kind);
     const std::int64_t tiles = output::tiling(job).count();

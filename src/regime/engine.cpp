@@ -24,10 +24,14 @@ bool contact_is_stiff(const scene::Oscillator<double>& scene) {
 
 }  // namespace
 
-CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
-    using trajectory::IntegratedCycleMap;
+trajectory::Integrator integrator_of(const scene::Oscillator<double>& scene, Engine engine) {
     using trajectory::Integrator;
     const bool stiff = contact_is_stiff(scene);
+    if (engine == Engine::arkode) return stiff ? Integrator::arkode_implicit : Integrator::arkode_explicit;
+    return stiff ? Integrator::cvode_bdf : Integrator::cvode_adams;
+}
+
+CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
     const auto& [engine, tolerance, largest_displacement] = settings;
     switch (engine) {
@@ -39,11 +43,8 @@ CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSett
             return trajectory::SplitCycleMap<double>(scene, steps);
         }
         case Engine::cvode:
-            return IntegratedCycleMap(scene, stiff ? Integrator::cvode_bdf : Integrator::cvode_adams,
-                                      tolerance);
         case Engine::arkode:
-            return IntegratedCycleMap(scene, stiff ? Integrator::arkode_implicit : Integrator::arkode_explicit,
-                                      tolerance);
+            return trajectory::IntegratedCycleMap(scene, integrator_of(scene, engine), tolerance);
     }
     if (rigid) return trajectory::RigidExactMap<double>(scene);
     return trajectory::ExactCycleMap<double>(scene);

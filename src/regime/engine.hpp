@@ -23,6 +23,9 @@ struct EngineSettings {
     double largest_displacement = 10;  // of |u|: what the number of kicks of `split` is chosen for
 };
 
+// The method that stands for an engine that integrates: implicit where the contact is stiff.
+trajectory::Integrator integrator_of(const scene::Oscillator<double>& scene, Engine engine);
+
 CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings);
 
 // Largest relative change of the springs' stiffness by the cubic term at a displacement u, 3 cubic u^2: what

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "regime/steady_state.hpp"
-
 namespace peterka::regime {
-
-namespace {
 
 Budget budget_of(const job::SteadyState& steady) {
     return {
         .max_cycles = steady.max_cycles, .max_period = steady.max_period, .chaos_cycles = steady.chaos_cycles};
 }
+
+namespace {
 
 // What of the impacts is asked for: not asked for, not computed.
 trajectory::Detail detail_of(const job::Output& output) {

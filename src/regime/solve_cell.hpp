@@ -4,9 +4,12 @@
 #include <cstdint>
 
 #include "regime/cell_result.hpp"
+#include "regime/steady_state.hpp"
 #include "scene/scene.hpp"
 
 namespace peterka::regime {
+
+[[nodiscard]] Budget budget_of(const job::SteadyState& steady);
 
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
 

@@ -44,6 +44,26 @@ def small_basin(points=24):
             + axis("displacement_ratio", -3.0, 1.5, points) + axis("velocity_ratio", -4.0, 4.0, points))
 
 
+def study(topic, settings="", axes=""):
+    """A study on the same rig; settings are lines of [study], axes further tables."""
+    return (RIG.format(kind="study", title="small study")
+            + f'[study]\ntopic = "{topic}"\n{settings}\n{axes}')
+
+
+def small_precision_study():
+    return study("work_precision", "frequency_ratio = [2.0, 3.5]\ngap_ratio = [0.0, 0.3]\ncycles = 20\nrepeats = 1\n"
+                 "tolerances = [1e-4, 1e-8]\nsteps_per_cycle = [2000, 8000]\n")
+
+
+def small_label_study(points=9):
+    return study("labels", "tolerances = [1e-3, 1e-7]\n",
+                 axis("frequency_ratio", 0.5, 4.5, points) + axis("gap_ratio", 0.0, 5.0, points))
+
+
+def stability_study():
+    return study("stability", axes="[solver]\ntolerance = 1e-6\n")
+
+
 def write(folder, text, name="job.toml"):
     path = folder / name
     path.write_text(text)

@@ -1,0 +1,47 @@
+// The motion in extended precision (about 1e-18), to which engines are compared: the closed form where there is
+// one, Taylor series otherwise. Where there are both they agree to 1e-16 (a test).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "regime/steady_state.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/taylor_cycle_map.hpp"
+
+namespace peterka::study {
+
+using Extended = long double;
+using ReferenceCycle = trajectory::MeasuredCycle<Extended>;
+
+class Reference {
+  public:
+    explicit Reference(const scene::Oscillator<double>& scene);
+
+    [[nodiscard]] bool is_closed_form() const { return map_.index() == 0; }
+    // One cycle from the state x at forcing phase 0.
+    [[nodiscard]] ReferenceCycle operator()(const scene::State<Extended>& x) const;
+
+  private:
+    std::variant<trajectory::ExactCycleMap<Extended>, trajectory::TaylorCycleMap> map_;
+};
+
+// A stable periodic orbit with impacts: its point at the start of each of its cycles, and the cycles.
+struct ReferenceOrbit {
+    std::vector<scene::State<Extended>> points;
+    std::vector<ReferenceCycle> cycles;
+
+    [[nodiscard]] std::size_t period() const { return cycles.size(); }
+    [[nodiscard]] std::int64_t impacts() const;
+    [[nodiscard]] Extended peak_force() const;
+    [[nodiscard]] Extended largest_displacement() const;
+};
+
+// The orbit to which this start leads, polished in extended precision; nothing where it leads to none.
+[[nodiscard]] std::optional<ReferenceOrbit> reference_orbit(const scene::Oscillator<double>& scene,
+                                                            const scene::State<double>& start,
+                                                            const regime::Budget& budget);
+
+}  // namespace peterka::study

@@ -1,0 +1,32 @@
+// A dataset of a study's file with its numbers, and what every topic of a study has.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "output/layout.hpp"
+
+namespace peterka::study {
+
+struct Table {
+    output::DatasetPlan plan;
+    std::vector<double> values;  // row by row; each kind of number used fits a double exactly
+};
+
+// A topic is a list of tasks, each a pure function of the job and its number but for measured times. Results
+// travel between ranks as bytes.
+template <class Candidate>
+concept Topic = std::is_trivially_copyable_v<typename Candidate::Result> &&
+    requires(const Candidate& topic, std::int64_t task, std::span<const typename Candidate::Result> results) {
+    { topic.tasks() } -> std::same_as<std::int64_t>;
+    { topic.solve(task) } -> std::same_as<typename Candidate::Result>;
+    // in the order of the file: a scale before what has it as a dimension
+    { topic.tables(results) } -> std::same_as<std::vector<Table>>;
+    { topic.summary(results) } -> std::same_as<std::string>;
+};
+
+}  // namespace peterka::study

@@ -1,0 +1,190 @@
+#include "study/work_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "regime/solve_cell.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka::study {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double same_orbit = 0.05;  // of the state, beyond which a run is on another orbit
+constexpr std::array<const char*, 3> outcome_names{"done", "failed", "other_orbit"};
+
+using Result = WorkPrecision::Result;
+using Outcome = WorkPrecision::Outcome;
+
+double relative(const State<double>& x, const State<Extended>& expected) {
+    const State<Extended> difference = (x.cast<Extended>() - expected).cwiseAbs();
+    const State<Extended> size = expected.cwiseAbs().array() + 1;
+    return static_cast<double>(difference.cwiseQuotient(size).maxCoeff());
+}
+
+double distance(double a, Extended b) {
+    return static_cast<double>(std::abs(static_cast<Extended>(a) - b));
+}
+
+// Errors of one period that begins at the orbit's point number `shift`.
+Result compared(const std::vector<Observation>& cycles, const ReferenceOrbit& orbit, std::size_t shift,
+                Extended forcing_period) {
+    Result result{Outcome::done, 0, 0, 0, nan};
+    double peak_force = 0;
+    std::int64_t impacts = 0;
+    for (std::size_t n = 0; n < cycles.size(); ++n) {
+        const ReferenceCycle& expected = orbit.cycles[(n + shift) % orbit.period()];
+        result.error_state = std::max(result.error_state, relative(cycles[n].end, expected.end));
+        peak_force = std::max(peak_force, cycles[n].peak_force);
+        impacts += cycles[n].impacts;
+        if (expected.impacts > 0) {
+            const double late = distance(cycles[n].last_touch, expected.last_touch);
+            // NaN, where the impact is missing, must not be lost in a maximum
+            if (!(late <= result.error_impact_time)) result.error_impact_time = late;
+        }
+    }
+    result.error_impact_time /= static_cast<double>(forcing_period);
+    result.error_peak_force =
+        distance(peak_force, orbit.peak_force()) / static_cast<double>(orbit.peak_force());
+    const bool same = impacts == orbit.impacts() && result.error_state < same_orbit;
+    if (!same) result.outcome = Outcome::other_orbit;
+    return result;
+}
+
+}  // namespace
+
+WorkPrecision::WorkPrecision(const job::Job& job)
+    : study_(job.study),
+      budget_(regime::budget_of(job.steady_state)),
+      force_ratio_(scene::scales_of(job).force_ratio()),
+      runs_(runs(scene::oscillator_of(job).cubic != 0, study_.tolerances, study_.steps_per_cycle)) {
+    for (std::size_t n = 0; n < study_.frequency_ratio.size(); ++n) {
+        Cell cell{scene::oscillator_of(job), {0, 0}};
+        cell.scene.frequency = study_.frequency_ratio[n];
+        cell.scene.gap = study_.gap_ratio[n];
+        cell.start = {-cell.scene.gap, -cell.scene.frequency};  // at rest
+        cells_.push_back(cell);
+    }
+    orbits_.resize(cells_.size());
+}
+
+const WorkPrecision::Orbit& WorkPrecision::orbit(std::size_t cell) const {
+    std::optional<Orbit>& known = orbits_[cell];
+    if (!known) known = reference_orbit(cells_[cell].scene, cells_[cell].start, budget_);
+    return *known;
+}
+
+std::int64_t WorkPrecision::tasks() const {
+    return std::ssize(runs_) * std::ssize(cells_);
+}
+
+Result WorkPrecision::solve(std::int64_t task) const {
+    const Run& run = runs_[static_cast<std::size_t>(task / std::ssize(cells_))];
+    const auto number = static_cast<std::size_t>(task % std::ssize(cells_));
+    const Cell& cell = cells_[number];
+    const Result failed{Outcome::failed, nan, nan, nan, nan};
+    if (!orbit(number)) return failed;
+    const ReferenceOrbit& expected = *orbit(number);
+
+    MethodMap map(cell.scene, run, static_cast<double>(expected.largest_displacement()));
+    const State<double> start = expected.points[0].cast<double>();
+    State<double> x = start;
+    double fastest = std::numeric_limits<double>::infinity();
+    for (std::int64_t repeat = 0; repeat < study_.repeats; ++repeat) {
+        x = start;
+        const Stopwatch stopwatch;
+        for (std::int64_t n = 0; n < study_.cycles; ++n) {
+            if (!map.advance(x)) return failed;
+        }
+        fastest = std::min(fastest, stopwatch.seconds());
+    }
+    std::vector<Observation> cycles;
+    for (std::size_t n = 0; n < expected.period(); ++n) {
+        cycles.push_back(map.observe(x));
+        if (!cycles.back().ok) return failed;
+        x = cycles.back().end;
+    }
+    // a coarse method may have slipped by a cycle on an orbit of several
+    Result best = failed;
+    best.error_state = std::numeric_limits<double>::infinity();
+    for (std::size_t shift = 0; shift < expected.period(); ++shift) {
+        const Result result = compared(cycles, expected, shift,
+                                       2 * std::numbers::pi_v<Extended> / Extended(cell.scene.frequency));
+        if (result.error_state < best.error_state) best = result;
+    }
+    best.seconds_per_cycle = fastest / static_cast<double>(study_.cycles);
+    return best;
+}
+
+std::vector<Table> WorkPrecision::tables(std::span<const Result> results) const {
+    using output::Number;
+    using output::Variable;
+    const output::Dimension cell{"cell", std::ssize(cells_)};
+    const output::Dimension trial{"trial", std::ssize(runs_)};
+    const auto of_cells = [&](auto value) {
+        std::vector<double> values;
+        for (std::size_t n = 0; n < cells_.size(); ++n) values.push_back(static_cast<double>(value(n)));
+        return values;
+    };
+    const auto of_runs = [&](auto value) {
+        std::vector<double> values;
+        for (std::size_t n = 0; n < runs_.size(); ++n) values.push_back(static_cast<double>(value(n)));
+        return values;
+    };
+    const auto of_results = [&](auto member) {
+        std::vector<double> values;
+        for (const Result& result : results) values.push_back(static_cast<double>(result.*member));
+        return values;
+    };
+    const auto number = [](std::size_t n) { return n; };
+    // clang-format off
+    return {
+        {{"/", Variable{"cell", Number::int32, -1, "1", "number of the cell"}, {cell}}, of_cells(number)},
+        {{"/", Variable{"trial", Number::int32, -1, "1", "number of the trial: a method at a setting"}, {trial}}, of_runs(number)},
+        {{"/", Variable{"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency, Omega/omega"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].scene.frequency; })},
+        {{"/", Variable{"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude, gap/A0"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].scene.gap; })},
+        {{"/", Variable{"reference_peak_force_ratio", Number::float64, nan, "1", "peak force of the cell's orbit in extended precision over the hammer's weight, F/(m g0)"}, {cell}},
+         of_cells([&](std::size_t n) { return orbit(n) ? static_cast<double>(orbit(n)->peak_force()) * force_ratio_ : nan; })},
+        {{"/", Variable{"method", Number::int8, -128, "1", "way to carry a trajectory through a cycle", method_names}, {trial}}, of_runs([&](std::size_t n) { return static_cast<int>(runs_[n].method); })},
+        {{"/", Variable{"setting", Number::float64, nan, "1", "relative error in peak force asked for; steps per forcing cycle of methods with a fixed step; 0 where there is none"}, {trial}}, of_runs([&](std::size_t n) { return runs_[n].setting; })},
+        {{"/", Variable{"outcome", Number::int8, -128, "1", "what became of the trial", outcome_names}, {trial, cell}}, of_results(&Result::outcome)},
+        {{"/", Variable{"error_peak_force", Number::float64, nan, "1", "relative error of the peak force"}, {trial, cell}}, of_results(&Result::error_peak_force)},
+        {{"/", Variable{"error_state", Number::float64, nan, "1", "error of the stroboscopic state, each part over 1 + its size"}, {trial, cell}}, of_results(&Result::error_state)},
+        {{"/", Variable{"error_impact_time", Number::float64, nan, "1", "error of the time of an impact, in forcing cycles"}, {trial, cell}}, of_results(&Result::error_impact_time)},
+        {{"/run", Variable{"cell", Number::int32, -1, "1", "number of the cell"}, {cell}}, of_cells(number)},
+        {{"/run", Variable{"trial", Number::int32, -1, "1", "number of the trial: a method at a setting"}, {trial}}, of_runs(number)},
+        {{"/run", Variable{"seconds_per_cycle", Number::float64, nan, "s", "computing time of a forcing cycle"}, {trial, cell}}, of_results(&Result::seconds_per_cycle)},
+    };
+    // clang-format on
+}
+
+std::string WorkPrecision::summary(std::span<const Result> results) const {
+    std::string text = fmt::format(
+        "\nMedian over {} cells, {} forcing cycles each\n  {:<20}{:>10}{:>16}{:>14}{:>10}\n", cells_.size(),
+        study_.cycles, "method", "setting", "error of peak", "us per cycle", "not done");
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+        std::vector<double> errors;
+        std::vector<double> times;
+        for (const Result& result : results.subspan(n * cells_.size(), cells_.size())) {
+            if (result.outcome != Outcome::done) continue;
+            errors.push_back(result.error_peak_force);
+            times.push_back(1e6 * result.seconds_per_cycle);
+        }
+        const std::size_t missing = cells_.size() - errors.size();
+        const auto median = [](std::vector<double>& values) {
+            if (values.empty()) return nan;
+            std::ranges::sort(values);
+            return values[values.size() / 2];
+        };
+        text += fmt::format("  {:<20}{:>10g}{:>16.1e}{:>14.3g}{:>10}\n",
+                            method_names[static_cast<std::size_t>(runs_[n].method)], runs_[n].setting,
+                            median(errors), median(times), missing == 0 ? "" : fmt::format("{}", missing));
+    }
+    return text;
+}
+
+}  // namespace peterka::study

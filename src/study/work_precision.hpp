@@ -1,0 +1,60 @@
+// Work and precision: the error of every method in a few cells, against its time per forcing cycle.
+//
+// Each run starts on the cell's stable periodic orbit, which the reference knows to 1e-17, and follows it for
+// job.study.cycles forcing cycles; then one period is compared with the reference. All methods do the same
+// work: state, Jacobian and contacts; time is that of the fastest of job.study.repeats.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "job/job.hpp"
+#include "scene/scales.hpp"
+#include "study/method.hpp"
+#include "study/reference.hpp"
+#include "study/table.hpp"
+
+namespace peterka::study {
+
+class WorkPrecision {
+  public:
+    // Stored as int8; part of the file format.
+    enum class Outcome : std::int8_t { done = 0, failed = 1, other_orbit = 2 };
+
+    // Of one run in one cell.
+    struct Result {
+        Outcome outcome = Outcome::failed;
+        double error_peak_force = 0;   // relative
+        double error_state = 0;        // of (delta, delta') over 1 + their size
+        double error_impact_time = 0;  // in forcing cycles
+        double seconds_per_cycle = 0;
+    };
+
+    explicit WorkPrecision(const job::Job& job);
+
+    [[nodiscard]] std::int64_t tasks() const;
+    [[nodiscard]] Result solve(std::int64_t task) const;
+    [[nodiscard]] std::vector<Table> tables(std::span<const Result> results) const;
+    [[nodiscard]] std::string summary(std::span<const Result> results) const;
+
+  private:
+    struct Cell {
+        Oscillator<double> scene;
+        State<double> start;
+    };
+    using Orbit = std::optional<ReferenceOrbit>;
+
+    // The cell's orbit, found when it is first asked for: a rank needs few, and a check none.
+    [[nodiscard]] const Orbit& orbit(std::size_t cell) const;
+
+    job::Study study_;
+    regime::Budget budget_;
+    double force_ratio_;  // F/(m g0) per F/(k A0)
+    std::vector<Run> runs_;
+    std::vector<Cell> cells_;
+    mutable std::vector<std::optional<Orbit>> orbits_;
+};
+
+}  // namespace peterka::study
