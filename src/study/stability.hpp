@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "job/job.hpp"
@@ -43,7 +44,7 @@ class Stability {
         double speed_difference = regime::unknown;
     };
 
-    explicit Stability(const job::Job& job) : job_(job) {}
+    explicit Stability(job::Job job) : job_(std::move(job)) {}
 
     [[nodiscard]] std::int64_t tasks() const;
     [[nodiscard]] Result solve(std::int64_t task) const;

@@ -90,6 +90,17 @@ def test_fixed_steps_have_order_four_with_events_and_lose_it_without(precision_f
     assert (without > 1e4 * trials(data, "rk4_with_events", 8000).error_peak_force.values[0]).all()
 
 
+@pytest.mark.parametrize("form", ["relative", "absolute"])
+def test_a_cubic_spring_takes_splitting_in_place_of_the_closed_form(tmp_path, form):
+    cubic = ["--set", "hammer.cubic_stiffness_n_per_m3=238230.0", "--set", f"hammer.cubic={form}"]
+    path, _ = compute(tmp_path, jobs.small_precision_study(), "--quiet", *cubic)
+    data = xarray.open_dataset(path)
+    assert not (words(data.method) == "exact").any()
+    assert trials(data, "split", 1e-4).error_peak_force.max() < 1e-4
+    for method in ["cvode_adams", "cvode_bdf", "arkode_explicit", "arkode_implicit"]:
+        assert trials(data, method, 1e-8).error_peak_force.max() < 3e-8, method
+
+
 def test_labels_hang_on_tolerance_and_the_exact_run_is_the_reference(label_file):
     data = xarray.open_dataset(label_file)
     assert int(data.cells) == 81
