@@ -33,6 +33,6 @@ struct BatteryScene {
 [[nodiscard]] std::span<const char* const> battery_names();
 
 // The scene on the job's rig, and its start.
-[[nodiscard]] scene::Cell cell_of(const BatteryScene& scene, const job::Job& job);
+[[nodiscard]] scene::Cell cell_of(const BatteryScene& given, const job::Job& job);
 
 }  // namespace peterka::study

@@ -74,7 +74,7 @@ MethodMap::MethodMap(const Oscillator<double>& scene, const Run& run, double lar
 bool MethodMap::advance(State<double>& x) {
     const auto one_cycle = [&](auto& map) -> Cycle<double> {
         if constexpr (std::is_same_v<std::decay_t<decltype(map)>, Rk4CycleMap>) {
-            return map(x, false);
+            return static_cast<const Cycle<double>&>(map(x, false));  // the part that is compared
         } else {
             return map(x, nullptr);
         }
