@@ -65,7 +65,10 @@ CellResult solve(const scene::Cell& cell, const regime::Budget& budget, EngineSe
 double energy_imbalance(const scene::Cell& cell, const EngineSettings& settings, const CellResult& result) {
     const bool settled = result.regime == Regime::periodic || result.regime == Regime::no_impact ||
                          result.regime == Regime::sustained_contact;
-    if (!settled) return nan;
+    // the absolute cubic form pulls at the cart, whose motion does work that no integral here counts
+    const bool pulls_at_cart =
+        cell.oscillator.cubic != 0 && cell.oscillator.cubic_form == job::CubicForm::absolute;
+    if (!settled || pulls_at_cart) return nan;
     regime::CycleMap map = regime::make_cycle_map(cell.oscillator, settings);
     trajectory::Recorder<double> recorder(trajectory::Detail::energy);
     scene::State<double> x(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity);
