@@ -59,6 +59,10 @@ bool has_nonlinear_contact(const scene::Oscillator<double>& scene) {
     return std::holds_alternative<scene::HuntCrossley<double>>(scene.contact);
 }
 
+Engine cheaper_integrator(const scene::Oscillator<double>& scene) {
+    return contact_is_stiff(scene) ? Engine::cvode : Engine::arkode;
+}
+
 Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
                          double largest_displacement) {
     switch (solver.engine) {
@@ -73,9 +77,9 @@ Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solv
         case job::EngineChoice::automatic:
             break;
     }
-    if (has_nonlinear_contact(scene)) return Engine::cvode;
-    return trajectory::split_steps(scene, largest_displacement, solver.tolerance) > 0 ? Engine::split
-                                                                                      : Engine::cvode;
+    const bool splits = !has_nonlinear_contact(scene) &&
+                        trajectory::split_steps(scene, largest_displacement, solver.tolerance) > 0;
+    return splits ? Engine::split : cheaper_integrator(scene);
 }
 
 }  // namespace peterka::regime

@@ -49,8 +49,10 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
     constexpr double finest = 1e-12;   // of an integrator
     constexpr double coarsest = 1e-8;  // of a check
     const scene::Cell cell = scene.cell(row, column);
+    const Engine cheaper = cheaper_integrator(cell.oscillator);
+    const Engine other = cheaper == Engine::cvode ? Engine::arkode : Engine::cvode;
     return find_steady_state(cell.oscillator, cell.start, budget_of(scene.job().steady_state),
-                             {.engine = first_engine == Engine::cvode ? Engine::arkode : Engine::cvode,
+                             {.engine = cheaper == first_engine ? other : cheaper,
                               .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
 }
 

@@ -13,8 +13,8 @@ namespace peterka::regime {
 
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
 
-// The same cell with every term of the model and by an integrator: cvode, or arkode where that is what solved
-// the cell the first time. It shares nothing with the closed form but the decision procedure.
+// The same cell with every term of the model and by an integrator, another one than solved it the first time.
+// It shares nothing with the closed form but the decision procedure.
 CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine);
 
 }  // namespace peterka::regime

@@ -29,7 +29,7 @@ def test_the_independent_engine_agrees(audited_map):
     file, summary = audited_map
     with xarray.open_dataset(file, group="audit") as audit:
         assert len(np.unique(audit.cell)) == 40
-        assert set(audit.engine.values) == {2}  # cvode, while the map is solved in closed form
+        assert set(audit.engine.values) == {3}  # arkode, while the map is solved in closed form
         assert audit.agreeing_labels >= 0.95  # a cell or two may lie on a boundary
         assert np.isfinite(audit.force_error).sum() > 8
         assert audit.force_error_median < 1e-9  # the integrator's tolerance
