@@ -21,6 +21,7 @@ compute() { # JOB
     files+=("$file")
 }
 compute study_work_precision
+compute study_cubic_work_precision
 compute study_labels
 compute study_stability
 for rig in 170 150 135; do

@@ -40,7 +40,7 @@ def _picture(file):
 def _work_precision(file):
     cells = file.table.outcome.shape[1]
     return "\n\n".join([
-        "## Error and time",
+        f"## Error and time: {escape(file.title)}",
         f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
         "left out, and every method does the same work.",
         work_precision_table(file.table),
@@ -53,7 +53,7 @@ def _work_precision(file):
 def _labels(file):
     return "\n\n".join([
         "## What errors do to a map",
-        f"A map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
+        f"{escape(file.title)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
         "reference run, and cells without a proof.",
         labels_table(file.table),
         _picture(file),

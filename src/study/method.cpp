@@ -54,11 +54,8 @@ std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
     const auto add = [&](Method method, const auto& settings) {
         for (const auto setting : settings) runs.push_back({method, static_cast<double>(setting)});
     };
-    if (cubic) {
-        add(Method::split, tolerances);
-    } else {
-        runs.push_back({Method::exact, 0});
-    }
+    runs.push_back({Method::exact, 0});
+    if (cubic) add(Method::split, tolerances);
     for (const Method method :
          {Method::cvode_adams, Method::cvode_bdf, Method::arkode_explicit, Method::arkode_implicit}) {
         add(method, tolerances);

@@ -41,7 +41,8 @@ struct Run {
     double setting = 0;
 };
 
-// Every method that is fit for a linear or a cubic spring at each of its settings, one method after another.
+// Every method at each of its settings, one method after another. With a cubic spring there is split, too, and
+// the error of exact is that of leaving the spring out.
 [[nodiscard]] std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
                                     std::span<const std::int64_t> steps_per_cycle);
 

@@ -35,8 +35,8 @@ def test_the_page_tells_all_and_has_its_pictures(files, tmp_path):
     for name in names:
         assert f"]({name})" in page and (tmp_path / "page" / name).stat().st_size > 1000
     headings = [line for line in page.splitlines() if line.startswith("#")]
-    assert headings == ["# Results", "## Error and time", "## What errors do to a map", "## Where engines break",
-                        "## What `auto` left out"]
+    assert [heading.split(":")[0] for heading in headings] == [
+        "# Results", "## Error and time", "## What errors do to a map", "## Where engines break", "## What `auto` left out"]
     assert "**A &lt;b&gt;rig**" in page and "- cubic spring: in 16 cells, where 3 k3 u^2/k &lt; 0.001" in page
     assert "solved 5 random cells again. 4 have the same regime" in page
     assert "the peak forces of the 2 comparable ones differ by 5.0e-08 in the median" in page
@@ -70,6 +70,7 @@ def test_the_script_runs_draws_and_writes_the_page(tmp_path):
     ready = tmp_path / "ready"
     ready.mkdir()
     write_work_precision(ready / "study_work_precision.h5")
+    write_work_precision(ready / "study_cubic_work_precision.h5")
     write_labels(ready / "study_labels.h5")
     write_stability(ready / "study_stability.h5")
     for rig in (170, 150, 135):
@@ -84,13 +85,14 @@ def test_the_script_runs_draws_and_writes_the_page(tmp_path):
     assert done.returncode == 0, done.stderr
     asked = (tmp_path / "asked").read_text().splitlines()
     assert [line.split()[1] for line in asked] == [
-        f"jobs/{name}.toml" for name in ("study_work_precision", "study_labels", "study_stability", "peterka_170mm",
-                                         "peterka_150mm", "peterka_135mm")
+        f"jobs/{name}.toml" for name in ("study_work_precision", "study_cubic_work_precision", "study_labels",
+                                         "study_stability", "peterka_170mm", "peterka_150mm", "peterka_135mm")
     ]
     assert all(line.endswith("on 2 ranks") for line in asked)
     page = (tmp_path / "page" / "results.md").read_text(encoding="utf-8")
     assert "**Springs 135 mm**" in page and "](study_stability.png)" in page
     assert sorted(path.name for path in (tmp_path / "page").iterdir()) == [
-        "results.md", "study_labels.png", "study_stability.png", "study_work_precision.png",
+        "results.md", "study_cubic_work_precision.png", "study_labels.png", "study_stability.png",
+        "study_work_precision.png",
     ]
     assert (tmp_path / "out" / "pictures" / "peterka_170mm_audit.pdf").exists()
