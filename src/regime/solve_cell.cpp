@@ -22,6 +22,13 @@ trajectory::Detail detail_of(const job::Output& output) {
     return impacts ? trajectory::Detail::contacts : trajectory::Detail::force;
 }
 
+// What leaving the cubic term out may have changed in the peak force. Next to a bifurcation an orbit moves by
+// about 1/(1 - |multiplier|) times as much as elsewhere.
+double change_without_cubic(const scene::Oscillator<double>& scene, const CellResult& without) {
+    const double effect = effect_of_cubic(scene, without.largest_displacement);
+    return without.regime == Regime::periodic ? effect / (1 - without.multiplier) : effect;
+}
+
 // Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, const Budget& budget,
@@ -71,7 +78,7 @@ CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
     const CellResult without = find_steady_state(linear, cell.start, budget, {}, detail);
-    if (is_linear || effect_of_cubic(cell.oscillator, without.largest_displacement) <= solver.omit_tolerance) {
+    if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
         return without;
     }
     const bool known = std::isfinite(without.largest_displacement);
