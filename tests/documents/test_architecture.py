@@ -4,7 +4,8 @@ import re
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
-ORDER = ["support", "job", "scene", "motion", "trajectory", "regime", "parallel", "output", "study", "program"]
+ORDER = ["support", "job", "scene", "motion", "trajectory", "batch", "regime", "parallel", "output", "study",
+         "program"]
 INCLUDE = re.compile(r'^#include "(\w+)/', re.MULTILINE)
 
 

@@ -1,0 +1,138 @@
+// Free flight of a vector of lanes, in closed form, and an enclosure of a stretch of it.
+//
+//     delta'' + 2 zeta delta' + delta = a,   a = eta^2 sin(theta) - gap
+#if defined(PETERKA_BATCH_FLIGHT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_FLIGHT_INL_HPP
+#undef PETERKA_BATCH_FLIGHT_INL_HPP
+#else
+#define PETERKA_BATCH_FLIGHT_INL_HPP
+#endif
+
+#include "batch/functions-inl.hpp"
+#include "batch/lanes.hpp"
+#include "batch/rig.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+// A point of a trajectory: where the hammer is, and the forcing's phase.
+struct Moment {
+    V delta, velocity, sine, cosine;
+};
+HWY_INLINE Moment choose(Mask which, const Moment& yes, const Moment& no) {
+    return {choose(which, yes.delta, no.delta), choose(which, yes.velocity, no.velocity),
+            choose(which, yes.sine, no.sine), choose(which, yes.cosine, no.cosine)};
+}
+HWY_INLINE SineCosine turned(V sine, V cosine, SineCosine by) {
+    return {mul_add(sine, by.cosine, cosine * by.sine), neg_mul_add(sine, by.sine, cosine * by.cosine)};
+}
+
+// What of a vector of lanes doesn't change.
+struct Cells {
+    HWY_INLINE Cells(const Lanes& lanes, double steps, Index which)
+        : index(which),
+          eta(gather(lanes.frequency, which)),
+          gap(gather(lanes.gap, which)),
+          step(gather(lanes.step, which)),
+          re(gather(lanes.flight_re, which)),
+          im(gather(lanes.flight_im, which)),
+          drive(eta * eta),
+          per_step(eta * all(steps * 0.15915494309189533577)) {}
+
+    Index index;
+    V eta, gap, step, re, im;
+    V drive;     // amplitude of the forcing
+    V per_step;  // 1/step
+};
+
+// Derivatives of a flight.
+struct Derivatives {
+    V second, third, fourth;
+};
+HWY_INLINE Derivatives derivatives(const Rig& rig, const Cells& cells, const Moment& m) {
+    const V damping = all(-2 * rig.damping_ratio);
+    const V wave = cells.drive * m.sine;
+    const V second = mul_add(damping, m.velocity, wave - (m.delta + cells.gap));
+    const V third = mul_add(damping, second, mul_sub(cells.drive * cells.eta, m.cosine, m.velocity));
+    const V fourth = mul_add(damping, third, neg_mul_sub(cells.drive, wave, second));
+    return {second, third, fourth};
+}
+
+class Flight {
+  public:
+    HWY_INLINE Flight(const Rig& rig, const Cells& cells, const Moment& start)
+        : rig_(rig),
+          cells_(cells),
+          start_(start),
+          x_(start.delta + cells.gap - mul_add(cells.re, start.sine, cells.im * start.cosine)),
+          v_(start.velocity - cells.eta * mul_sub(cells.re, start.cosine, cells.im * start.sine)) {}
+
+    // Amplitude of the homogeneous part, which only decays; and an upper bound that is at most a twelfth
+    // larger.
+    [[nodiscard]] HWY_INLINE V amplitude() const {
+        const V y = quadrature();
+        return sqrt(mul_add(x_, x_, y * y));
+    }
+    [[nodiscard]] HWY_INLINE V amplitude_bound() const {
+        const V a = abs(x_);
+        const V b = abs(quadrature());
+        return mul_add(min(a, b), all(0.41422), max(a, b));
+    }
+
+    [[nodiscard]] HWY_INLINE Moment at(V t) const {
+        return at(t, sine_cosine(all(rig_.flight_rate) * t), sine_cosine(cells_.eta * t));
+    }
+    // Within one step of the grid.
+    [[nodiscard]] HWY_INLINE Moment soon(V t) const {
+        return at(t, small_sine_cosine(all(rig_.flight_rate) * t), small_sine_cosine(cells_.eta * t));
+    }
+
+  private:
+    [[nodiscard]] HWY_INLINE V quadrature() const {
+        return mul_add(all(rig_.damping_ratio), x_, v_) * all(1 / rig_.flight_rate);
+    }
+    [[nodiscard]] HWY_INLINE Moment at(V t, SineCosine own, SineCosine forcing) const {
+        const V exponent = all(-rig_.damping_ratio) * t;
+        const V decay = rig_.weakly_damped ? small_exp(exponent) : exp_of(exponent);
+        const FlowOf f = flow(own, decay, rig_.damping_ratio, 1, rig_.flight_rate);
+        const SineCosine phase = turned(start_.sine, start_.cosine, forcing);
+        const V steady = mul_add(cells_.re, phase.sine, cells_.im * phase.cosine);
+        const V steady_velocity = cells_.eta * mul_sub(cells_.re, phase.cosine, cells_.im * phase.sine);
+        return {f.position(x_, v_) + steady - cells_.gap, f.velocity(x_, v_) + steady_velocity, phase.sine,
+                phase.cosine};
+    }
+
+    const Rig& rig_;
+    const Cells& cells_;
+    const Moment& start_;
+    V x_, v_;  // homogeneous part at the start
+};
+
+// A stretch of flight in Bernstein form: delta = sum of b_i C(4, i) s^i (1 - s)^(4 - i), where the middle one
+// is an upper bound: the cubic through both ends differs from delta by at most max|delta''''| l^4/24 s^2 (1 -
+// s)^2.
+struct Hull {
+    V b0, b1, b2, b3, b4;
+    HWY_INLINE Hull(V delta0, V velocity0, V delta1, V velocity1, V length, V margin)
+        : b0(delta0),
+          b1(mul_add(length * all(0.25), velocity0, delta0)),
+          b3(neg_mul_add(length * all(0.25), velocity1, delta1)),
+          b4(delta1) {
+        b2 = mul_add(all(2.0 / 3), b1 + b3, mul_add(all(-1.0 / 6), b0 + b4, margin));
+    }
+    // At the time t of a stretch with `rest` after it, times the fourth power of its length.
+    [[nodiscard]] HWY_INLINE V scaled_at(V s, V r) const {
+        const V first = mul_add(b0, r, all(4) * b1 * s) * r * r * r;
+        const V last = mul_add(b4, s, all(4) * b3 * r) * s * s * s;
+        return first + last + all(6) * b2 * s * s * r * r;
+    }
+};
+// Its margin for a stretch of this length.
+HWY_INLINE V hull_margin(V fourth_derivative, V length) {
+    const V square = length * length;
+    return fourth_derivative * square * square * all(1.0 / 144);
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

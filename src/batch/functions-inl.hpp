@@ -1,0 +1,118 @@
+// Sine, cosine, exponential and the flow of a linear phase, for vectors; right to about one unit in the last
+// place.
+#if defined(PETERKA_BATCH_FUNCTIONS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_FUNCTIONS_INL_HPP
+#undef PETERKA_BATCH_FUNCTIONS_INL_HPP
+#else
+#define PETERKA_BATCH_FUNCTIONS_INL_HPP
+#endif
+
+#include "batch/vectors-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+struct SineCosine {
+    V sine, cosine;
+};
+
+// For |x| <= pi/4, by their series.
+HWY_INLINE SineCosine small_sine_cosine(V x) {
+    const V z = x * x;
+    V s = all(-1 / 1307674368000.0);
+    V c = all(1 / 20922789888000.0);
+    s = mul_add(s, z, all(1 / 6227020800.0));
+    c = mul_add(c, z, all(-1 / 87178291200.0));
+    s = mul_add(s, z, all(-1 / 39916800.0));
+    c = mul_add(c, z, all(1 / 479001600.0));
+    s = mul_add(s, z, all(1 / 362880.0));
+    c = mul_add(c, z, all(-1 / 3628800.0));
+    s = mul_add(s, z, all(-1 / 5040.0));
+    c = mul_add(c, z, all(1 / 40320.0));
+    s = mul_add(s, z, all(1 / 120.0));
+    c = mul_add(c, z, all(-1 / 720.0));
+    s = mul_add(s, z, all(-1 / 6.0));
+    c = mul_add(c, z, all(1 / 24.0));
+    c = mul_add(c, z, all(-0.5));
+    return {mul_add(x * z, s, x), mul_add(c, z, all(1))};
+}
+
+// For |x| < 1e6, where the product with a part of pi/2 is still exact.
+HWY_INLINE SineCosine sine_cosine(V x) {
+    const V quarters = round(x * all(0.63661977236758134308));
+    V r = mul_add(quarters, all(-1.57079632673412561417), x);
+    r = mul_add(quarters, all(-6.07710050630396597660e-11), r);
+    r = mul_add(quarters, all(-2.02226624879595063154e-21), r);
+    const SineCosine part = small_sine_cosine(r);
+    const V halves = quarters * all(0.5);
+    const V turns = floor(halves);
+    const Mask odd = halves != turns;
+    const Mask back = (turns * all(0.5)) != floor(turns * all(0.5));  // quarters 2 and 3 of four
+    const V sine = choose(odd, part.cosine, part.sine);
+    const V cosine = choose(odd, -part.sine, part.cosine);
+    return {choose(back, -sine, sine), choose(back, -cosine, cosine)};
+}
+
+// x 2^n: n sits in the low bits of n + 1.5 2^52.
+HWY_INLINE V scaled(V x, V n) {
+    const V shifted = n + all(6755399441055744.0);
+    const auto one = [](hn::Vec<Tag> number, hn::Vec<Tag> power) HWY_ATTR {
+        const auto exponent = hn::ShiftLeft<52>(hn::BitCast(IndexTag(), power));
+        return hn::BitCast(Tag(), hn::Add(hn::BitCast(IndexTag(), number), exponent));
+    };
+    return {one(x.a, shifted.a), one(x.b, shifted.b)};
+}
+
+// exp(x) for x <= 700; 0 below -700.
+HWY_INLINE V exp_of(V x) {
+    const V n = round(max(x, all(-700)) * all(1.44269504088896340736));
+    V r = mul_add(n, all(-6.93147180369123816490e-01), max(x, all(-700)));
+    r = mul_add(n, all(-1.90821492927058770002e-10), r);
+    V p = all(1 / 6227020800.0);
+    p = mul_add(p, r, all(1 / 479001600.0));
+    p = mul_add(p, r, all(1 / 39916800.0));
+    p = mul_add(p, r, all(1 / 3628800.0));
+    p = mul_add(p, r, all(1 / 362880.0));
+    p = mul_add(p, r, all(1 / 40320.0));
+    p = mul_add(p, r, all(1 / 5040.0));
+    p = mul_add(p, r, all(1 / 720.0));
+    p = mul_add(p, r, all(1 / 120.0));
+    p = mul_add(p, r, all(1 / 24.0));
+    p = mul_add(p, r, all(1 / 6.0));
+    p = mul_add(p, r, all(0.5));
+    p = mul_add(p, r, all(1));
+    p = mul_add(p, r, all(1));
+    return choose(x > all(-700), scaled(p, n), all(0));
+}
+
+// For |x| <= 0.1, by its series.
+HWY_INLINE V small_exp(V x) {
+    V p = all(1 / 362880.0);
+    p = mul_add(p, x, all(1 / 40320.0));
+    p = mul_add(p, x, all(1 / 5040.0));
+    p = mul_add(p, x, all(1 / 720.0));
+    p = mul_add(p, x, all(1 / 120.0));
+    p = mul_add(p, x, all(1 / 24.0));
+    p = mul_add(p, x, all(1 / 6.0));
+    p = mul_add(p, x, all(0.5));
+    p = mul_add(p, x, all(1));
+    p = mul_add(p, x, all(1));
+    return p;
+}
+
+// (x, x') after t, from (1, 0) and (0, 1), of x'' + 2 decay x' + (rate^2 + decay^2) x = 0.
+struct FlowOf {
+    V cosine, sine, fall, slope;
+    HWY_INLINE V position(V x, V v) const { return mul_add(cosine, x, sine * v); }
+    HWY_INLINE V velocity(V x, V v) const { return mul_add(fall, x, slope * v); }
+};
+HWY_INLINE FlowOf flow(SineCosine turn, V decay, double damping, double square, double rate) {
+    const V swing = decay * turn.cosine;
+    const V sine = decay * turn.sine * all(1 / rate);
+    return {mul_add(all(damping), sine, swing), sine, all(-square) * sine,
+            neg_mul_add(all(damping), sine, swing)};
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

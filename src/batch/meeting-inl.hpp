@@ -1,0 +1,159 @@
+// How a flight comes to the stop: when, and the proof that it is for the first time.
+#if defined(PETERKA_BATCH_MEETING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_MEETING_INL_HPP
+#undef PETERKA_BATCH_MEETING_INL_HPP
+#else
+#define PETERKA_BATCH_MEETING_INL_HPP
+#endif
+
+#include "batch/flight-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+// Where the flight from m comes through zero, a short time away, by its Taylor series.
+struct Meeting {
+    V time;     // from m
+    Mask sure;  // the series resolves it
+};
+HWY_INLINE Meeting meet(const Cells& cells, const Moment& m, const Derivatives& d) {
+    const V inverse = all(1) / m.velocity;
+    const V first = -m.delta * inverse;
+    const V second = d.second * inverse * all(0.5);
+    const V third = d.third * inverse * all(1.0 / 6);
+    const V fourth = d.fourth * inverse * all(1.0 / 24);
+    V t = first;
+    for (int n = 0; n < 3; ++n) {
+        t = neg_mul_add(t * t, mul_add(t, mul_add(t, fourth, third), second), first);
+    }
+    // what is left out is t^5/120 of the fifth derivative, and the fourth power of second t
+    const V reach = max(abs(t), abs(first)) * max(max(cells.eta, all(1)), all(8) * abs(second));
+    return {t, (reach < all(1e-3)) & (m.velocity > all(0))};
+}
+HWY_INLINE Moment meeting_moment(const Cells& cells, const Moment& m, const Derivatives& d, V t) {
+    const V high = mul_add(t * all(1.0 / 6), d.fourth, d.third * all(0.5));
+    const V x = cells.eta * t;
+    const V z = x * x;
+    const V sine = x * mul_add(z, all(-1.0 / 6), all(1));
+    const V cosine = mul_add(z, mul_add(z, all(1.0 / 24), all(-0.5)), all(1));
+    const SineCosine phase = turned(m.sine, m.cosine, {sine, cosine});
+    return {all(0), mul_add(t, mul_add(t, high, d.second), m.velocity), phase.sine, phase.cosine};
+}
+
+struct Found {
+    V time;  // since the stretch began
+    Moment moment;
+    Mask found;   // comes through zero there, for the first time
+    Mask unsure;  // neither found nor surely absent
+};
+
+// A flight that starts below zero and ends a step of the grid later above it.
+HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start, V delta1, V velocity1,
+                        V margin) {
+    // guess: Newton's method on the cubic through both ends
+    const V h = cells.step;
+    const V rise = delta1 - start.delta;
+    const V slope0 = h * start.velocity;
+    const V slope1 = h * velocity1;
+    const V third = slope0 + slope1 - all(2) * rise;
+    const V second = all(3) * rise - all(2) * slope0 - slope1;
+    V s = -start.delta / rise;
+    for (int n = 0; n < 2; ++n) {
+        const V value = mul_add(s, mul_add(s, mul_add(s, third, second), slope0), start.delta);
+        const V slope = mul_add(s, mul_add(s, all(3) * third, all(2) * second), slope0);
+        const V bend = mul_add(s, all(3) * third, second);
+        const V inverse = all(1) / slope;
+        const V newton = -value * inverse;
+        const V halley = neg_mul_add(newton * newton, bend * inverse, newton);
+        s = min(max(s + halley, all(0)), all(1));
+    }
+
+    const Flight flight(rig, cells, start);
+    V time = s * h;
+    Moment m = flight.soon(time);
+    Derivatives d = derivatives(rig, cells, m);
+    Meeting meeting = meet(cells, m, d);
+    for (int n = 0; n < 3 && !everywhere(meeting.sure); ++n) {
+        const V again = min(max(time + meeting.time, all(0)), h);
+        time = choose(meeting.sure, time, again);
+        m = flight.soon(time);
+        d = derivatives(rig, cells, m);
+        const Meeting next = meet(cells, m, d);
+        meeting = {choose(meeting.sure, meeting.time, next.time), meeting.sure | next.sure};
+    }
+    const Moment end = meeting_moment(cells, m, d, meeting.time);
+    time = time + meeting.time;
+
+    // proof that it is the first: the hull of the flight up to there stays below zero
+    const V part = time * cells.per_step;
+    const V square = part * part;
+    const Hull hull(start.delta, start.velocity, all(0), end.velocity, time, margin * square * square);
+    const Mask below = max(max(hull.b1, hull.b2), hull.b3) <= all(0);
+    const Mask found = meeting.sure & below & (end.velocity > all(0));
+    return {time, end, found, ~found};
+}
+
+// Any flight from below zero, over a stretch of a few steps at most. From a point with delta <= 0 and a bound A
+// on delta'' the parabola's root is a step that can't pass the crossing (as in trajectory/first_crossing.hpp);
+// A is the largest that delta'' becomes in a window, from its present value, slope, and the bound on what bends
+// it.
+HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V length, V fourth_derivative,
+                      Mask which) {
+    const V zero = all(0);
+    const Flight flight(rig, cells, start);
+    V time = zero;
+    Moment m = start;
+    V end_time = zero;
+    Moment end = start;
+    Mask active = which;
+    Mask found = none();
+    Mask unsure = none();
+    for (int n = 0; n < 40; ++n) {
+        const Derivatives d = derivatives(rig, cells, m);
+        const V below = min(m.delta, zero);
+        // the parabola's root for a window, or `otherwise` where it has none
+        const auto bound = [&](V window) HWY_ATTR {
+            const V bend = mul_add(window * all(0.5), fourth_derivative, d.third);
+            return max(d.second, mul_add(window, bend, d.second));
+        };
+        const auto root = [&](V curvature, V otherwise) HWY_ATTR {
+            const V discriminant = neg_mul_add(all(2) * curvature, below, m.velocity * m.velocity);
+            const V size = sqrt(max(discriminant, zero));
+            const Mask rises = m.velocity > zero;
+            const V step =
+                choose(rises, all(-2) * below, size - m.velocity) / choose(rises, m.velocity + size, curvature);
+            const Mask never_reaches = (discriminant < zero) | (~rises & (curvature <= zero));
+            return choose(never_reaches, otherwise, step);
+        };
+        const V left = length - time;
+        const V step = root(bound(left), all(never));
+        const Mask absent = active & (step > left);
+
+        const V window = min(all(2) * step, left);
+        const V steepest = bound(window);
+        const V better = max(step, min(root(steepest, window), window));
+
+        const Meeting meeting = meet(cells, m, d);
+        const V bending = max(abs(d.second), abs(steepest));
+        const Mask monotone = m.velocity > all(4) * bending * abs(meeting.time);
+        const Mask within = abs(meeting.time) <= window;
+        const Mask arrived = active & ~absent & meeting.sure & monotone & within;
+        if (any(arrived)) {
+            end = choose(arrived, meeting_moment(cells, m, d, meeting.time), end);
+            end_time = choose(arrived, time + meeting.time, end_time);
+            found = found | arrived;
+        }
+        active = ~(arrived | absent) & active;
+        const Mask stuck = ~(better > all(1e-9)) & active;  // next to grazing
+        unsure = unsure | stuck;
+        active = ~stuck & active;
+        if (!any(active)) break;
+        time = choose(active, time + better, time);
+        m = choose(active, flight.at(time), m);
+    }
+    return {end_time, end, found, unsure | active};
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

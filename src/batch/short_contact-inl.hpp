@@ -1,0 +1,81 @@
+// Impacts that are short against the forcing (see rig.hpp): Newton's method from the times of a constant
+// acceleration. Typically one evaluation each for the release and the peak, without a transcendental function
+// but the forcing's.
+#if defined(PETERKA_BATCH_SHORT_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_SHORT_CONTACT_INL_HPP
+#undef PETERKA_BATCH_SHORT_CONTACT_INL_HPP
+#else
+#define PETERKA_BATCH_SHORT_CONTACT_INL_HPP
+#endif
+
+#include "batch/contact-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+HWY_INLINE V guess(const std::array<double, Rig::guess_terms>& shift, V x) {
+    V t = all(shift[Rig::guess_terms - 1]);
+    for (std::size_t n = Rig::guess_terms - 1; n-- > 0;) t = mul_add(t, x, all(shift[n]));
+    return t;
+}
+
+struct Release {
+    V time;  // since the contact began
+    Contact::Point point;
+    Mask sure;
+};
+
+// End of a contact whose force is surely like the unforced one's (see rig.hpp). pull: acceleration by forcing
+// over speed, over pull_scale.
+HWY_INLINE Release short_release(const Rig& rig, const Contact& contact, V pull, Mask which) {
+    const V close = all(2.5e-3 / rig.contact_frequency);  // its fifth power, over 120, is left out
+    const V earliest = all(rig.falls_from - rig.exit_time);
+    const V latest = all(rig.latest_exit - rig.exit_time);
+    V time = max(min(guess(rig.exit_shift, pull), latest), earliest);
+    Contact::Point point = contact.near(rig.exit_time, rig.exit_flow, time);
+    Force f = contact.force(point);
+    Root root = taylor_root(f.value, f.slope, f.curvature, f.jerk, f.snap);
+    V t = root.time;
+    Mask sure = root.reach <= close;
+    for (int n = 0; n < 6 && any(~sure & which); ++n) {
+        time = choose(sure, time, max(min(time + t, latest), earliest));
+        point = choose(sure, point, contact.near(rig.exit_time, rig.exit_flow, time));
+        f = contact.force(point);
+        root = taylor_root(f.value, f.slope, f.curvature, f.jerk, f.snap);
+        t = choose(sure, t, root.time);
+        sure = sure | (root.reach <= close);
+    }
+    time = time + t;
+    const Mask inside = (time > earliest) & (time < latest);
+    return {all(rig.exit_time) + time, contact.next(point, t), sure & inside};
+}
+
+// Largest force of such a contact.
+HWY_INLINE Peak short_peak(const Rig& rig, const Contact& contact, V pull, Mask which) {
+    const Force first = contact.force(contact.start());
+    if (rig.falls_from == 0) return {first.value, every()};
+    const Mask falls = first.slope <= all(0);
+    const V close = all(4e-3 / rig.contact_frequency);  // an error of the time counts squared
+    const V earliest = all(-rig.peak_time);
+    const V latest = all(rig.falls_from - rig.peak_time);
+    V time = max(min(guess(rig.peak_shift, pull), latest), earliest);
+    Force f = contact.force(contact.near(rig.peak_time, rig.peak_flow, time));
+    Root root = taylor_root(f.slope, f.curvature, f.jerk, f.snap, all(0));
+    V t = root.time;
+    Mask sure = falls | (root.reach <= close);
+    for (int n = 0; n < 6 && any(~sure & which); ++n) {
+        time = choose(sure, time, max(min(time + t, latest), earliest));
+        f = choose(sure, f, contact.force(contact.near(rig.peak_time, rig.peak_flow, time)));
+        root = taylor_root(f.slope, f.curvature, f.jerk, f.snap, all(0));
+        t = choose(sure, t, root.time);
+        sure = sure | (root.reach <= close);
+    }
+    const V high = mul_add(t, f.snap * all(1.0 / 24), f.jerk * all(1.0 / 6));
+    const V cubic = mul_add(t, high, f.curvature * all(0.5));
+    const V top = mul_add(t, mul_add(t, cubic, f.slope), f.value);
+    return {choose(falls, first.value, max(first.value, top)), sure};
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
