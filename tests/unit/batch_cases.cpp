@@ -1,0 +1,110 @@
+#include "batch_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "trajectory/recorder.hpp"
+
+namespace peterka::testing {
+
+namespace {
+
+using trajectory::Cycle;
+using Twin = trajectory::ExactCycleMap<double>;
+
+bool same_events(const Cycle<double>& a, const Cycle<double>& b) {
+    return a.pattern == b.pattern && a.impacts == b.impacts && a.touched == b.touched &&
+           a.separated == b.separated && a.outcome == b.outcome;
+}
+
+// Starts closer than both engines' rounding errors have different events: the case is a graze.
+bool is_graze(const Twin& twin, const scene::State<double>& x, const Cycle<double>& expected) {
+    const double tiny = 1e-13 * (1 + std::abs(twin.scene().gap) + x.norm());
+    for (const auto& shift : {scene::State<double>(tiny, 0), scene::State<double>(-tiny, 0),
+                              scene::State<double>(0, tiny), scene::State<double>(0, -tiny)}) {
+        if (!same_events(twin(x + shift), expected)) return true;
+    }
+    return false;
+}
+
+// Largest singular value, at most: by how much a rounding error of the start grows.
+double growth(const Cycle<double>& cycle) {
+    return 1 + cycle.jacobian.norm();
+}
+
+void compare(const Twin& twin, const scene::State<double>& x, const batch::BatchedCycleMap& map,
+             std::size_t slot, Comparison& result) {
+    trajectory::Recorder<double> recorder;
+    const Cycle<double> expected = twin(x, &recorder);
+    const Cycle<double> cycle = map.cycle(slot);
+    ++result.cycles;
+    result.impacts += expected.impacts;
+    if (!same_events(cycle, expected)) {
+        ++result.different_events;
+        if (is_graze(twin, x, expected)) ++result.grazes;
+        return;
+    }
+    if (expected.outcome != Cycle<double>::Outcome::done) return;
+    const double size = 1 + std::abs(twin.scene().gap) + x.norm() + expected.end.norm();
+    result.state = std::max(result.state, (cycle.end - expected.end).norm() / (size * growth(expected)));
+    const double force = recorder.totals().largest_force;
+    const double force_difference = std::abs(map.peak_force(slot) - force);
+    if (force_difference > 0) {
+        result.peak_force = std::max(result.peak_force, force_difference / (force * growth(expected)));
+    }
+    // Next to grazing the impact speed v is the root of twice the height missed times the acceleration, and the
+    // Jacobian is of the order of 1/v: an error of the height changes it by that times 1/v^3.
+    const double jacobian = (cycle.jacobian - expected.jacobian).norm() / std::pow(growth(expected), 3);
+    result.jacobian = std::max(result.jacobian, jacobian);
+    const double bound = map.displacement_bound(slot) / recorder.totals().displacement_bound - 1;
+    result.bound_too_low = std::max(result.bound_too_low, -bound);
+    result.bound_too_high = std::max(result.bound_too_high, bound);
+}
+
+}  // namespace
+
+std::vector<BatchCell> random_cells(unsigned seed, std::size_t count, double least_frequency,
+                                    double largest_frequency, double least_gap, double largest_gap) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::vector<BatchCell> cells;
+    for (std::size_t n = 0; n < count; ++n) {
+        const double frequency = least_frequency * std::pow(largest_frequency / least_frequency, between(0, 1));
+        double gap = between(least_gap, largest_gap);
+        if (n % 5 == 0) gap = between(std::max(least_gap, -1.0), 0.3);
+        if (n % 7 == 0) gap = 0;
+        scene::State<double> state(between(-4, 0.5), between(-4, 4));
+        if (n % 9 == 0) state[0] = between(0, 0.01);  // near the stop: pressed or just let go
+        if (n % 31 == 0) state[0] = 0;
+        cells.push_back({frequency, gap, state});
+    }
+    return cells;
+}
+
+Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<BatchCell> cells,
+                             int steps_per_cycle, int cycles) {
+    batch::BatchedCycleMap map(rig, cells.size(), steps_per_cycle);
+    std::vector<Twin> twins;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        map.place(n, cells[n].frequency, cells[n].gap, cells[n].state);
+        scene::Oscillator<double> scene = rig;
+        scene.frequency = cells[n].frequency;
+        scene.gap = cells[n].gap;
+        twins.emplace_back(scene);
+    }
+    Comparison result;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+        map.advance({.measure = true, .jacobian = true});
+        for (std::size_t n = 0; n < cells.size(); ++n) {
+            compare(twins[n], cells[n].state, map, n, result);
+            cells[n].state = map.state(n);
+        }
+    }
+    result.left_to_twin = map.left_to_twin();
+    return result;
+}
+
+}  // namespace peterka::testing
