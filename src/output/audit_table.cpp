@@ -69,7 +69,7 @@ std::vector<Value> read_column(const Checked& check, hid_t file, const std::stri
 
 }  // namespace
 
-AuditReport report(std::vector<AuditRow> rows) {
+AuditReport report(std::span<const AuditRow> rows) {
     AuditReport report{.cells = std::ssize(rows)};
     std::vector<double> errors;
     for (const AuditRow& row : rows) {

@@ -7,6 +7,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct AuditReport {
     double largest_force_error = regime::unknown;
     double seconds_per_cell = 0;  // of the independent engine
 };
-[[nodiscard]] AuditReport report(std::vector<AuditRow> rows);
+[[nodiscard]] AuditReport report(std::span<const AuditRow> rows);
 
 // Rows of the table: audit.cells of the job, or all cells of a smaller map.
 [[nodiscard]] std::int64_t audit_rows(const job::Job& job);

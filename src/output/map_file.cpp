@@ -96,7 +96,7 @@ std::optional<AuditReport> MapFile::audit_report() {
     file_.settle();
     std::vector<AuditRow> rows;
     together(communicator_, [&] { rows = audit().read(audit_rows_); });
-    return report(std::move(rows));
+    return report(rows);
 }
 
 Statistics MapFile::statistics() {

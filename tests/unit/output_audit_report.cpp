@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "output/audit_table.hpp"
 
@@ -26,7 +28,8 @@ TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
 }
 
 TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {
-    const AuditReport result = report({row(regime::unknown, true)});
+    const AuditRow only = row(regime::unknown, true);
+    const AuditReport result = report(std::span(&only, 1));
     EXPECT_EQ(result.compared, 0);
     EXPECT_TRUE(std::isnan(result.median_force_error));
     EXPECT_TRUE(std::isnan(result.largest_force_error));
