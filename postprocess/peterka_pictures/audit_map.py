@@ -33,6 +33,8 @@ def draw(file):
     axes.show_classes(ax, reduced, [_pale(entry.colour) for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     for chosen, look in ((audit.agrees, AGREES), (~audit.agrees, DIFFERS)):
+        if not chosen.any():  # a line without points has no extent, which upsets the layout
+            continue
         ax.plot(file.columns.values[audit.column[chosen]], file.rows.values[audit.row[chosen]], clip_on=False, **look)
     _draw_errors(error_ax, audit.force_error)
     axes.notice_incomplete(ax, file)
@@ -64,7 +66,8 @@ def _draw_errors(ax, force_error):
     ax.step(np.concatenate([[low], drawn, [high]]), np.append(steps, 100), where="post", color="#0072B2", linewidth=1.2)
     ax.set_xlim(low, high)
     axes.log_scale(ax, "x")
+    # above the curve, where it never is
     ax.text(
-        0.97, 0.06, f"{len(errors)} cells\nmedian {np.median(errors):.1e}\nlargest {errors[-1]:.1e}",
-        transform=ax.transAxes, ha="right", va="bottom", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},
+        0.03, 0.94, f"{len(errors)} cells\nmedian {np.median(errors):.1e}\nlargest {errors[-1]:.1e}",
+        transform=ax.transAxes, ha="left", va="top", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},
     )

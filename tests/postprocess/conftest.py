@@ -10,6 +10,11 @@ POSTPROCESS = Path(__file__).resolve().parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
 
 
+def pytest_configure(config):
+    # a picture whose axes collapsed is only warned of by matplotlib
+    config.addinivalue_line("filterwarnings", "error:constrained_layout")
+
+
 @dataclass
 class Outcome:
     code: int

@@ -44,6 +44,21 @@ def test_equal_forces_have_a_place_on_the_logarithmic_axis(tmp_path):
     assert errors.get_xlim()[0] < errors.lines[0].get_xdata()[1] < errors.get_xlim()[1]
 
 
+@pytest.mark.parametrize("agrees", [0, 1])  # all of them
+@pytest.mark.parametrize("smallest", [-9, -7, -5])
+def test_nothing_is_squeezed_and_the_numbers_hide_no_error(tmp_path, smallest, agrees):
+    errors = np.geomspace(2 * 10.0**smallest, 5e-4, 70)
+    path = write_audit(write_map(tmp_path / "rig.h5"), [(0, 0)] * 70, [orbit(1, 1)] * 70, errors, [agrees] * 70)
+    with PeterkaFile(path) as file:
+        figure = Drawn(audit_map.draw(file), tmp_path / "a.png").figure
+    panel = figure.axes[-1]
+    assert panel.get_position().height * figure.get_figheight() > 0.8  # in
+    box = panel.texts[0].get_window_extent()
+    x, y = panel.lines[0].get_data()
+    curve = panel.transData.transform(np.column_stack([x[1:-1], y[1:-1]]))
+    assert not any(box.contains(x, y) for x, y in curve)
+
+
 def test_no_forces_to_compare(tmp_path):
     path = write_audit(write_map(tmp_path / "rig.h5"), PLACES, LABELS, [np.nan] * 5, AGREES)
     with PeterkaFile(path) as file:
