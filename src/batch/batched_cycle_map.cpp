@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <new>
 #include <numbers>
+#include <utility>
 
 #include "batch/cycle_kernel.hpp"
 #include "motion/linear_motion.hpp"
@@ -16,6 +18,9 @@ namespace {
 
 // The range of small_sine_cosine, and of the six steps that a stretch of flight may take.
 constexpr double longest_step = std::numbers::pi / 4 + 1e-9;
+
+// A tile's columns, and those of its neighbours.
+constexpr std::size_t frequencies_kept = 256;
 
 constexpr std::align_val_t cache_line{64};
 
@@ -96,31 +101,31 @@ int BatchedCycleMap::steps_for(double frequency) {
     return steps;
 }
 
-BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t slots, int steps_per_cycle)
+BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity,
+                                 int steps_per_cycle)
     : oscillator_(rig),
       rig_(rig),
       grid_(steps_per_cycle),
-      slots_(slots),
+      stride_(stride(capacity)),
       slab_(nullptr, deallocate),
-      queues_(rounded_up(slots)),
-      pattern_(rounded_up(slots)),
-      outcome_(rounded_up(slots)),
-      twin_only_(slots),
-      twins_(slots),
-      is_occupied_(slots) {
-    lanes_.size = rounded_up(slots);
+      queues_(rounded_up(capacity)),
+      pattern_(rounded_up(capacity)),
+      outcome_(rounded_up(capacity)),
+      twin_only_(capacity),
+      twins_(capacity),
+      forcings_(frequencies_kept) {
     const auto all = fields(lanes_);
-    const std::size_t numbers = stride(slots) * all.size();
-    slab_.reset(allocate(numbers));
-    std::fill_n(slab_.get(), numbers, 0.0);
-    for (std::size_t n = 0; n < all.size(); ++n) *all[n] = slab_.get() + n * stride(slots);
+    numbers_ = stride_ * all.size();
+    slab_.reset(allocate(numbers_));
+    std::fill_n(slab_.get(), numbers_, 0.0);
+    for (std::size_t n = 0; n < all.size(); ++n) *all[n] = slab_.get() + n * stride_;
     lanes_.pattern = pattern_.data();
 }
 
-scene::Oscillator<double> BatchedCycleMap::scene_of(std::size_t slot) const {
+scene::Oscillator<double> BatchedCycleMap::scene_of(double frequency, double gap) const {
     scene::Oscillator<double> scene = oscillator_;
-    scene.frequency = lanes_.frequency[slot];
-    scene.gap = lanes_.gap[slot];
+    scene.frequency = frequency;
+    scene.gap = gap;
     return scene;
 }
 
@@ -129,63 +134,113 @@ void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& st
     lanes_.velocity[0][slot] = state[1];
 }
 
-void BatchedCycleMap::clear(std::size_t slot) {
-    lanes_.in_use[slot] = 0;
-    if (is_occupied_[slot]) --occupied_;
-    if (twin_only_[slot]) --twin_only_count_;
-    is_occupied_[slot] = false;
-    twin_only_[slot] = false;
-    twins_[slot].reset();
-}
-
-void BatchedCycleMap::place(std::size_t slot, double frequency, double gap, const scene::State<double>& state) {
-    clear(slot);
-    lanes_.frequency[slot] = frequency;
-    lanes_.gap[slot] = gap;
-    set_state(slot, state);
-    is_occupied_[slot] = true;
-    ++occupied_;
-
-    const scene::Oscillator<double> scene = scene_of(slot);
+BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency) const {
+    const scene::Oscillator<double> scene = scene_of(frequency, 0);
     const motion::LinearMotion<double> flight(motion::flight_equation(scene));
     const motion::LinearMotion<double> contact(motion::contact_equation(scene));
-    const double step = scene.period() / grid_.steps;
-    const bool fit = rig_.fit && !flight.resonant() && !contact.resonant() && step <= longest_step;
-    if (!fit) {
-        twin_only_[slot] = true;
-        ++twin_only_count_;
-        return;
-    }
-    const double re = flight.response().real();
-    const double im = flight.response().imag();
-    lanes_.in_use[slot] = 1;
-    lanes_.step[slot] = step;
-    lanes_.flight_re[slot] = re;
-    lanes_.flight_im[slot] = im;
-    lanes_.swing[slot] = std::abs(flight.response());
-    lanes_.contact_re[slot] = contact.response().real();
-    lanes_.contact_im[slot] = contact.response().imag();
-    lanes_.contact_swing[slot] = std::abs(contact.response());
+    Forcing f;
+    f.frequency = frequency;
+    f.step = scene.period() / grid_.steps;
+    f.fit = rig_.fit && !flight.resonant() && !contact.resonant() && f.step <= longest_step;
+    f.flight_re = flight.response().real();
+    f.flight_im = flight.response().imag();
+    f.swing = std::abs(flight.response());
+    f.contact_re = contact.response().real();
+    f.contact_im = contact.response().imag();
+    f.contact_swing = std::abs(contact.response());
 
     // x -> E x + (s' - E s), with s the steady motion at the step's start, (re, im) and eta (-im, re) on its
     // sine and cosine, and s' the same turned by one step
-    const auto flow = flight.flow(step);
+    f.flow = flight.flow(f.step);
+    const double re = f.flight_re;
+    const double im = f.flight_im;
     const double c = grid_.cosine[1];
     const double s = grid_.sine[1];
-    lanes_.flow_cosine[slot] = flow(0, 0);
-    lanes_.flow_sine[slot] = flow(0, 1);
-    lanes_.flow_slope[slot] = flow(1, 1);
-    lanes_.push_sine[slot] = (re * c - im * s) - (flow(0, 0) * re - flow(0, 1) * frequency * im);
-    lanes_.push_cosine[slot] = (re * s + im * c) - (flow(0, 0) * im + flow(0, 1) * frequency * re);
-    lanes_.push_rest[slot] = -gap + flow(0, 0) * gap;
-    lanes_.kick_sine[slot] = -frequency * (re * s + im * c) - (flow(1, 0) * re - flow(1, 1) * frequency * im);
-    lanes_.kick_cosine[slot] = frequency * (re * c - im * s) - (flow(1, 0) * im + flow(1, 1) * frequency * re);
-    lanes_.kick_rest[slot] = flow(1, 0) * gap;
+    f.push_sine = (re * c - im * s) - (f.flow(0, 0) * re - f.flow(0, 1) * frequency * im);
+    f.push_cosine = (re * s + im * c) - (f.flow(0, 0) * im + f.flow(0, 1) * frequency * re);
+    f.kick_sine = -frequency * (re * s + im * c) - (f.flow(1, 0) * re - f.flow(1, 1) * frequency * im);
+    f.kick_cosine = frequency * (re * c - im * s) - (f.flow(1, 0) * im + f.flow(1, 1) * frequency * re);
+    return f;
+}
+
+const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency) {
+    Forcing& kept = forcings_[std::hash<double>()(frequency) % frequencies_kept];
+    if (kept.frequency != frequency) kept = forcing_of(frequency);
+    return kept;
+}
+
+// The kernel marches over whole vectors; lanes past the last cell stay idle.
+void BatchedCycleMap::use_lanes(std::size_t size) {
+    for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_.in_use[slot] = 0;
+    size_ = size;
+    lanes_.size = rounded_up(size);
+}
+
+void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {
+    const std::size_t slot = size_;
+    use_lanes(slot + 1);
+    const Forcing& f = forcing(frequency);
+    set_state(slot, state);
+    lanes_.frequency[slot] = frequency;
+    lanes_.gap[slot] = gap;
+    lanes_.in_use[slot] = f.fit ? 1 : 0;
+    twin_only_[slot] = !f.fit;
+    twins_[slot].reset();
+    if (!f.fit) {
+        ++twin_only_count_;
+        return;
+    }
+    lanes_.step[slot] = f.step;
+    lanes_.flight_re[slot] = f.flight_re;
+    lanes_.flight_im[slot] = f.flight_im;
+    lanes_.swing[slot] = f.swing;
+    lanes_.contact_re[slot] = f.contact_re;
+    lanes_.contact_im[slot] = f.contact_im;
+    lanes_.contact_swing[slot] = f.contact_swing;
+    lanes_.flow_cosine[slot] = f.flow(0, 0);
+    lanes_.flow_sine[slot] = f.flow(0, 1);
+    lanes_.flow_slope[slot] = f.flow(1, 1);
+    lanes_.push_sine[slot] = f.push_sine;
+    lanes_.push_cosine[slot] = f.push_cosine;
+    lanes_.push_rest[slot] = -gap + f.flow(0, 0) * gap;
+    lanes_.kick_sine[slot] = f.kick_sine;
+    lanes_.kick_cosine[slot] = f.kick_cosine;
+    lanes_.kick_rest[slot] = f.flow(1, 0) * gap;
+}
+
+void BatchedCycleMap::copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to) {
+    double* there = slab_.get() + to;
+    const double* here = from.slab_.get() + slot;
+    for (std::size_t n = 0; n < numbers_ / stride_; ++n) there[n * stride_] = here[n * from.stride_];
+    twin_only_[to] = from.twin_only_[slot];
+    pattern_[to] = from.pattern_[slot];
+    outcome_[to] = from.outcome_[slot];
+}
+
+void BatchedCycleMap::remove(std::size_t slot) {
+    if (twin_only_[slot]) --twin_only_count_;
+    const std::size_t last = size_ - 1;
+    if (slot != last) copy_slot(*this, last, slot);
+    twins_[slot] = std::move(twins_[last]);
+    twins_[last].reset();
+    use_lanes(last);
+}
+
+void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
+    const std::size_t here = size_;
+    use_lanes(here + 1);
+    copy_slot(other, slot, here);
+    if (twin_only_[here]) ++twin_only_count_;
+    twins_[here] = std::move(other.twins_[slot]);
+    other.remove(slot);
 }
 
 void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     ++left_to_twin_;
-    if (!twins_[slot]) twins_[slot] = std::make_unique<trajectory::ExactCycleMap<double>>(scene_of(slot));
+    if (!twins_[slot]) {
+        twins_[slot] = std::make_unique<trajectory::ExactCycleMap<double>>(
+            scene_of(lanes_.frequency[slot], lanes_.gap[slot]));
+    }
     trajectory::Recorder<double> recorder;
     const auto cycle = (*twins_[slot])({lanes_.start_delta[slot], lanes_.start_velocity[slot]},
                                        wanted.measure ? &recorder : nullptr);
@@ -210,13 +265,13 @@ void BatchedCycleMap::advance(Wanted wanted) {
         std::copy_n(lanes_.velocity[1], lanes_.size, lanes_.velocity[0]);
     }
     last_ = wanted;
-    cycles_ += static_cast<std::int64_t>(occupied_);
-    std::fill(outcome_.begin(), outcome_.end(), Outcome::done);
+    cycles_ += static_cast<std::int64_t>(size_);
+    std::fill_n(outcome_.begin(), size_, Outcome::done);
     for (std::size_t n = 0; n < queues_.twin.size; ++n) {
         run_twin(static_cast<std::size_t>(queues_.twin.lane[n]), wanted);
     }
     if (twin_only_count_ == 0) return;
-    for (std::size_t slot = 0; slot < slots_; ++slot) {
+    for (std::size_t slot = 0; slot < size_; ++slot) {
         if (twin_only_[slot]) run_twin(slot, wanted);
     }
 }

@@ -1,9 +1,9 @@
 // The stroboscopic map of many cells at once: the fast twin of trajectory/exact_cycle_map.hpp.
 //
-// Cells sit in slots; all share springs' damping and stop (the rig), each has its own forcing and gap. One call
-// carries every occupied slot through one forcing cycle. What the kernel can't do surely (resonance, stops that
-// don't oscillate, grazing, slow departures) the scalar twin does; `left_to_twin` counts it. A slot's result
-// depends on its cell and state alone, not on its place or its neighbours.
+// Cells sit side by side in slots 0 to size() - 1; all share springs' damping and stop (the rig), each has its
+// own forcing and gap. One call carries all of them through one forcing cycle. What the kernel can't do surely
+// (resonance, stops that don't oscillate, grazing, slow departures) the scalar twin does; `left_to_twin` counts
+// it. A cell's result depends on the cell and its state alone, not on its slot or its neighbours.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,25 @@ class BatchedCycleMap {
   public:
     // rig: whose damping and stop all cells share. Steps per cycle: what steps_for says, for all cells of this
     // batch.
-    BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t slots, int steps_per_cycle = 16);
+    BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16);
 
     // Grid steps per cycle that cells of a frequency ratio need: a step is at most pi/4 of the hammer's own
     // phase.
     static int steps_for(double frequency);
 
-    [[nodiscard]] std::size_t slots() const { return slots_; }
+    [[nodiscard]] std::size_t capacity() const { return twins_.size(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] int steps_per_cycle() const { return grid_.steps; }
 
-    // Puts a cell into a slot, with its state (delta, delta') at forcing phase 0; or empties it.
-    void place(std::size_t slot, double frequency, double gap, const scene::State<double>& state);
+    // Adds a cell at slot size(), with its state (delta, delta') at forcing phase 0.
+    void add(double frequency, double gap, const scene::State<double>& state);
+    // Takes a cell out; the last one takes its slot.
+    void remove(std::size_t slot);
+    // Takes a cell over from another batch with the same rig and steps, to slot size().
+    void take(BatchedCycleMap& other, std::size_t slot);
     void set_state(std::size_t slot, const scene::State<double>& state);
-    void clear(std::size_t slot);
 
-    // One cycle of all occupied slots.
+    // One cycle of all cells.
     void advance(Wanted wanted);
 
     // What it gave. A Jacobian that wasn't wanted is the identity.
@@ -51,13 +56,28 @@ class BatchedCycleMap {
     [[nodiscard]] std::int64_t left_to_twin() const { return left_to_twin_; }
 
   private:
-    [[nodiscard]] scene::Oscillator<double> scene_of(std::size_t slot) const;
+    // What a frequency alone decides.
+    struct Forcing {
+        double frequency = 0;
+        bool fit = false;
+        double step, flight_re, flight_im, swing, contact_re, contact_im, contact_swing;
+        scene::Jacobian<double> flow;  // of one step of flight
+        double push_sine, push_cosine, kick_sine, kick_cosine;
+    };
+    [[nodiscard]] Forcing forcing_of(double frequency) const;
+    const Forcing& forcing(double frequency);
+
+    [[nodiscard]] scene::Oscillator<double> scene_of(double frequency, double gap) const;
+    void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
+    void use_lanes(std::size_t size);
     void run_twin(std::size_t slot, Wanted wanted);
 
     scene::Oscillator<double> oscillator_;
     Rig rig_;
     Grid grid_;
-    std::size_t slots_;
+    std::size_t size_ = 0;
+    std::size_t stride_;       // from array to array of the slab
+    std::size_t numbers_ = 0;  // of the slab
     std::unique_ptr<double[], void (*)(double*)> slab_;
     Lanes lanes_{};
     Queues queues_;
@@ -66,9 +86,8 @@ class BatchedCycleMap {
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;
     std::vector<bool> twin_only_;  // the kernel can't do the cell
     std::vector<std::unique_ptr<trajectory::ExactCycleMap<double>>> twins_;
+    std::vector<Forcing> forcings_;  // of the frequencies met last: neighbours in a map share them
     std::size_t twin_only_count_ = 0;
-    std::size_t occupied_ = 0;
-    std::vector<bool> is_occupied_;
     std::int64_t cycles_ = 0;
     std::int64_t left_to_twin_ = 0;
 };

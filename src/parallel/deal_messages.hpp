@@ -1,9 +1,9 @@
 // What rank 0 and the other ranks say to each other while tiles are dealt. Not for use outside the dealing.
 //
-// A worker reports when it wants a run, when it has done one, and now and then in between. Rank 0 answers a
-// wish with an order as soon as it has a run, and ends with one order without tiles; the worker's last report
-// says it has left. A worker always has a receive posted for the next order, so a send of rank 0 never waits
-// for a worker's computing.
+// A worker reports when it wants a run, when it has nothing left to do, and now and then in between. Rank 0
+// answers a wish with an order as soon as it has a run, and ends with one order without tiles; the worker's
+// last report says it has left. A worker always has a receive posted for the next order, so a send of rank 0
+// never waits for a worker's computing.
 #pragma once
 
 #include <mpi.h>
@@ -22,7 +22,6 @@ inline constexpr int order_tag = 2;
 
 struct Report {
     std::int64_t orders_wanted = 0;  // since the start; rank 0 owes one while this exceeds the orders sent
-    std::int64_t orders_done = 0;    // since the start
     std::int64_t tiles_done = 0;     // since the last report
     std::int64_t cells_done = 0;     // since the last report
     std::int64_t wants_stop = 0;     // 1: this rank was asked to stop

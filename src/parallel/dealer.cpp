@@ -16,24 +16,21 @@ Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, cons
       tiles_missing_(pool_.remaining()) {}
 
 bool Dealer::run() {
-    compute();
+    work_.solve(*this);
     serve_until_solved();
     dismiss_all();
     return tiles_missing_ == 0;
 }
 
-// Rank 0 takes one tile at a time: a run would cost it nothing less, and could leave it busy after all others.
-void Dealer::compute() {
-    const CarryOn carry_on = [this] {
-        serve();
-        return !stopping_;
-    };
-    while (carry_on()) {
-        const TileRange mine = pool_.take(1);
-        if (mine.size() == 0) return;
-        const Tile tile = tiling_.tile(mine.first);
-        if (work_.solve_tile(tile, carry_on)) count_solved(1, tile.size());
-    }
+std::optional<Tile> Dealer::next() {
+    const TileRange mine = pool_.take(1);
+    if (mine.size() == 0) return std::nullopt;
+    return tiling_.tile(mine.first);
+}
+
+bool Dealer::carry_on() {
+    serve();
+    return !stopping_;
 }
 
 void Dealer::serve_until_solved() {
@@ -58,8 +55,10 @@ void Dealer::serve() {
     for (int rank = 1; rank < session_.size() && !stopping_; ++rank) {
         Worker& worker = workers_[static_cast<std::size_t>(rank - 1)];
         if (worker.orders_wanted <= worker.orders_sent || pool_.remaining() == 0) continue;
-        send_order(rank, {pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()))});
+        const TileRange run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
+        send_order(rank, {run});
         ++worker.orders_sent;
+        worker.tiles_owed += run.size();
     }
 }
 
@@ -75,7 +74,7 @@ bool Dealer::take_report() {
                                  communicator, MPI_STATUS_IGNORE));
     Worker& worker = workers_[static_cast<std::size_t>(status.MPI_SOURCE - 1)];
     worker.orders_wanted = report.orders_wanted;
-    worker.orders_done = report.orders_done;
+    worker.tiles_owed -= report.tiles_done;
     worker.has_left = report.has_left != 0;
     stopping_ = stopping_ || report.wants_stop != 0;
     count_solved(report.tiles_done, report.cells_done);
@@ -92,8 +91,7 @@ void Dealer::count_solved(std::int64_t tiles, std::int64_t cells) {
 }
 
 bool Dealer::anyone_computes() const {
-    return std::ranges::any_of(workers_,
-                               [](const Worker& worker) { return worker.orders_done < worker.orders_sent; });
+    return std::ranges::any_of(workers_, [](const Worker& worker) { return worker.tiles_owed > 0; });
 }
 
 bool Dealer::all_have_left() const {

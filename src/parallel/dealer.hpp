@@ -9,7 +9,7 @@
 
 namespace peterka::parallel {
 
-class Dealer {
+class Dealer : private TileSource {
   public:
     Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work);
 
@@ -20,11 +20,17 @@ class Dealer {
     struct Worker {
         std::int64_t orders_wanted = 0;
         std::int64_t orders_sent = 0;
-        std::int64_t orders_done = 0;
+        std::int64_t tiles_owed = 0;  // sent, and not yet solved
         bool has_left = false;
     };
 
-    void compute();
+    // Rank 0's own share: one tile at a time. A run would cost it nothing less, and could leave it busy after
+    // all others.
+    std::optional<Tile> next() override;
+    [[nodiscard]] bool ended() const override { return pool_.remaining() == 0; }
+    void solved(const Tile& tile) override { count_solved(1, tile.size()); }
+    bool carry_on() override;
+
     void serve_until_solved();
     void dismiss_all();
 

@@ -9,6 +9,28 @@
 
 namespace peterka::parallel {
 
+std::function<void(TileSource& tiles)> one_by_one(
+    std::function<bool(const Tile& tile, const CarryOn& carry_on)> solve_tile) {
+    return [solve_tile = std::move(solve_tile)](TileSource& tiles) {
+        const CarryOn carry_on = [&] { return tiles.carry_on(); };
+        while (carry_on()) {
+            const auto tile = tiles.next();
+            if (tile) {
+                if (!solve_tile(*tile, carry_on)) return;
+                tiles.solved(*tile);
+            } else if (tiles.ended()) {
+                return;
+            } else {
+                wait_for_tiles();
+            }
+        }
+    };
+}
+
+void wait_for_tiles() {
+    rest();
+}
+
 bool deal_tiles(const Session& session, const Tiling& tiling, std::vector<TileRange> missing,
                 const DealtWork& work) {
     std::int64_t all_solved = 0;

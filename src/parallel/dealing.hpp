@@ -1,11 +1,13 @@
 // Deals the tiles of a grid to all ranks and has each solve its share.
 //
-// Rank 0 deals and computes too. It answers the others between two of its own cells, so a request waits for one
-// cell at most; the others ask for their next run before they have done the present one. Without anything to
-// compute a rank sleeps between looks, so it leaves its core to a rank that computes.
+// Rank 0 deals and computes too, and answers the others whenever its own solving asks whether to carry on: a
+// few hundred times a second. The others ask for their next run when they begin the last tile of the present
+// one, with tiles enough in hand to go on meanwhile. Without anything to compute a rank sleeps between looks,
+// so it leaves its core to a rank that computes.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "parallel/session.hpp"
@@ -14,17 +16,41 @@
 
 namespace peterka::parallel {
 
-// True while the computing should go on. To be called between two cells.
-using CarryOn = std::function<bool()>;
+// What a rank is dealt, tile by tile. It may work at several tiles at once and finish them in any order.
+class TileSource {
+  public:
+    TileSource() = default;
+    TileSource(const TileSource&) = delete;
+    TileSource& operator=(const TileSource&) = delete;
+    virtual ~TileSource() = default;
+
+    // The next tile; none where none is at hand just now, or no more will come.
+    virtual std::optional<Tile> next() = 0;
+    [[nodiscard]] virtual bool ended() const = 0;  // no more will come
+    // This one is solved and stored.
+    virtual void solved(const Tile& tile) = 0;
+    // To be called often. False: leave everything as it is, somebody asked to stop.
+    virtual bool carry_on() = 0;
+};
 
 struct DealtWork {
-    // Solves one tile and stores it. Returns false if it gave the tile up because `carry_on` said so.
-    std::function<bool(const Tile& tile, const CarryOn& carry_on)> solve_tile;
+    // Solves tiles until the source has ended and all are solved, or it says not to carry on. To be made with
+    // one_by_one where tiles are solved one after the other.
+    std::function<void(TileSource& tiles)> solve;
     // Whether this rank was asked to stop; one rank's wish stops all.
     std::function<bool()> stop_requested;
     // On rank 0: so many more cells were solved, by any rank.
     std::function<void(std::int64_t cells)> on_progress;
 };
+
+// solve_tile solves one tile and stores it; it returns false if it gave the tile up because `carry_on`, to be
+// called between two cells, said so.
+using CarryOn = std::function<bool()>;
+[[nodiscard]] std::function<void(TileSource& tiles)> one_by_one(
+    std::function<bool(const Tile& tile, const CarryOn& carry_on)> solve_tile);
+
+// Waits a moment for tiles to come, and leaves the core to others meanwhile.
+void wait_for_tiles();
 
 // Collective. `missing` counts on rank 0 alone: the tiles to solve. Returns, on every rank, whether all of them
 // were solved. A failure on any rank must end all ranks: call this inside failing_ends_all.

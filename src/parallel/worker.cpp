@@ -16,48 +16,43 @@ Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& wo
 void Worker::run() {
     expect_order();
     want_next_run();
-    while (true) {
-        await_order();
-        if (dismissed_) break;
-        const TileRange tiles = runs_.front();
-        runs_.pop_front();
-        solve_run(tiles);
-    }
+    work_.solve(*this);
+    await_dismissal();
     report_.has_left = 1;
     report();
 }
 
-// After a wish to stop nothing is begun any more: rank 0 then dismisses everybody.
-void Worker::await_order() {
-    while (true) {
-        const bool may_begin = carry_on() && !runs_.empty();
-        if (may_begin || dismissed_) return;
+// Rank 0 ends the work, after a wish to stop too.
+void Worker::await_dismissal() {
+    while (!dismissed_) {
+        carry_on();
         rest();
     }
 }
 
-void Worker::solve_run(const TileRange& tiles) {
-    const CarryOn between_cells = [this] { return carry_on(); };
-    for (std::int64_t index = tiles.first; index < tiles.end; ++index) {
-        // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.
-        if (index + 1 == tiles.end) want_next_run();
-        const Tile tile = tiling_.tile(index);
-        if (!work_.solve_tile(tile, between_cells)) return;
-        ++report_.tiles_done;
-        report_.cells_done += tile.size();
-        report_now_and_then();
-    }
-    ++report_.orders_done;
-    report();
+std::optional<Tile> Worker::next() {
+    take_orders();
+    if (dismissed_ || runs_.empty()) return std::nullopt;
+    TileRange& run = runs_.front();
+    const Tile tile = tiling_.tile(run.first++);
+    if (run.size() == 0) runs_.pop_front();
+    ++tiles_in_hand_;
+    // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.
+    if (runs_.empty()) want_next_run();
+    return tile;
+}
+
+void Worker::solved(const Tile& tile) {
+    --tiles_in_hand_;
+    ++report_.tiles_done;
+    report_.cells_done += tile.size();
+    const bool all_done = tiles_in_hand_ == 0 && runs_.empty();
+    if (all_done || since_start_.seconds() >= next_report_seconds_) report();
 }
 
 void Worker::want_next_run() {
     ++report_.orders_wanted;
     report();
-}
-
-void Worker::report_now_and_then() {
-    if (since_start_.seconds() >= next_report_seconds_) report();
 }
 
 // Goes on taking orders while the report is under way: rank 0 may be sending one just now.

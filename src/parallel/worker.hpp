@@ -10,7 +10,7 @@
 
 namespace peterka::parallel {
 
-class Worker {
+class Worker : private TileSource {
   public:
     Worker(const Session& session, const Tiling& tiling, const DealtWork& work);
 
@@ -18,15 +18,17 @@ class Worker {
     void run();
 
   private:
-    void await_order();
-    void solve_run(const TileRange& tiles);
+    std::optional<Tile> next() override;
+    [[nodiscard]] bool ended() const override { return dismissed_; }
+    void solved(const Tile& tile) override;
+    bool carry_on() override;
+
+    void await_dismissal();
     void want_next_run();
-    void report_now_and_then();
     void report();
 
     void expect_order();
     void take_orders();
-    [[nodiscard]] bool carry_on();
 
     const Session& session_;
     const Tiling& tiling_;
@@ -34,7 +36,8 @@ class Worker {
 
     Order arriving_;                          // where MPI writes the next order
     MPI_Request receive_ = MPI_REQUEST_NULL;  // null once dismissed
-    std::deque<TileRange> runs_;
+    std::deque<TileRange> runs_;              // what is left of them
+    std::int64_t tiles_in_hand_ = 0;
     bool dismissed_ = false;
 
     Report report_;

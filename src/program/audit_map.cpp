@@ -70,7 +70,7 @@ bool audit_map(const parallel::Session& session, const RunPlan& plan, const scen
         return true;
     };
     return parallel::deal_tiles(session, tiling, std::move(missing),
-                                {.solve_tile = solve_tile,
+                                {.solve = parallel::one_by_one(solve_tile),
                                  .stop_requested = [&] { return stop.requested(); },
                                  .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
 }

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "parallel/dealing.hpp"
 #include "program/progress_style.hpp"
-#include "regime/solve_cell.hpp"
-#include "support/stopwatch.hpp"
+#include "program/solve_tiles.hpp"
 #include "support/tell.hpp"
 
 namespace peterka {
@@ -16,22 +16,6 @@ namespace {
 
 using output::MapFile;
 using parallel::Session;
-
-// Returns false if it gave the tile up because `carry_on` said so.
-bool solve_tile(const scene::Scene& scene, const parallel::Tile& tile, const parallel::CarryOn& carry_on,
-                MapFile& file) {
-    const Stopwatch stopwatch;
-    std::vector<regime::CellResult> cells;
-    cells.reserve(static_cast<std::size_t>(tile.size()));
-    for (std::int64_t cell = 0; cell < tile.size(); ++cell) {
-        if (!carry_on()) return false;
-        const std::int64_t row = tile.row + cell / tile.extent.columns;
-        const std::int64_t column = tile.column + cell % tile.extent.columns;
-        cells.push_back(regime::solve_cell(scene, row, column));
-    }
-    file.write_tile(tile, cells, stopwatch.seconds());
-    return true;
-}
 
 // The tiles that the file lacks, on rank 0.
 std::vector<parallel::TileRange> find_missing_tiles(const Session& session, const RunPlan& plan,
@@ -52,13 +36,19 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     std::vector<parallel::TileRange> missing = find_missing_tiles(session, plan, file);
     Progress progress(progress_style(session, plan), plan.job.cells(),
                       plan.job.cells() - parallel::cells_in(missing, tiling));
-    return parallel::deal_tiles(session, tiling, std::move(missing),
-                                {.solve_tile =
-                                     [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
-                                         return solve_tile(scene, tile, carry_on, file);
-                                     },
-                                 .stop_requested = [&] { return stop.requested(); },
-                                 .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
+    const TileWork work{.cells_to_solve =
+                            [](const parallel::Tile& tile) {
+                                std::vector<std::int64_t> all(static_cast<std::size_t>(tile.size()));
+                                std::iota(all.begin(), all.end(), 0);
+                                return all;
+                            },
+                        .store = [&](const parallel::Tile& tile, std::span<const regime::CellResult> cells,
+                                     double seconds) { file.write_tile(tile, cells, seconds); }};
+    return parallel::deal_tiles(
+        session, tiling, std::move(missing),
+        {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, work, source); },
+         .stop_requested = [&] { return stop.requested(); },
+         .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
 }
 
 }  // namespace peterka

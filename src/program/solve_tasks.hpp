@@ -37,7 +37,7 @@ template <study::Topic Topic>
         return true;
     };
     const bool solved = parallel::deal_tiles(session, tiling, {{0, tasks}},
-                                             {.solve_tile = solve_task,
+                                             {.solve = parallel::one_by_one(solve_task),
                                               .stop_requested = [&] { return stop.requested(); },
                                               .on_progress = [&](std::int64_t done) { progress.add(done); }});
     if (!solved) return std::nullopt;

@@ -22,44 +22,45 @@ PeriodicOrbit orbit_of(const Point& point, std::int64_t q, const Passage& passag
 
 // Newton's method on M^q(x) = x. It goes on until rounding stops it, so the point is better than the residual
 // asked for.
-std::optional<PeriodicOrbit> find_orbit(StroboscopicMap& map, const Point& guess, std::int64_t q) {
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
     Point x = guess;
     const double residual_asked = std::max(newton_residual, 10 * map.noise());
     double last_size = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= newton_steps; ++step) {
-        const Passage passage = map.advance(x, q);
-        if (!passage.ok) return std::nullopt;
+        const Passage passage = co_await map.advance(x, q);
+        if (!passage.ok) co_return std::nullopt;
         const Point residual = passage.end - x;
         const double size = residual.lpNorm<Eigen::Infinity>() / magnitude(x);
         const bool small = size < residual_asked;
         if (small && (size > last_size / 2 || size < 1e-15 || step == newton_steps))
-            return orbit_of(x, q, passage);
+            co_return orbit_of(x, q, passage);
         last_size = size;
         const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - passage.jacobian;
         const Point correction = system.partialPivLu().solve(residual);
-        if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(x)) return std::nullopt;
+        if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(x))
+            co_return std::nullopt;
         x += correction;
     }
-    return std::nullopt;
+    co_return std::nullopt;
 }
 
-std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
-                                               std::int64_t q) {
-    auto found = find_orbit(map, trajectory.state(), q);
-    if (!found || found->pattern != trajectory.pattern(q)) return std::nullopt;
+Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
+                                                     std::int64_t q) {
+    auto found = co_await find_orbit(map, trajectory.state(), q);
+    if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0) continue;
-        const Passage passage = map.advance(found->point, divisor);
+        const Passage passage = co_await map.advance(found->point, divisor);
         const double tolerance = same_orbit * magnitude(found->point);
         if (!passage.ok || (passage.end - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
-        auto smaller = find_orbit(map, found->point, divisor);
+        auto smaller = co_await find_orbit(map, found->point, divisor);
         if (!smaller || (smaller->point - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
         if (smaller->multiplier < largest_stable && smaller->pattern == trajectory.pattern(divisor))
-            return smaller;
+            co_return smaller;
     }
-    if (!(found->multiplier < largest_stable)) return std::nullopt;
-    return found;
+    if (!(found->multiplier < largest_stable)) co_return std::nullopt;
+    co_return found;
 }
 
 ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)

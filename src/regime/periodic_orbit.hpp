@@ -20,12 +20,12 @@ struct PeriodicOrbit {
 };
 
 // The orbit of period q, stable or not, that Newton's method reaches from a guess.
-std::optional<PeriodicOrbit> find_orbit(StroboscopicMap& map, const Point& guess, std::int64_t q);
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
 
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.
-std::optional<PeriodicOrbit> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
-                                               std::int64_t q);
+Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
+                                                     std::int64_t q);
 
 // Decides whether a trajectory converges to an orbit. Over one period, the distance e0 to the orbit becomes e1;
 // where e1 - J e0 is small against what J contracts, in a norm in which it does contract, the distance shrinks

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "regime/scalar_engine.hpp"
+
 namespace peterka::regime {
 
 namespace {
@@ -35,12 +37,13 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
     // the same hammer with its stop out of reach
     scene::Oscillator<double> far = scene_;
     far.gap = 4 * (1 + amplitude);
-    StroboscopicMap free_map = map.with_scene(far);
+    CycleDesk desk;
+    StroboscopicMap free_map(far, map.settings(), desk);
     const scene::State<double> start(free_flight_.steady()[0] + scene_.gap - far.gap, free_flight_.steady()[1]);
-    const auto orbit = find_orbit(free_map, free_map.scaled(start), 1);
+    const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), desk);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
-    const Passage cycle = free_map.advance(orbit->point, 1, &recorder);
+    const Passage cycle = complete(free_map.advance(orbit->point, 1, &recorder), desk);
     if (!cycle.ok || cycle.touched) return;
     const scene::State<double> point = free_map.unscaled(orbit->point);
     free_orbit_ = {{point[0] + far.gap - scene_.gap, point[1]},

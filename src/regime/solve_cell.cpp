@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "regime/scalar_engine.hpp"
+
 namespace peterka::regime {
 
 Budget budget_of(const job::SteadyState& steady) {
@@ -31,23 +33,24 @@ double change_without_cubic(const scene::Oscillator<double>& scene, const CellRe
 
 // Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
-CellResult solve_with_cubic(const scene::Cell& cell, const job::Solver& solver, const Budget& budget,
-                            double largest_displacement, trajectory::Detail detail) {
+Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, const job::Solver& solver,
+                                  const Budget& budget, double largest_displacement,
+                                  trajectory::Detail detail) {
     constexpr int most_rounds = 3;
     constexpr double slack = 1.1;
     CellResult result;
     std::int64_t cycles = 0;
     for (int round = 0; round < most_rounds; ++round) {
         const Engine engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
-        result = find_steady_state(cell.oscillator, cell.start, budget,
-                                   {engine, solver.tolerance, largest_displacement}, detail);
+        result = co_await find_steady_state(desk, cell.oscillator, cell.start, budget,
+                                            {engine, solver.tolerance, largest_displacement}, detail);
         cycles += result.cycles;
         result.cycles =
             static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
         if (engine != Engine::split || !(result.largest_displacement > slack * largest_displacement)) break;
         largest_displacement = result.largest_displacement;
     }
-    return result;
+    co_return result;
 }
 
 }  // namespace
@@ -63,7 +66,7 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
                               .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
 }
 
-CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
+Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Solver& solver = scene.job().solver;
     const Budget budget = budget_of(scene.job().steady_state);
     const trajectory::Detail detail = detail_of(scene.job().output);
@@ -72,21 +75,27 @@ CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t 
     const bool is_linear = cell.oscillator.cubic == 0;
     const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);
     if (!automatic || keeps_all) {
-        return solve_with_cubic(cell, solver, budget, EngineSettings{}.largest_displacement, detail);
+        co_return co_await solve_with_cubic(desk, cell, solver, budget, EngineSettings{}.largest_displacement,
+                                            detail);
     }
 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
-    const CellResult without = find_steady_state(linear, cell.start, budget, {}, detail);
+    const CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, detail);
     if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
-        return without;
+        co_return without;
     }
     const bool known = std::isfinite(without.largest_displacement);
-    CellResult with =
-        solve_with_cubic(cell, solver, budget,
-                         known ? without.largest_displacement : EngineSettings{}.largest_displacement, detail);
+    CellResult with = co_await solve_with_cubic(
+        desk, cell, solver, budget,
+        known ? without.largest_displacement : EngineSettings{}.largest_displacement, detail);
     with.cycles += without.cycles;
-    return with;
+    co_return with;
+}
+
+CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
+    CycleDesk desk;
+    return complete(solve_cell(desk, scene, row, column), desk);
 }
 
 }  // namespace peterka::regime

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "regime/cell_result.hpp"
+#include "regime/cycle_desk.hpp"
 #include "regime/steady_state.hpp"
 #include "scene/scene.hpp"
 
@@ -11,7 +12,9 @@ namespace peterka::regime {
 
 [[nodiscard]] Budget budget_of(const job::SteadyState& steady);
 
+// With engines of its own, or as a task whose cycles others serve at the desk.
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
+Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column);
 
 // The same cell with every term of the model and by an integrator, another one than solved it the first time.
 // It shares nothing with the closed form but the decision procedure.

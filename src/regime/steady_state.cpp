@@ -9,6 +9,7 @@
 #include "regime/growth.hpp"
 #include "regime/periodic_orbit.hpp"
 #include "regime/recurrence.hpp"
+#include "regime/scalar_engine.hpp"
 #include "regime/settling.hpp"
 #include "regime/stroboscopic_map.hpp"
 
@@ -37,10 +38,10 @@ Status status_of(Cycle<double>::Outcome outcome) {
 class Search {
   public:
     Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
-           const EngineSettings& engine, trajectory::Detail detail)
+           const EngineSettings& engine, trajectory::Detail detail, CycleDesk& desk)
         : scene_(scene),
           budget_(budget),
-          map_(scene, engine),
+          map_(scene, engine, desk),
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
           window_(detail),
@@ -49,48 +50,51 @@ class Search {
           detail_(detail),
           conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {}
 
-    CellResult run() {
+    Task<CellResult> run() {
         for (std::int64_t cycle = 0;; ++cycle) {
             const auto state = map_.unscaled(state_);
-            if (const auto free = settling_.stays_free(state)) return settled(*free, Regime::no_impact);
+            if (const auto free = settling_.stays_free(state)) {
+                co_return co_await settled(*free, Regime::no_impact);
+            }
             if (const auto contact = settling_.stays_in_contact(state)) {
-                return settled(*contact, Regime::sustained_contact);
+                co_return co_await settled(*contact, Regime::sustained_contact);
             }
             const bool ends = cycle == budget_.max_cycles || (conservative_ && cycle == budget_.chaos_cycles);
             if (ends)
-                return unproved(Regime::unresolved, conservative_ ? Status::conservative : Status::budget);
+                co_return unproved(Regime::unresolved, conservative_ ? Status::conservative : Status::budget);
             const bool counts = cycle >= measure_from_;
-            const Passage passage = map_.advance(state_, 1, counts ? &window_ : nullptr);
-            if (!passage.ok) return failed(passage.outcome);
+            const Passage passage = co_await map_.cycle(state_, counts ? &window_ : nullptr);
+            if (!passage.ok) co_return failed(passage.outcome);
             state_ = passage.end;
             growth_.advance(passage.jacobian);
             if (counts) ++window_cycles_;
 
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
-            if (converged(passage)) return periodic(test_->orbit());
+            if (test_) {
+                if (converges(passage)) co_return co_await periodic(test_->orbit());
+            } else if (const auto q = recurrence_.candidate()) {
+                const auto orbit = co_await find_stable_orbit(map_, recurrence_, *q);
+                if (orbit) begin_test(*orbit);
+            }
             const bool repeats =
                 growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
             if (cycle + 1 >= budget_.chaos_cycles && !repeats && growth_.block_just_closed() &&
                 growth_.surely_positive()) {
-                return unproved(Regime::chaotic, Status::proved);
+                co_return unproved(Regime::chaotic, Status::proved);
             }
         }
     }
 
   private:
-    // Looks for an orbit, or goes on testing whether the trajectory converges to the one found.
-    bool converged(const Passage& last_cycle) {
-        if (!test_) {
-            const auto q = recurrence_.candidate();
-            if (!q) return false;
-            const auto orbit = find_stable_orbit(map_, recurrence_, *q);
-            if (!orbit) return false;
-            test_.emplace(*orbit, state_, map_.noise());
-            tested_cycles_ = 0;
-            pattern_ = 0;
-            return false;
-        }
+    void begin_test(const PeriodicOrbit& orbit) {
+        test_.emplace(orbit, state_, map_.noise());
+        tested_cycles_ = 0;
+        pattern_ = 0;
+    }
+
+    // Whether the trajectory is proved to converge to the orbit found.
+    bool converges(const Passage& last_cycle) {
         pattern_ = append(pattern_, last_cycle.pattern);
         if (++tested_cycles_ < test_->orbit().period) return false;
         const auto verdict = test_->advance(state_, pattern_);
@@ -100,29 +104,30 @@ class Search {
         return verdict == ConvergenceTest::Verdict::proved;
     }
 
-    CellResult periodic(const PeriodicOrbit& orbit) {
+    Task<CellResult> periodic(PeriodicOrbit orbit) {
         Recorder<double> recorder(detail_);
-        const Passage passage = record_period(orbit.point, orbit.period, recorder);
+        const Passage passage = co_await record_period(orbit.point, orbit.period, recorder);
         const Totals<double>& totals = recorder.totals();
         if (!passage.touched || !passage.separated) {
-            return settled(
-                {map_.unscaled(orbit.point), orbit.jacobian, totals.peak_force(), totals.displacement_bound},
-                passage.touched ? Regime::sustained_contact : Regime::no_impact);
+            const SettledMotion motion{map_.unscaled(orbit.point), orbit.jacobian, totals.peak_force(),
+                                       totals.displacement_bound};
+            co_return co_await settled(motion, passage.touched ? Regime::sustained_contact : Regime::no_impact);
         }
-        CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest_point(orbit)));
+        const Point lowest = co_await lowest_point(orbit);
+        CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest));
         result.regime = Regime::periodic;
         result.impacts = static_cast<std::int32_t>(totals.impacts);
         result.period = static_cast<std::int32_t>(orbit.period);
         measured(result, totals, orbit.period);
-        return result;
+        co_return result;
     }
 
     // One period of an orbit. What is open at its start counts in full at its end, as in every later period.
-    Passage record_period(const Point& point, std::int64_t period, Recorder<double>& recorder) {
-        Passage passage = map_.advance(point, period, &recorder);
-        if (!recorder.is_open()) return passage;
+    Task<Passage> record_period(Point point, std::int64_t period, Recorder<double>& recorder) {
+        Passage passage = co_await map_.advance(point, period, &recorder);
+        if (!recorder.is_open()) co_return passage;
         recorder.reset_totals();
-        return map_.advance(point, period, &recorder);
+        co_return co_await map_.advance(point, period, &recorder);
     }
 
     // What was recorded over so many cycles.
@@ -140,29 +145,32 @@ class Search {
     }
 
     // One of the q points names the orbit, whatever start and phase led to it.
-    Point lowest_point(const PeriodicOrbit& orbit) {
+    Task<Point> lowest_point(PeriodicOrbit orbit) {
         Point lowest = orbit.point;
         Point point = orbit.point;
         for (std::int64_t n = 1; n < orbit.period; ++n) {
-            point = map_.advance(point, 1).end;
+            const Passage passage = co_await map_.cycle(point);
+            point = passage.end;
             if (point[0] < lowest[0]) lowest = point;
         }
-        return lowest;
+        co_return lowest;
     }
 
-    CellResult settled(const SettledMotion& motion, Regime regime) {
+    Task<CellResult> settled(SettledMotion motion, Regime regime) {
         Recorder<double> recorder(detail_);
-        if (recorder.records_contacts()) std::ignore = map_.advance(map_.scaled(motion.point), 1, &recorder);
+        if (recorder.records_contacts()) {
+            std::ignore = co_await map_.cycle(map_.scaled(motion.point), &recorder);
+        }
         CellResult result = on_orbit(motion.jacobian, 1, motion.point);
         result.regime = regime;
         result.period = 1;
         measured(result, recorder.totals(), 1);
         result.peak_force = motion.peak_force;
         result.largest_displacement = motion.largest_displacement;
-        if (!recorder.records_contacts()) return result;
+        if (!recorder.records_contacts()) co_return result;
         if (!motion.decays) result.max_displacement = motion.largest_displacement;
         if (regime == Regime::sustained_contact) result.impulse = result.contact_time = unknown;  // no impact
-        return result;
+        co_return result;
     }
 
     CellResult unproved(Regime regime, Status status) {
@@ -221,9 +229,16 @@ class Search {
 
 }  // namespace
 
+Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
+                                   Budget budget, EngineSettings engine, trajectory::Detail detail) {
+    Search search(scene, start, budget, engine, detail, desk);
+    co_return co_await search.run();
+}
+
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
                              const Budget& budget, const EngineSettings& engine, trajectory::Detail detail) {
-    return Search(scene, start, budget, engine, detail).run();
+    CycleDesk desk;
+    return complete(find_steady_state(desk, scene, start, budget, engine, detail), desk);
 }
 
 }  // namespace peterka::regime

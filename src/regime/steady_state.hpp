@@ -17,8 +17,10 @@
 #include <cstdint>
 
 #include "regime/cell_result.hpp"
+#include "regime/cycle_desk.hpp"
 #include "regime/engine.hpp"
 #include "scene/oscillator.hpp"
+#include "support/task.hpp"
 #include "trajectory/recorder.hpp"
 
 namespace peterka::regime {
@@ -31,8 +33,11 @@ struct Budget {
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
 // detail: how much of the impacts is measured.
+// With an engine of its own, or as a task whose cycles others serve at the desk.
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
                              const Budget& budget, const EngineSettings& engine = {},
                              trajectory::Detail detail = trajectory::Detail::force);
+Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
+                                   Budget budget, EngineSettings engine, trajectory::Detail detail);
 
 }  // namespace peterka::regime

@@ -1,14 +1,14 @@
 // The stroboscopic map as the decision procedure sees it: scaled to states of order one, and counting its
-// cycles.
+// cycles. Whoever serves the desk integrates them.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <variant>
 
-#include "regime/engine.hpp"
+#include "regime/cycle_desk.hpp"
+#include "support/task.hpp"
 
 namespace peterka::regime {
 
@@ -32,22 +32,23 @@ struct Passage {
 class StroboscopicMap {
   public:
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
-    StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings)
-        : scene_(scene), settings_(settings), cycle_(make_cycle_map(scene, settings)) {
+    StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings, CycleDesk& desk)
+        : desk_(&desk), scene_(scene), settings_(settings) {
         const double length = scene.drive() / (1 + scene.drive());
         scale_ = {length, length * std::max(1.0, scene.frequency)};
-    }
-
-    // The same engine on another scene.
-    [[nodiscard]] StroboscopicMap with_scene(const scene::Oscillator<double>& scene) const {
-        return {scene, settings_};
+        per_scale_ = scale_.cwiseInverse();
+        desk.use(scene, settings);
     }
 
     [[nodiscard]] const scene::Oscillator<double>& scene() const { return scene_; }
-    [[nodiscard]] Point scaled(const scene::State<double>& x) const { return x.cwiseQuotient(scale_); }
+    [[nodiscard]] const EngineSettings& settings() const { return settings_; }
+    [[nodiscard]] Point scaled(const scene::State<double>& x) const { return x.cwiseProduct(per_scale_); }
     [[nodiscard]] scene::State<double> unscaled(const Point& x) const { return x.cwiseProduct(scale_); }
+    [[nodiscard]] Eigen::Matrix2d scaled(const Eigen::Matrix2d& jacobian) const {
+        return per_scale_.asDiagonal() * jacobian * scale_.asDiagonal();
+    }
     [[nodiscard]] Eigen::Matrix2d unscaled(const Eigen::Matrix2d& jacobian) const {
-        return scale_.asDiagonal() * jacobian * scale_.cwiseInverse().asDiagonal();
+        return scale_.asDiagonal() * jacobian * per_scale_.asDiagonal();
     }
     // Relative error of a cycle beyond rounding: results of integrators are rough on this scale.
     [[nodiscard]] double noise() const {
@@ -57,31 +58,49 @@ class StroboscopicMap {
     [[nodiscard]] Engine engine() const { return settings_.engine; }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
-    [[nodiscard]] Passage advance(const Point& from, std::int64_t cycles,
-                                  Recorder<double>* recorder = nullptr) {
-        Passage passage;
-        passage.end = from;
-        for (std::int64_t n = 0; n < cycles && passage.ok; ++n) {
-            const trajectory::Cycle<double> cycle =
-                std::visit([&](auto& map) { return map(unscaled(passage.end), recorder); }, cycle_);
-            ++spent_;
-            passage.ok = cycle.outcome == trajectory::Cycle<double>::Outcome::done;
-            passage.outcome = cycle.outcome;
-            passage.end = scaled(cycle.end);
-            passage.jacobian = (cycle.jacobian * passage.jacobian).eval();
-            passage.pattern = append(passage.pattern, cycle.pattern);
-            passage.touched |= cycle.touched;
-            passage.separated |= cycle.separated;
+    // co_await map.cycle(from) gives the Passage of one cycle.
+    [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
+        using Served = decltype(desk_->cycle({}));
+        struct Scaled : Served {
+            const StroboscopicMap* map;
+            [[nodiscard]] Passage await_resume() const { return map->passage(Served::await_resume()); }
+        };
+        ++spent_;
+        return Scaled{desk_->cycle({unscaled(from), recorder}), this};
+    }
+
+    // From where so many cycles in a row lead; those after one that fails aren't tried.
+    [[nodiscard]] Task<Passage> advance(Point from, std::int64_t cycles, Recorder<double>* recorder = nullptr) {
+        Passage all = co_await cycle(from, recorder);
+        for (std::int64_t n = 1; n < cycles && all.ok; ++n) {
+            const Passage next = co_await cycle(all.end, recorder);
+            all.ok = next.ok;
+            all.outcome = next.outcome;
+            all.end = next.end;
+            all.jacobian = (next.jacobian * all.jacobian).eval();
+            all.pattern = append(all.pattern, next.pattern);
+            all.touched |= next.touched;
+            all.separated |= next.separated;
         }
-        passage.jacobian = scale_.cwiseInverse().asDiagonal() * passage.jacobian * scale_.asDiagonal();
-        return passage;
+        co_return all;
     }
 
   private:
+    [[nodiscard]] Passage passage(const trajectory::Cycle<double>& cycle) const {
+        return {cycle.outcome == trajectory::Cycle<double>::Outcome::done,
+                cycle.outcome,
+                scaled(cycle.end),
+                scaled(cycle.jacobian),
+                cycle.pattern,
+                cycle.touched,
+                cycle.separated};
+    }
+
+    CycleDesk* desk_;
     scene::Oscillator<double> scene_;
     EngineSettings settings_;
-    CycleMap cycle_;
     Point scale_;
+    Point per_scale_;
     std::int64_t spent_ = 0;
 };
 

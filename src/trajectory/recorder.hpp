@@ -89,6 +89,13 @@ class Recorder {
         totals_.damper_work += damper_work;
     }
 
+    // A whole cycle of an engine that gathers no more than the level `force`.
+    void cycle(int impacts, Real largest_force, Real bound_of_displacement) {
+        totals_.impacts += impacts;
+        force(largest_force);
+        displacement_bound(bound_of_displacement);
+    }
+
     // A new impact begins, at this delta' > 0.
     void touch(Real speed) {
         leave();

@@ -84,7 +84,7 @@ Batch batch_peaks(batch::Wanted wanted) {
         batch::BatchedCycleMap map(scene_of(0), slots, batch::BatchedCycleMap::steps_for(lowest_frequency));
         for (std::size_t slot = 0; slot < slots; ++slot) {
             const auto scene = scene_of(order[first + slot]);
-            map.place(slot, scene.frequency, scene.gap, testing::start_at(scene));
+            map.add(scene.frequency, scene.gap, testing::start_at(scene));
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const bool last = cycle >= cycles - last_cycles;

@@ -70,17 +70,16 @@ ExitCode run(const Session& session, const Task& task) {
     std::int64_t progress_cells = 0;
     std::int64_t own_tiles = 0;
     const parallel::DealtWork work{
-        .solve_tile =
-            [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
-                if (own_tiles == 2) fail_if_asked(session, task);
-                for (int cell = 0; cell < 4; ++cell) {
-                    if (!carry_on()) return false;
-                    count_up(tile.index);
-                }
-                ++solved[static_cast<std::size_t>(tile.index)];
-                ++own_tiles;
-                return true;
-            },
+        .solve = parallel::one_by_one([&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+            if (own_tiles == 2) fail_if_asked(session, task);
+            for (int cell = 0; cell < 4; ++cell) {
+                if (!carry_on()) return false;
+                count_up(tile.index);
+            }
+            ++solved[static_cast<std::size_t>(tile.index)];
+            ++own_tiles;
+            return true;
+        }),
         .stop_requested = [&] { return task.what == "stop" && session.rank() == task.rank && own_tiles >= 2; },
         .on_progress = [&](std::int64_t cells) { progress_cells += cells; },
     };

@@ -89,7 +89,7 @@ Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<B
     batch::BatchedCycleMap map(rig, cells.size(), steps_per_cycle);
     std::vector<Twin> twins;
     for (std::size_t n = 0; n < cells.size(); ++n) {
-        map.place(n, cells[n].frequency, cells[n].gap, cells[n].state);
+        map.add(cells[n].frequency, cells[n].gap, cells[n].state);
         scene::Oscillator<double> scene = rig;
         scene.frequency = cells[n].frequency;
         scene.gap = cells[n].gap;

@@ -122,9 +122,9 @@ TEST(BatchTwin, DampedRigWithoutStopDamping) {
 TEST(BatchTwin, NumbersThatAreNoneStayTheirOwn) {
     const auto rig = paper_rig(beam_170mm, 1, 0);
     batch::BatchedCycleMap map(rig, 3);
-    map.place(0, 2, 0.5, {-1, 0});
-    map.place(1, 2, 0.5, {std::nan(""), 0});
-    map.place(2, 2, 0.5, {1e200, 1e200});
+    map.add(2, 0.5, {-1, 0});
+    map.add(2, 0.5, {std::nan(""), 0});
+    map.add(2, 0.5, {1e200, 1e200});
     map.advance({});
     EXPECT_EQ(map.cycle(0).outcome, trajectory::Cycle<double>::Outcome::done);
     EXPECT_EQ(map.cycle(1).outcome, trajectory::Cycle<double>::Outcome::not_finite);

@@ -1,0 +1,174 @@
+#include "regime/cell_pool.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "regime/solve_cell.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka::regime {
+
+namespace {
+
+constexpr std::size_t capacity = 1024;    // of a batch: many fill the vectors, few stay in the cache
+constexpr std::size_t most_alone = 32;    // waiting cells, beyond which no more are taken
+constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
+
+}  // namespace
+
+struct CellPool::Cell {
+    Cell(const scene::Scene& scene, std::int64_t row, std::int64_t column, std::int64_t its_number)
+        : number(its_number), search(solve_cell(desk, scene, row, column)) {}
+
+    std::int64_t number;
+    CycleDesk desk;
+    Task<CellResult> search;
+    std::int64_t engine = 0;  // of desk.engines_used(): that of the batch in which it sits
+    std::optional<ScalarEngine> scalar;
+    double seconds = 0;
+    double paid_before = 0;  // by each cell of the group, when this one came
+
+    [[nodiscard]] bool wants_measure() const { return desk.order().recorder != nullptr; }
+};
+
+struct CellPool::Group {
+    Group(bool does_measure, const scene::Oscillator<double>& rig, int steps_per_cycle)
+        : measures(does_measure), map(rig, capacity, steps_per_cycle) {}
+
+    bool measures;
+    batch::BatchedCycleMap map;
+    std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
+    double paid = 0;                           // by each cell that was there all the time [s]
+    double last_step_seconds = 0;
+};
+
+CellPool::CellPool(const scene::Scene& scene, Take take) : scene_(scene), take_(std::move(take)) {}
+CellPool::~CellPool() = default;
+
+bool CellPool::has_room() const {
+    return in_hand_ < capacity && alone_.size() < most_alone;
+}
+
+void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
+    auto cell = std::make_unique<Cell>(scene_, row, column, number);
+    ++in_hand_;
+    const Stopwatch stopwatch;
+    cell->search.start();
+    cell->seconds = stopwatch.seconds();
+    if (cell->search.done()) return finish(*cell);
+    enter(std::move(cell));
+}
+
+// A closed form of a spring-dashpot stop, and at most the peak force.
+bool CellPool::fits_batch(const Cell& cell) {
+    const CycleOrder& order = cell.desk.order();
+    return cell.desk.settings().engine == Engine::exact &&
+           std::holds_alternative<scene::KelvinVoigt<double>>(cell.desk.scene().contact) &&
+           !(order.recorder != nullptr && order.recorder->records_contacts());
+}
+
+CellPool::Group& CellPool::group_for(const Cell& cell) {
+    const scene::Oscillator<double>& scene = cell.desk.scene();
+    const int steps = batch::BatchedCycleMap::steps_for(scene.frequency);
+    const bool measures = cell.wants_measure();
+    const auto suits = [&](const std::unique_ptr<Group>& group) {
+        return group->measures == measures && group->map.steps_per_cycle() == steps;
+    };
+    const auto found = std::ranges::find_if(groups_, suits);
+    if (found != groups_.end()) return **found;
+    groups_.push_back(std::make_unique<Group>(measures, scene, steps));
+    return *groups_.back();
+}
+
+// Puts a cell whose search waits where its order is served.
+void CellPool::enter(std::unique_ptr<Cell> cell) {
+    if (!fits_batch(*cell)) {
+        alone_.push_back(std::move(cell));
+        return;
+    }
+    const scene::Oscillator<double>& scene = cell->desk.scene();
+    Group& group = group_for(*cell);
+    group.map.add(scene.frequency, scene.gap, cell->desk.order().from);
+    cell->engine = cell->desk.engines_used();
+    put_in(group, std::move(cell));
+}
+
+void CellPool::step() {
+    for (std::size_t n = 0; n < groups_.size(); ++n) {  // on the way new ones may be made
+        if (!groups_[n]->cells.empty()) advance(*groups_[n]);
+    }
+    if (!alone_.empty()) serve_alone();
+}
+
+void CellPool::advance(Group& group) {
+    // Each cell pays for the step before: those that leave in this one paid for it when they came.
+    group.paid += group.last_step_seconds / static_cast<double>(group.cells.size());
+    const Stopwatch stopwatch;
+    group.map.advance({.measure = group.measures, .jacobian = true});
+    // from the back: the cell that takes the slot of one that leaves has been served already
+    for (std::size_t slot = group.cells.size(); slot-- > 0;) serve(group, slot);
+    group.last_step_seconds = stopwatch.seconds();
+}
+
+void CellPool::serve(Group& group, std::size_t slot) {
+    Cell& cell = *group.cells[slot];
+    const trajectory::Cycle<double> cycle = group.map.cycle(slot);
+    if (group.measures) {
+        cell.desk.order().recorder->cycle(cycle.impacts, group.map.peak_force(slot),
+                                          group.map.displacement_bound(slot));
+    }
+    cell.desk.serve(cycle);
+    if (cell.search.done()) return finish(*leave(group, slot));
+    if (cell.engine != cell.desk.engines_used() || !fits_batch(cell)) return enter(leave(group, slot));
+    if (cell.wants_measure() != group.measures) return move(group, slot);
+    group.map.set_state(slot, cell.desk.order().from);
+}
+
+std::unique_ptr<CellPool::Cell> CellPool::take_out(Group& group, std::size_t slot) {
+    std::unique_ptr<Cell> cell = std::move(group.cells[slot]);
+    group.cells[slot] = std::move(group.cells.back());
+    group.cells.pop_back();
+    cell->seconds += group.paid - cell->paid_before;
+    return cell;
+}
+
+std::unique_ptr<CellPool::Cell> CellPool::leave(Group& group, std::size_t slot) {
+    group.map.remove(slot);
+    return take_out(group, slot);
+}
+
+void CellPool::put_in(Group& group, std::unique_ptr<Cell> cell) {
+    cell->paid_before = group.paid;
+    group.cells.push_back(std::move(cell));
+}
+
+// To the batch that measures, or back.
+void CellPool::move(Group& from, std::size_t slot) {
+    Group& to = group_for(*from.cells[slot]);
+    to.map.take(from.map, slot);
+    to.map.set_state(to.map.size() - 1, from.cells[slot]->desk.order().from);
+    put_in(to, take_out(from, slot));
+}
+
+void CellPool::serve_alone() {
+    const Stopwatch stopwatch;
+    Cell& cell = *alone_.front();
+    if (!cell.scalar) cell.scalar.emplace();
+    do {
+        cell.scalar->serve(cell.desk);
+    } while (!cell.search.done() && !fits_batch(cell) && stopwatch.seconds() < seconds_alone);
+    cell.seconds += stopwatch.seconds();
+    if (!cell.search.done() && !fits_batch(cell)) return;
+    std::unique_ptr<Cell> front = std::move(alone_.front());
+    alone_.pop_front();
+    if (front->search.done()) return finish(*front);
+    enter(std::move(front));
+}
+
+void CellPool::finish(const Cell& cell) {
+    --in_hand_;
+    take_({cell.number, cell.search.result(), cell.seconds});
+}
+
+}  // namespace peterka::regime

@@ -1,0 +1,71 @@
+// Solves many cells at once: each is a search of its own (regime/solve_cell.hpp), and the cycles that all of
+// them order together are integrated by the batched engine.
+//
+// Searches that want another engine, or more of an impact than the batch gathers, are served one after the
+// other by a scalar one. A cell's result is that of the cell alone: it doesn't depend on what else is in the
+// pool.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "batch/batched_cycle_map.hpp"
+#include "regime/cell_result.hpp"
+#include "regime/cycle_desk.hpp"
+#include "regime/scalar_engine.hpp"
+#include "scene/scene.hpp"
+#include "support/task.hpp"
+
+namespace peterka::regime {
+
+class CellPool {
+  public:
+    // The number under which a cell was added, its result, and the seconds of computing that were its share.
+    struct Solved {
+        std::int64_t number;
+        CellResult result;
+        double seconds;
+    };
+    using Take = std::function<void(const Solved&)>;
+
+    // `take` is called for each cell when it is solved. The scene must outlive the pool.
+    CellPool(const scene::Scene& scene, Take take);
+    ~CellPool();
+
+    // Room for more cells; the batch is best kept full.
+    [[nodiscard]] bool has_room() const;
+    [[nodiscard]] bool empty() const { return in_hand_ == 0; }
+    void add(std::int64_t row, std::int64_t column, std::int64_t number);
+
+    // Carries all cells in the batch through one forcing cycle, and the foremost of those outside it through a
+    // few.
+    void step();
+
+  private:
+    struct Cell;
+    struct Group;  // a batch and the cells in it; peak forces cost time, so cells that want them are apart
+
+    [[nodiscard]] static bool fits_batch(const Cell& cell);
+    [[nodiscard]] Group& group_for(const Cell& cell);
+    void enter(std::unique_ptr<Cell> cell);
+    void advance(Group& group);
+    void serve(Group& group, std::size_t slot);
+    void serve_alone();
+    void move(Group& from, std::size_t slot);
+    static std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
+    static std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
+    static void put_in(Group& group, std::unique_ptr<Cell> cell);
+    void finish(const Cell& cell);
+
+    const scene::Scene& scene_;
+    Take take_;
+    std::vector<std::unique_ptr<Group>> groups_;
+    std::deque<std::unique_ptr<Cell>> alone_;
+    std::size_t in_hand_ = 0;
+};
+
+}  // namespace peterka::regime
