@@ -10,7 +10,9 @@
 
 #include "batch/cycle_kernel.hpp"
 #include "motion/linear_motion.hpp"
-#include "trajectory/recorder.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/split_cycle_map.hpp"
+#include "trajectory/spring_change.hpp"
 
 namespace peterka::batch {
 
@@ -51,9 +53,15 @@ std::vector<double**> fields(Lanes& l) {
             &l.contact_re,
             &l.contact_im,
             &l.contact_swing,
+            &l.flight_square,
+            &l.flight_rate,
+            &l.flight_rest,
+            &l.contact_rate,
+            &l.margin_per_speed,
             &l.flow_cosine,
             &l.flow_sine,
             &l.flow_slope,
+            &l.flow_fall,
             &l.push_sine,
             &l.push_cosine,
             &l.push_rest,
@@ -83,6 +91,16 @@ std::vector<double**> fields(Lanes& l) {
             &l.jacobian[3]};
 }
 
+scene::Oscillator<double> without_cubic(scene::Oscillator<double> rig) {
+    rig.cubic = 0;
+    return rig;
+}
+
+// Whether the kernel's closed forms are fit for a motion.
+bool is_regular(const motion::LinearMotion<double>& motion) {
+    return motion.oscillates() && !motion.near_critical() && !motion.resonant();
+}
+
 }  // namespace
 
 Grid::Grid(int steps_per_cycle) : steps(steps_per_cycle) {
@@ -102,9 +120,10 @@ int BatchedCycleMap::steps_for(double frequency) {
 }
 
 BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity,
-                                 int steps_per_cycle)
-    : oscillator_(rig),
-      rig_(rig),
+                                 int steps_per_cycle, Springs springs)
+    : springs_(springs),
+      oscillator_(springs == Springs::split ? rig : without_cubic(rig)),
+      rig_(oscillator_),
       grid_(steps_per_cycle),
       stride_(stride(capacity)),
       slab_(nullptr, deallocate),
@@ -134,14 +153,24 @@ void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& st
     lanes_.velocity[0][slot] = state[1];
 }
 
-BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency) const {
-    const scene::Oscillator<double> scene = scene_of(frequency, 0);
-    const motion::LinearMotion<double> flight(motion::flight_equation(scene));
-    const motion::LinearMotion<double> contact(motion::contact_equation(scene));
+BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double gap) const {
+    const scene::Oscillator<double> scene = scene_of(frequency, gap);
+    const auto cubic = trajectory::cubic_about_stop(scene);
+    const motion::LinearMotion<double> flight(cubic(motion::flight_equation(scene)));
+    const motion::LinearMotion<double> contact(cubic(motion::contact_equation(scene)));
     Forcing f;
     f.frequency = frequency;
+    f.gap = gap;
     f.step = scene.period() / grid_.steps;
-    f.fit = rig_.fit && !flight.resonant() && !contact.resonant() && f.step <= longest_step;
+    const double fastest = std::max({1.0, frequency, flight.natural_frequency()});
+    const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
+    f.fit =
+        rig_.fit && is_regular(flight) && is_regular(contact) && relative && f.step * fastest <= longest_step;
+    const double square = flight.equation().stiffness;
+    f.flight_square = square;
+    f.flight_rate = flight.rate();
+    f.contact_rate = contact.rate();
+    f.margin_per_speed = square * square / flight.rate() * std::pow(f.step, 4) / 144;
     f.flight_re = flight.response().real();
     f.flight_im = flight.response().imag();
     f.swing = std::abs(flight.response());
@@ -163,9 +192,10 @@ BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency) const {
     return f;
 }
 
-const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency) {
+const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, double gap) {
     Forcing& kept = forcings_[std::hash<double>()(frequency) % frequencies_kept];
-    if (kept.frequency != frequency) kept = forcing_of(frequency);
+    const bool fits = kept.frequency == frequency && (oscillator_.cubic == 0 || kept.gap == gap);
+    if (!fits) kept = forcing_of(frequency, gap);
     return kept;
 }
 
@@ -179,13 +209,13 @@ void BatchedCycleMap::use_lanes(std::size_t size) {
 void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {
     const std::size_t slot = size_;
     use_lanes(slot + 1);
-    const Forcing& f = forcing(frequency);
+    const Forcing& f = forcing(frequency, gap);
     set_state(slot, state);
     lanes_.frequency[slot] = frequency;
     lanes_.gap[slot] = gap;
     lanes_.in_use[slot] = f.fit ? 1 : 0;
     twin_only_[slot] = !f.fit;
-    twins_[slot].reset();
+    twins_[slot] = nullptr;
     if (!f.fit) {
         ++twin_only_count_;
         return;
@@ -197,15 +227,22 @@ void BatchedCycleMap::add(double frequency, double gap, const scene::State<doubl
     lanes_.contact_re[slot] = f.contact_re;
     lanes_.contact_im[slot] = f.contact_im;
     lanes_.contact_swing[slot] = f.contact_swing;
+    const double rest = (gap + oscillator_.cubic * gap * gap * gap) / f.flight_square;
+    lanes_.flight_square[slot] = f.flight_square;
+    lanes_.flight_rate[slot] = f.flight_rate;
+    lanes_.flight_rest[slot] = rest;
+    lanes_.contact_rate[slot] = f.contact_rate;
+    lanes_.margin_per_speed[slot] = f.margin_per_speed;
     lanes_.flow_cosine[slot] = f.flow(0, 0);
     lanes_.flow_sine[slot] = f.flow(0, 1);
     lanes_.flow_slope[slot] = f.flow(1, 1);
+    lanes_.flow_fall[slot] = -f.flow(1, 0);
     lanes_.push_sine[slot] = f.push_sine;
     lanes_.push_cosine[slot] = f.push_cosine;
-    lanes_.push_rest[slot] = -gap + f.flow(0, 0) * gap;
+    lanes_.push_rest[slot] = -rest + f.flow(0, 0) * rest;
     lanes_.kick_sine[slot] = f.kick_sine;
     lanes_.kick_cosine[slot] = f.kick_cosine;
-    lanes_.kick_rest[slot] = f.flow(1, 0) * gap;
+    lanes_.kick_rest[slot] = f.flow(1, 0) * rest;
 }
 
 void BatchedCycleMap::copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to) {
@@ -222,7 +259,7 @@ void BatchedCycleMap::remove(std::size_t slot) {
     const std::size_t last = size_ - 1;
     if (slot != last) copy_slot(*this, last, slot);
     twins_[slot] = std::move(twins_[last]);
-    twins_[last].reset();
+    twins_[last] = nullptr;
     use_lanes(last);
 }
 
@@ -235,15 +272,18 @@ void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
     other.remove(slot);
 }
 
+BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
+    const auto scene = scene_of(lanes_.frequency[slot], lanes_.gap[slot]);
+    if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(scene, grid_.steps);
+    return trajectory::ExactCycleMap<double>(scene);
+}
+
 void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     ++left_to_twin_;
-    if (!twins_[slot]) {
-        twins_[slot] = std::make_unique<trajectory::ExactCycleMap<double>>(
-            scene_of(lanes_.frequency[slot], lanes_.gap[slot]));
-    }
+    if (!twins_[slot]) twins_[slot] = twin_of(slot);
     trajectory::Recorder<double> recorder;
-    const auto cycle = (*twins_[slot])({lanes_.start_delta[slot], lanes_.start_velocity[slot]},
-                                       wanted.measure ? &recorder : nullptr);
+    const auto cycle = twins_[slot]({lanes_.start_delta[slot], lanes_.start_velocity[slot]},
+                                    wanted.measure ? &recorder : nullptr);
     outcome_[slot] = cycle.outcome;
     set_state(slot, cycle.end);
     lanes_.impacts[slot] = cycle.impacts;

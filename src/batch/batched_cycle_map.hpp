@@ -4,23 +4,34 @@
 // own forcing and gap. One call carries all of them through one forcing cycle. What the kernel can't do surely
 // (resonance, stops that don't oscillate, grazing, slow departures) the scalar twin does; `left_to_twin` counts
 // it. A cell's result depends on the cell and its state alone, not on its slot or its neighbours.
+//
+// With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point. The
+// absolute form of the cubic is left to the twin.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "batch/lanes.hpp"
 #include "batch/rig.hpp"
-#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/cycle.hpp"
+#include "trajectory/recorder.hpp"
 
 namespace peterka::batch {
 
+enum class Springs : std::uint8_t {
+    linear,  // without the cubic part
+    split,   // with it, split off as kicks
+};
+
 class BatchedCycleMap {
   public:
-    // rig: whose damping and stop all cells share. Steps per cycle: what steps_for says, for all cells of this
-    // batch.
-    BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16);
+    // rig: whose damping, springs and stop all cells share. Steps per cycle, for all cells of this batch: what
+    // steps_for says, or with split springs trajectory::split_steps.
+    BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
+                    Springs springs = Springs::linear);
 
     // Grid steps per cycle that cells of a frequency ratio need: a step is at most pi/4 of the hammer's own
     // phase.
@@ -34,7 +45,7 @@ class BatchedCycleMap {
     void add(double frequency, double gap, const scene::State<double>& state);
     // Takes a cell out; the last one takes its slot.
     void remove(std::size_t slot);
-    // Takes a cell over from another batch with the same rig and steps, to slot size().
+    // Takes a cell over from another batch with the same rig, steps and springs, to slot size().
     void take(BatchedCycleMap& other, std::size_t slot);
     void set_state(std::size_t slot, const scene::State<double>& state);
 
@@ -56,22 +67,29 @@ class BatchedCycleMap {
     [[nodiscard]] std::int64_t left_to_twin() const { return left_to_twin_; }
 
   private:
-    // What a frequency alone decides.
+    using Twin =
+        std::function<trajectory::Cycle<double>(const scene::State<double>&, trajectory::Recorder<double>*)>;
+
+    // What a frequency alone decides, or with a cubic spring it and the gap.
     struct Forcing {
         double frequency = 0;
+        double gap = 0;
         bool fit = false;
         double step, flight_re, flight_im, swing, contact_re, contact_im, contact_swing;
+        double flight_square, flight_rate, contact_rate, margin_per_speed;
         scene::Jacobian<double> flow;  // of one step of flight
         double push_sine, push_cosine, kick_sine, kick_cosine;
     };
-    [[nodiscard]] Forcing forcing_of(double frequency) const;
-    const Forcing& forcing(double frequency);
+    [[nodiscard]] Forcing forcing_of(double frequency, double gap) const;
+    const Forcing& forcing(double frequency, double gap);
 
     [[nodiscard]] scene::Oscillator<double> scene_of(double frequency, double gap) const;
     void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);
+    [[nodiscard]] Twin twin_of(std::size_t slot) const;
     void run_twin(std::size_t slot, Wanted wanted);
 
+    Springs springs_;
     scene::Oscillator<double> oscillator_;
     Rig rig_;
     Grid grid_;
@@ -85,7 +103,7 @@ class BatchedCycleMap {
     std::vector<std::uint64_t> pattern_;
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;
     std::vector<bool> twin_only_;  // the kernel can't do the cell
-    std::vector<std::unique_ptr<trajectory::ExactCycleMap<double>>> twins_;
+    std::vector<Twin> twins_;
     std::vector<Forcing> forcings_;  // of the frequencies met last: neighbours in a map share them
     std::size_t twin_only_count_ = 0;
     std::int64_t cycles_ = 0;

@@ -1,6 +1,8 @@
 // Contact of a vector of lanes, in closed form.
 //
-//     delta'' + 2 b delta' + w2 delta = a,   F = kappa delta + chi delta',   a = eta^2 sin(theta) - gap
+//     delta'' + 2 b delta' + w2 (delta - rest) = eta^2 sin(theta),   F = kappa delta + chi delta'
+//
+// with w2 = 1 + kappa and rest = -gap/w2 without a cubic spring.
 #if defined(PETERKA_BATCH_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_CONTACT_INL_HPP
 #undef PETERKA_BATCH_CONTACT_INL_HPP
@@ -26,7 +28,7 @@ class Contact {
           start_(start),
           re_(gather(lanes.contact_re, cells.index)),
           im_(gather(lanes.contact_im, cells.index)),
-          rest_(cells.gap * all(-1 / rig.contact_square)),
+          rest_(cells.contact_rest),
           x_(start.delta - rest_ - mul_add(re_, start.sine, im_ * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(re_, start.cosine, im_ * start.sine)),
           force_re_(mul_sub(all(rig.stiffness), re_, all(rig.damping) * cells.eta * im_)),
@@ -39,13 +41,13 @@ class Contact {
     [[nodiscard]] HWY_INLINE Point start() const { return {x_, v_, start_.sine, start_.cosine}; }
     [[nodiscard]] HWY_INLINE Point at(V t) const { return carried(flow_for(t), sine_cosine(cells_.eta * t)); }
     [[nodiscard]] HWY_INLINE FlowOf flow_for(V t) const {
-        return flow(sine_cosine(all(rig_.contact_rate) * t), exp_of(all(-rig_.contact_decay) * t),
-                    rig_.contact_decay, rig_.contact_square, rig_.contact_rate);
+        return flow(sine_cosine(cells_.contact_rate * t), exp_of(all(-rig_.contact_decay) * t),
+                    all(rig_.contact_decay), cells_.contact_square, cells_.inverse_contact_rate);
     }
 
     [[nodiscard]] HWY_INLINE Force force(const Point& p) const {
         const V b = all(-2 * rig_.contact_decay);
-        const V square = all(rig_.contact_square);
+        const V square = cells_.contact_square;
         const V own = mul_add(all(rig_.stiffness), p.x, all(rig_.damping) * p.v);
         const V a = mul_sub(b, p.v, square * p.x);
         const V own_slope = mul_add(all(rig_.stiffness), p.v, all(rig_.damping) * a);
@@ -72,13 +74,13 @@ class Contact {
     // Amplitudes of the homogeneous parts of the force and of the position, which only decay.
     [[nodiscard]] HWY_INLINE V force_amplitude(const Point& p) const {
         const V own = mul_add(all(rig_.stiffness), p.x, all(rig_.damping) * p.v);
-        const V a = mul_sub(all(-2 * rig_.contact_decay), p.v, all(rig_.contact_square) * p.x);
+        const V a = mul_sub(all(-2 * rig_.contact_decay), p.v, cells_.contact_square * p.x);
         const V slope = mul_add(all(rig_.stiffness), p.v, all(rig_.damping) * a);
-        const V quadrature = mul_add(all(rig_.contact_decay), own, slope) * all(1 / rig_.contact_rate);
+        const V quadrature = mul_add(all(rig_.contact_decay), own, slope) * cells_.inverse_contact_rate;
         return sqrt(mul_add(own, own, quadrature * quadrature));
     }
     [[nodiscard]] HWY_INLINE V amplitude(const Point& p) const {
-        const V quadrature = mul_add(all(rig_.contact_decay), p.x, p.v) * all(1 / rig_.contact_rate);
+        const V quadrature = mul_add(all(rig_.contact_decay), p.x, p.v) * cells_.inverse_contact_rate;
         return sqrt(mul_add(p.x, p.x, quadrature * quadrature));
     }
 
@@ -102,7 +104,7 @@ class Contact {
     // A tiny time after p, by Taylor series.
     [[nodiscard]] HWY_INLINE Point next(const Point& p, V t) const {
         const V b = all(-2 * rig_.contact_decay);
-        const V square = all(rig_.contact_square);
+        const V square = cells_.contact_square;
         const V second = mul_sub(b, p.v, square * p.x);
         const V third = mul_sub(b, second, square * p.v);
         const V fourth = mul_sub(b, third, square * second);

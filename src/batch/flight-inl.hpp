@@ -1,12 +1,16 @@
 // Free flight of a vector of lanes, in closed form, and an enclosure of a stretch of it.
 //
-//     delta'' + 2 zeta delta' + delta = a,   a = eta^2 sin(theta) - gap
+//     delta'' + 2 zeta delta' + w2 (delta + rest) = eta^2 sin(theta)
+//
+// with w2 = 1 and rest = gap without a cubic spring.
 #if defined(PETERKA_BATCH_FLIGHT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_FLIGHT_INL_HPP
 #undef PETERKA_BATCH_FLIGHT_INL_HPP
 #else
 #define PETERKA_BATCH_FLIGHT_INL_HPP
 #endif
+
+#include <type_traits>
 
 #include "batch/functions-inl.hpp"
 #include "batch/lanes.hpp"
@@ -29,7 +33,8 @@ HWY_INLINE SineCosine turned(V sine, V cosine, SineCosine by) {
 
 // What of a vector of lanes doesn't change.
 struct Cells {
-    HWY_INLINE Cells(const Lanes& lanes, double steps, Index which)
+    template <bool cubic>
+    HWY_INLINE Cells(const Rig& rig, const Lanes& lanes, double steps, Index which, std::bool_constant<cubic>)
         : index(which),
           eta(gather(lanes.frequency, which)),
           gap(gather(lanes.gap, which)),
@@ -37,12 +42,44 @@ struct Cells {
           re(gather(lanes.flight_re, which)),
           im(gather(lanes.flight_im, which)),
           drive(eta * eta),
-          per_step(eta * all(steps * 0.15915494309189533577)) {}
+          per_step(eta * all(steps * 0.15915494309189533577)) {
+        if constexpr (cubic) {
+            square = gather(lanes.flight_square, which);
+            frequency = sqrt(square);
+            rate = gather(lanes.flight_rate, which);
+            inverse_rate = all(1) / rate;
+            rest = gather(lanes.flight_rest, which);
+            contact_square = square + all(rig.stiffness);
+            contact_frequency = sqrt(contact_square);
+            contact_rate = gather(lanes.contact_rate, which);
+            inverse_contact_rate = all(1) / contact_rate;
+            contact_rest = -(square * rest) / contact_square;
+        } else {
+            square = all(1);
+            frequency = all(1);
+            rate = all(rig.flight_rate);
+            inverse_rate = all(1 / rig.flight_rate);
+            rest = gap;
+            contact_square = all(rig.contact_square);
+            contact_frequency = all(rig.contact_frequency);
+            contact_rate = all(rig.contact_rate);
+            inverse_contact_rate = all(1 / rig.contact_rate);
+            contact_rest = gap * all(-1 / rig.contact_square);
+        }
+    }
 
     Index index;
     V eta, gap, step, re, im;
     V drive;     // amplitude of the forcing
     V per_step;  // 1/step
+
+    // The linear equations: the rig's, or with a cubic spring each cell's own.
+    V square, frequency;   // w2 of flight, and its root
+    V rate, inverse_rate;  // damped frequency
+    V rest;                // static position is -rest
+    V contact_square, contact_frequency;
+    V contact_rate, inverse_contact_rate;
+    V contact_rest;  // static position
 };
 
 // Derivatives of a flight.
@@ -52,10 +89,17 @@ struct Derivatives {
 HWY_INLINE Derivatives derivatives(const Rig& rig, const Cells& cells, const Moment& m) {
     const V damping = all(-2 * rig.damping_ratio);
     const V wave = cells.drive * m.sine;
-    const V second = mul_add(damping, m.velocity, wave - (m.delta + cells.gap));
-    const V third = mul_add(damping, second, mul_sub(cells.drive * cells.eta, m.cosine, m.velocity));
-    const V fourth = mul_add(damping, third, neg_mul_sub(cells.drive, wave, second));
+    const V second = mul_add(damping, m.velocity, neg_mul_add(cells.square, m.delta + cells.rest, wave));
+    const V third =
+        mul_add(damping, second, mul_sub(cells.drive * cells.eta, m.cosine, cells.square * m.velocity));
+    const V fourth = mul_add(damping, third, neg_mul_sub(cells.drive, wave, cells.square * second));
     return {second, third, fourth};
+}
+
+// The flow of a flight of any length.
+HWY_INLINE FlowOf flight_flow(const Rig& rig, const Cells& cells, V t) {
+    return flow(sine_cosine(cells.rate * t), exp_of(all(-rig.damping_ratio) * t), all(rig.damping_ratio),
+                cells.square, cells.inverse_rate);
 }
 
 class Flight {
@@ -64,7 +108,7 @@ class Flight {
         : rig_(rig),
           cells_(cells),
           start_(start),
-          x_(start.delta + cells.gap - mul_add(cells.re, start.sine, cells.im * start.cosine)),
+          x_(start.delta + cells.rest - mul_add(cells.re, start.sine, cells.im * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(cells.re, start.cosine, cells.im * start.sine)) {}
 
     // Amplitude of the homogeneous part, which only decays; and an upper bound that is at most a twelfth
@@ -78,27 +122,31 @@ class Flight {
         const V b = abs(quadrature());
         return mul_add(min(a, b), all(0.41422), max(a, b));
     }
+    // Bound of |delta''''|; swing: amplitude of the steady response.
+    [[nodiscard]] HWY_INLINE V fourth_derivative_bound(V swing) const {
+        return mul_add(cells_.drive * cells_.drive, swing, cells_.square * cells_.square * amplitude_bound());
+    }
 
     [[nodiscard]] HWY_INLINE Moment at(V t) const {
-        return at(t, sine_cosine(all(rig_.flight_rate) * t), sine_cosine(cells_.eta * t));
+        return at(t, sine_cosine(cells_.rate * t), sine_cosine(cells_.eta * t));
     }
     // Within one step of the grid.
     [[nodiscard]] HWY_INLINE Moment soon(V t) const {
-        return at(t, small_sine_cosine(all(rig_.flight_rate) * t), small_sine_cosine(cells_.eta * t));
+        return at(t, small_sine_cosine(cells_.rate * t), small_sine_cosine(cells_.eta * t));
     }
 
   private:
     [[nodiscard]] HWY_INLINE V quadrature() const {
-        return mul_add(all(rig_.damping_ratio), x_, v_) * all(1 / rig_.flight_rate);
+        return mul_add(all(rig_.damping_ratio), x_, v_) * cells_.inverse_rate;
     }
     [[nodiscard]] HWY_INLINE Moment at(V t, SineCosine own, SineCosine forcing) const {
         const V exponent = all(-rig_.damping_ratio) * t;
         const V decay = rig_.weakly_damped ? small_exp(exponent) : exp_of(exponent);
-        const FlowOf f = flow(own, decay, rig_.damping_ratio, 1, rig_.flight_rate);
+        const FlowOf f = flow(own, decay, all(rig_.damping_ratio), cells_.square, cells_.inverse_rate);
         const SineCosine phase = turned(start_.sine, start_.cosine, forcing);
         const V steady = mul_add(cells_.re, phase.sine, cells_.im * phase.cosine);
         const V steady_velocity = cells_.eta * mul_sub(cells_.re, phase.cosine, cells_.im * phase.sine);
-        return {f.position(x_, v_) + steady - cells_.gap, f.velocity(x_, v_) + steady_velocity, phase.sine,
+        return {f.position(x_, v_) + steady - cells_.rest, f.velocity(x_, v_) + steady_velocity, phase.sine,
                 phase.cosine};
     }
 
@@ -106,6 +154,19 @@ class Flight {
     const Cells& cells_;
     const Moment& start_;
     V x_, v_;  // homogeneous part at the start
+};
+
+// The kick by what is left of a relative cubic spring after its linear part at the stop (see
+// trajectory/split_cycle_map.hpp). impulse: cubic times the time it stands for.
+struct Kick {
+    V speed;  // taken from the velocity
+    V slope;  // its derivative by delta
+    HWY_INLINE Kick(V impulse, V gap, V delta) {
+        const V force = impulse * delta;
+        const V stretch = all(3) * gap;
+        speed = force * delta * (stretch + delta);
+        slope = force * mul_add(all(3), delta, stretch + stretch);
+    }
 };
 
 // A stretch of flight in Bernstein form: delta = sum of b_i C(4, i) s^i (1 - s)^(4 - i), where the middle one
@@ -119,6 +180,12 @@ struct Hull {
           b3(neg_mul_add(length * all(0.25), velocity1, delta1)),
           b4(delta1) {
         b2 = mul_add(all(2.0 / 3), b1 + b3, mul_add(all(-1.0 / 6), b0 + b4, margin));
+    }
+    // Largest |delta + gap|, for delta known to stay below `highest`.
+    [[nodiscard]] HWY_INLINE V displacement_bound(V gap, V highest, V margin) const {
+        const V lowest = min(min(min(b0, b1), min(b3, b4)), neg_mul_add(all(2), margin, b2));
+        const V top = min(max(max(max(b0, b1), max(b3, b4)), b2), highest);
+        return max(abs(top + gap), abs(lowest + gap));
     }
     // At the time t of a stretch with `rest` after it, times the fourth power of its length.
     [[nodiscard]] HWY_INLINE V scaled_at(V s, V r) const {

@@ -106,11 +106,10 @@ struct FlowOf {
     HWY_INLINE V position(V x, V v) const { return mul_add(cosine, x, sine * v); }
     HWY_INLINE V velocity(V x, V v) const { return mul_add(fall, x, slope * v); }
 };
-HWY_INLINE FlowOf flow(SineCosine turn, V decay, double damping, double square, double rate) {
+HWY_INLINE FlowOf flow(SineCosine turn, V decay, V damping, V square, V inverse_rate) {
     const V swing = decay * turn.cosine;
-    const V sine = decay * turn.sine * all(1 / rate);
-    return {mul_add(all(damping), sine, swing), sine, all(-square) * sine,
-            neg_mul_add(all(damping), sine, swing)};
+    const V sine = decay * turn.sine * inverse_rate;
+    return {mul_add(damping, sine, swing), sine, -square * sine, neg_mul_add(damping, sine, swing)};
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

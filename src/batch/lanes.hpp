@@ -26,11 +26,20 @@ struct Lanes {
     double* contact_im;
     double* contact_swing;
 
+    // With a cubic spring: the linear equations' own (see flight-inl.hpp), and by how much a change of the
+    // velocity raises the margin of the flag test.
+    double* flight_square;
+    double* flight_rate;
+    double* flight_rest;
+    double* contact_rate;
+    double* margin_per_speed;
+
     // One step of free flight: (delta, delta') -> flow (delta, delta') + (push, kick), both affine in the
     // forcing's sine and cosine at the step's start.
     double* flow_cosine;
     double* flow_sine;
     double* flow_slope;
+    double* flow_fall;  // of the velocity, taken from it
     double* push_sine;
     double* push_cosine;
     double* push_rest;
@@ -104,12 +113,20 @@ struct Crossings {
 
 struct Queues {
     explicit Queues(std::size_t lanes)
-        : crossings(lanes), hops(lanes), contacts(lanes), releases(lanes), twin(lanes) {}
+        : crossings(lanes),
+          hops(lanes),
+          contacts(lanes),
+          releases(lanes),
+          held_contacts(lanes),
+          held_releases(lanes),
+          twin(lanes) {}
     Crossings crossings;  // above the stop at the end of a step
     Queue hops;           // may rise above it within a stretch of flight
     Queue contacts;       // of any length
     Queue releases;       // above the stop, which doesn't press
-    Crossings twin;       // left to the scalar engine in this cycle
+    Queue held_contacts;  // with a cubic spring: those that wait for the kick at a grid point
+    Queue held_releases;
+    Crossings twin;  // left to the scalar engine in this cycle
 };
 
 // The forcing's phases at the grid points.

@@ -20,11 +20,11 @@ struct Sought {
     Mask found;
     Mask unsure;
 };
-HWY_INLINE Sought seek(const Rig& rig, const Cells& cells, const Contact& contact, int order, V sign, V from,
+HWY_INLINE Sought seek(const Cells& cells, const Contact& contact, int order, V sign, V from,
                        const Contact::Point& start, V end, Mask which) {
     const V zero = all(0);
-    const V w = all(rig.contact_frequency);
-    const V power = order == 0 ? all(rig.contact_square) : all(rig.contact_square) * w;
+    const V w = cells.contact_frequency;
+    const V power = order == 0 ? cells.contact_square : cells.contact_square * w;
     const V eta_power = order == 0 ? cells.drive : cells.drive * cells.eta;
     const V swing = contact.force_swing() * eta_power;
 
@@ -94,7 +94,7 @@ HWY_INLINE Sought seek(const Rig& rig, const Cells& cells, const Contact& contac
 
 // Largest force of a contact up to its end: its maxima one after another, for as long as what is left of the
 // transient could still exceed the largest seen (as in trajectory/peak_force.hpp).
-HWY_INLINE Peak long_peak(const Rig& rig, const Cells& cells, const Contact& contact, V end, Mask which) {
+HWY_INLINE Peak long_peak(const Cells& cells, const Contact& contact, V end, Mask which) {
     const V highest = contact.force_rest() + contact.force_swing();
     V time = all(0);
     Contact::Point point = contact.start();
@@ -106,7 +106,7 @@ HWY_INLINE Peak long_peak(const Rig& rig, const Cells& cells, const Contact& con
     for (int n = 0; n < 64; ++n) {
         active = active & (highest + contact.force_amplitude(point) > largest);
         if (!any(active)) break;
-        const Sought extremum = seek(rig, cells, contact, 1, sign, time, point, end, active);
+        const Sought extremum = seek(cells, contact, 1, sign, time, point, end, active);
         unsure = unsure | extremum.unsure;
         active = active & extremum.found;
         time = choose(active, extremum.time, time);

@@ -27,7 +27,7 @@ HWY_INLINE Meeting meet(const Cells& cells, const Moment& m, const Derivatives& 
         t = neg_mul_add(t * t, mul_add(t, mul_add(t, fourth, third), second), first);
     }
     // what is left out is t^5/120 of the fifth derivative, and the fourth power of second t
-    const V reach = max(abs(t), abs(first)) * max(max(cells.eta, all(1)), all(8) * abs(second));
+    const V reach = max(abs(t), abs(first)) * max(max(cells.eta, cells.frequency), all(8) * abs(second));
     return {t, (reach < all(1e-3)) & (m.velocity > all(0))};
 }
 HWY_INLINE Moment meeting_moment(const Cells& cells, const Moment& m, const Derivatives& d, V t) {

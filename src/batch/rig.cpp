@@ -172,6 +172,7 @@ void set_series(Rig& rig) {
 
 Rig::Rig(const scene::Oscillator<double>& scene)
     : damping_ratio(scene.damping_ratio),
+      cubic(scene.cubic),
       stiffness(scene.kelvin_voigt().stiffness),
       damping(scene.kelvin_voigt().damping) {
     const Motion flight(motion::flight_equation(scene));

@@ -32,6 +32,7 @@ struct Rig {
     double damping_ratio = 0;      // zeta
     bool weakly_damped = false;    // a flight of six steps decays by less than a tenth
     double flight_rate = 0;        // damped frequency of the flight
+    double cubic = 0;              // coefficient of u^3
     double stiffness = 0;          // kappa
     double damping = 0;            // chi
     double contact_decay = 0;      // b = zeta + chi/2

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -23,6 +24,7 @@
 #include "trajectory/cycle.hpp"
 #include "trajectory/linear_legs.hpp"
 #include "trajectory/rigid_legs.hpp"
+#include "trajectory/spring_change.hpp"
 
 namespace peterka::trajectory {
 
@@ -64,15 +66,12 @@ class SplitCycleMap {
     }
 
     [[nodiscard]] Legs legs_of(int step) const {
-        const Real gap = scene_.gap;
         // means over the step of y and y^2
         const Real length = phase(1);
         const Real middle = phase(step) + length / 2;
         const Real y = changes_ ? std::sin(middle) * std::sin(length / 2) / (length / 2) : Real(0);
         const Real y2 = changes_ ? (1 - std::cos(2 * middle) * std::sin(length) / length) / 2 : Real(0);
-        return Legs(scene_, SpringChange<Real>{.stiffness = 3 * scene_.cubic * (gap * gap + 2 * gap * y + y2),
-                                               .offset = -scene_.cubic * gap * (gap * gap + 3 * y2),
-                                               .drive = changes_ ? -3 * scene_.cubic * gap * gap : Real(0)});
+        return Legs(scene_, cubic_about_stop(scene_, y, y2));
     }
 
     void half_kick(Real y, Journey<Real>& journey) const {
@@ -110,7 +109,16 @@ using RigidSplitMap = SplitCycleMap<Real, RigidLegs<Real>>;
 // 0.007 E h^4 + 0.16 min(E, E^2) h^2. The absolute form adds up to 0.15 E (h max(1, eta))^2, and a stop so soft
 // that kicks fall into the contact E/kappa h^2. The rule takes about four times that, and a third of the
 // tolerance for each power. Close to a bifurcation any error grows.
+//
+// Few different numbers, 8 at least, so that many cells share one and can march together.
 inline constexpr int most_split_steps = 512;
+
+// Rounded up to a multiple of 8, and above 64 of a power of two that is a quarter of it at most.
+inline int rounded_split_steps(int steps) {
+    const auto size = std::bit_ceil(static_cast<unsigned>(steps));
+    const int unit = std::max(8, static_cast<int>(size / 8));
+    return (steps + unit - 1) / unit * unit;
+}
 
 inline int split_steps(const Oscillator<double>& scene, double largest_displacement, double tolerance) {
     if (scene.cubic == 0) return 1;
@@ -127,11 +135,12 @@ inline int split_steps(const Oscillator<double>& scene, double largest_displacem
     const double third = 0.1 * share_at_stop;
     const double fourth = 0.03 * share;
     const double part = tolerance / 3;
-    // the linear motion between two kicks turns by 0.8 at most
-    const double step = std::min(
-        {std::sqrt(part / second), std::cbrt(part / third), std::sqrt(std::sqrt(part / fourth)), 0.8 / fast});
+    // the linear motion between two kicks turns by pi/4 at most
+    const double stiffest = std::sqrt(1 + 3 * std::abs(scene.cubic) * scene.gap * scene.gap);
+    const double step = std::min({std::sqrt(part / second), std::cbrt(part / third),
+                                  std::sqrt(std::sqrt(part / fourth)), 0.785 / std::max(fast, stiffest)});
     const double steps = std::ceil(scene.period() / step);
-    return steps <= most_split_steps ? static_cast<int>(steps) : 0;
+    return steps <= most_split_steps ? rounded_split_steps(static_cast<int>(steps)) : 0;
 }
 
 }  // namespace peterka::trajectory

@@ -1,7 +1,8 @@
-// What a cubic spring adds to the linear equations of all legs.
+// What a cubic spring adds to the linear equations of all legs (see trajectory/split_cycle_map.hpp).
 #pragma once
 
 #include "motion/linear_motion.hpp"
+#include "scene/oscillator.hpp"
 
 namespace peterka::trajectory {
 
@@ -18,5 +19,15 @@ struct SpringChange {
         return equation;
     }
 };
+
+// y, y2: means of the cart's position and of its square in the absolute form; 0 in the relative one.
+template <class Real>
+SpringChange<Real> cubic_about_stop(const scene::Oscillator<Real>& scene, Real y = 0, Real y2 = 0) {
+    const Real gap = scene.gap;
+    const bool absolute = scene.cubic_form == job::CubicForm::absolute;
+    return {.stiffness = 3 * scene.cubic * (gap * gap + 2 * gap * y + y2),
+            .offset = -scene.cubic * gap * (gap * gap + 3 * y2),
+            .drive = absolute ? -3 * scene.cubic * gap * gap : Real(0)};
+}
 
 }  // namespace peterka::trajectory

@@ -41,8 +41,8 @@ Bytes bytes_of(const batch::BatchedCycleMap& map, std::size_t slot) {
 // A batch that also shrinks, grows and hands cells over while it runs.
 class Batch {
   public:
-    Batch(const std::vector<BatchCell>& cells, std::size_t capacity)
-        : map_(paper_rig(beam_170mm, 1, 0), capacity), cells_(cells) {}
+    Batch(const std::vector<BatchCell>& cells, std::size_t capacity, batch::Springs springs)
+        : map_(cubic_rig(1e-3), capacity, 16, springs), cells_(cells) {}
 
     void add(std::size_t cell) {
         map_.add(cells_[cell].frequency, cells_[cell].gap, cells_[cell].state);
@@ -77,8 +77,9 @@ class Batch {
 };
 
 // After so many cycles, in the order given.
-std::map<std::size_t, Bytes> run(const std::vector<BatchCell>& cells, const std::vector<std::size_t>& order) {
-    Batch batch(cells, order.size());
+std::map<std::size_t, Bytes> run(const std::vector<BatchCell>& cells, const std::vector<std::size_t>& order,
+                                 batch::Springs springs) {
+    Batch batch(cells, order.size(), springs);
     for (const std::size_t cell : order) batch.add(cell);
     batch.advance(15);
     return batch.bytes();
@@ -90,25 +91,28 @@ std::vector<std::size_t> in_order(std::size_t count) {
     return order;
 }
 
-TEST(BatchBytes, DontDependOnSlotOrNeighbours) {
+class BatchBytes : public ::testing::TestWithParam<batch::Springs> {};
+INSTANTIATE_TEST_SUITE_P(Springs, BatchBytes, ::testing::Values(batch::Springs::linear, batch::Springs::split));
+
+TEST_P(BatchBytes, DontDependOnSlotOrNeighbours) {
     auto cells = random_cells(41, 300, 0.5, 4.5, 0, 3);
     cells[5].frequency = 1 + 1e-5;  // resonant: the twin's
     cells[6].frequency = 1 + 1e-5;
-    const auto expected = run(cells, in_order(cells.size()));
+    const auto expected = run(cells, in_order(cells.size()), GetParam());
     auto order = in_order(cells.size());
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
-    EXPECT_TRUE(run(cells, order) == expected);
+    EXPECT_TRUE(run(cells, order, GetParam()) == expected);
     for (const std::size_t n : {0U, 5U, 9U, 77U, 299U}) {
-        EXPECT_TRUE(run(cells, {n}).at(n) == expected.at(n)) << "alone";
+        EXPECT_TRUE(run(cells, {n}, GetParam()).at(n) == expected.at(n)) << "alone";
     }
 }
 
-TEST(BatchBytes, DontDependOnComingAndGoing) {
+TEST_P(BatchBytes, DontDependOnComingAndGoing) {
     auto cells = random_cells(45, 300, 0.5, 4.5, 0, 3);
     cells[5].frequency = cells[6].frequency = 1 + 1e-5;
-    const auto expected = run(cells, in_order(cells.size()));
-    Batch first(cells, cells.size());
-    Batch second(cells, cells.size());
+    const auto expected = run(cells, in_order(cells.size()), GetParam());
+    Batch first(cells, cells.size(), GetParam());
+    Batch second(cells, cells.size(), GetParam());
     for (const std::size_t cell : in_order(cells.size())) first.add(cell);
     first.advance(4);
     for (const std::size_t slot : {299U, 5U, 5U, 0U, 17U}) second.take(first, slot);
@@ -122,11 +126,10 @@ TEST(BatchBytes, DontDependOnComingAndGoing) {
     for (const auto& [cell, of_cell] : bytes) EXPECT_TRUE(of_cell == expected.at(cell)) << cell;
 }
 
-TEST(BatchBytes, DontDependOnWhatElseIsWanted) {
+TEST_P(BatchBytes, DontDependOnWhatElseIsWanted) {
     const auto cells = random_cells(42, 200, 0.5, 4.5, 0, 3);
-    const auto rig = paper_rig(beam_170mm, 1, 0);
-    batch::BatchedCycleMap plain(rig, cells.size());
-    batch::BatchedCycleMap full(rig, cells.size());
+    batch::BatchedCycleMap plain(cubic_rig(1e-3), cells.size(), 16, GetParam());
+    batch::BatchedCycleMap full(cubic_rig(1e-3), cells.size(), 16, GetParam());
     for (std::size_t n = 0; n < cells.size(); ++n) {
         plain.add(cells[n].frequency, cells[n].gap, cells[n].state);
         full.add(cells[n].frequency, cells[n].gap, cells[n].state);
@@ -142,29 +145,32 @@ TEST(BatchBytes, DontDependOnWhatElseIsWanted) {
     EXPECT_GE(same, 198);
 }
 
-class EveryInstructionSet : public ::testing::Test {
+class EveryInstructionSet : public ::testing::TestWithParam<batch::Springs> {
   protected:
     ~EveryInstructionSet() override { batch::use_instruction_set(0); }
 };
 
-TEST_F(EveryInstructionSet, SameArithmeticGivesTheSameBytes) {
+INSTANTIATE_TEST_SUITE_P(Springs, EveryInstructionSet,
+                         ::testing::Values(batch::Springs::linear, batch::Springs::split));
+
+TEST_P(EveryInstructionSet, SameArithmeticGivesTheSameBytes) {
     const auto cells = random_cells(43, 600, 0.5, 4.5, -0.5, 4);
     std::map<std::string, std::map<std::size_t, Bytes>> by_arithmetic;
     for (const std::int64_t set : batch::instruction_sets()) {
         batch::use_instruction_set(set);
-        const auto bytes = run(cells, in_order(cells.size()));
+        const auto bytes = run(cells, in_order(cells.size()), GetParam());
         const auto [known, is_new] = by_arithmetic.try_emplace(std::string(batch::arithmetic()), bytes);
         EXPECT_TRUE(is_new || bytes == known->second) << batch::name_of(set);
     }
     EXPECT_GE(batch::instruction_sets().size(), 1U);
 }
 
-TEST_F(EveryInstructionSet, AgreesWithTheTwin) {
+TEST_P(EveryInstructionSet, AgreesWithTheTwin) {
     for (const std::int64_t set : batch::instruction_sets()) {
         batch::use_instruction_set(set);
         SCOPED_TRACE(batch::name_of(set));
         const auto c =
-            compare_with_twin(paper_rig(beam_170mm, 1, 0), random_cells(44, 500, 0.5, 4.5, 0, 5), 16, 6);
+            compare_with_twin(cubic_rig(1e-4), random_cells(44, 300, 0.5, 4.5, 0, 5), {16, GetParam()}, 6);
         EXPECT_EQ(c.different_events, c.grazes);
         EXPECT_LT(c.state, 1e-12);
         EXPECT_LT(c.peak_force, 1e-11);

@@ -9,6 +9,13 @@
 
 namespace peterka::testing {
 
+// The 170 mm rig with a cubic spring.
+inline scene::Oscillator<double> cubic_rig(double cubic, double frequency = 1, double gap = 0) {
+    auto rig = paper_rig(beam_170mm, frequency, gap);
+    rig.cubic = cubic;
+    return rig;
+}
+
 struct BatchCell {
     double frequency;
     double gap;
@@ -31,13 +38,20 @@ struct Comparison {
     std::int64_t grazes = 0;  // of these, where rounding decides: the twin itself differs from its neighbours
     double state = 0;         // largest differences, relative to what a rounding error of the start makes
     double peak_force = 0;
-    double jacobian = 0;       // relative to its own size, and to the slowest impact
-    double bound_too_low = 0;  // of the displacement, relative
-    double bound_too_high = 0;
+    double jacobian = 0;        // relative to its own size, and to the slowest impact
+    double bound_too_low = 0;   // of the displacement, against its true largest, relative
+    double bound_too_high = 0;  // against the twin's bound
+};
+
+struct BatchGrid {
+    BatchGrid(int steps, batch::Springs with = batch::Springs::linear)
+        : steps_per_cycle(steps), springs(with) {}
+    int steps_per_cycle;
+    batch::Springs springs;
 };
 
 // So many cycles of both, the twin starting each from where the batch is.
 Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<BatchCell> cells,
-                             int steps_per_cycle, int cycles);
+                             const BatchGrid& grid, int cycles);
 
 }  // namespace peterka::testing

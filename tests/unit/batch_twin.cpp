@@ -4,29 +4,10 @@
 #include <cmath>
 #include <random>
 
-#include "batch_cases.hpp"
+#include "batch_agreement.hpp"
 
 namespace peterka::testing {
 namespace {
-
-// Both engines make rounding errors of some 1e-15 of the largest displacement, at resonance of its forced part
-// (up to 140), per cycle; a cycle amplifies those made before its last impact by no more than its Jacobian,
-// which the comparison divides by.
-constexpr double state_tolerance = 1e-12;
-constexpr double force_tolerance = 1e-11;
-// The slope of the flow jumps by kappa at release, whose time both engines know to some rounding errors of the
-// force.
-constexpr double jacobian_tolerance = 1e-10;
-
-void expect_agreement(const Comparison& c) {
-    EXPECT_EQ(c.different_events, c.grazes);
-    EXPECT_LE(c.grazes, c.cycles / 1000);
-    EXPECT_LT(c.state, state_tolerance);
-    EXPECT_LT(c.peak_force, force_tolerance);
-    EXPECT_LT(c.jacobian, jacobian_tolerance);
-    EXPECT_LT(c.bound_too_low, 1e-9);
-    EXPECT_LT(c.bound_too_high, 0.25);  // the twin bounds the way out of the stop and the flight after it apart
-}
 
 scene::Oscillator<double> rig_with(double stiffness, double contact_damping_ratio, double damping_ratio) {
     scene::Oscillator<double> rig;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "observed.hpp"
 #include "rig.hpp"
@@ -265,6 +266,20 @@ TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
     scene.cubic = -0.01;  // gives way at |u| = 10
     EXPECT_EQ(split_steps(scene, 7, 1e-2), 0);
     EXPECT_EQ(SplitCycleMap<double>(scene, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
+}
+
+TEST(SplitSteps, AreFewDifferentNumbers) {
+    std::set<int> numbers;
+    for (int steps = 1; steps <= most_split_steps; ++steps) {
+        const int rounded = rounded_split_steps(steps);
+        numbers.insert(rounded);
+        EXPECT_GE(rounded, steps);
+        EXPECT_LE(rounded, steps <= 32 ? steps + 7 : steps * 5 / 4);
+        EXPECT_EQ(rounded_split_steps(rounded), rounded);
+    }
+    EXPECT_EQ(numbers.size(), 20U);
+    EXPECT_EQ(*numbers.begin(), 8);
+    EXPECT_EQ(*numbers.rbegin(), most_split_steps);
 }
 
 TEST(SplitError, TellsTheErrorByHalvingTheStep) {
