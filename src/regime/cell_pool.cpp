@@ -6,6 +6,7 @@
 
 #include "regime/solve_cell.hpp"
 #include "support/stopwatch.hpp"
+#include "trajectory/split_cycle_map.hpp"
 
 namespace peterka::regime {
 
@@ -33,10 +34,12 @@ struct CellPool::Cell {
 };
 
 struct CellPool::Group {
-    Group(bool does_measure, const scene::Oscillator<double>& rig, int steps_per_cycle)
-        : measures(does_measure), map(rig, capacity, steps_per_cycle) {}
+    Group(bool does_measure, const scene::Oscillator<double>& rig, int steps_per_cycle,
+          batch::Springs its_springs)
+        : measures(does_measure), springs(its_springs), map(rig, capacity, steps_per_cycle, its_springs) {}
 
     bool measures;
+    batch::Springs springs;
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
     double paid = 0;                           // by each cell that was there all the time [s]
@@ -60,24 +63,34 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     enter(std::move(cell));
 }
 
-// A closed form of a spring-dashpot stop, and at most the peak force.
+// A closed form of a spring-dashpot stop, and at most the peak force. The absolute form of a cubic spring gains
+// nothing in a batch.
 bool CellPool::fits_batch(const Cell& cell) {
     const CycleOrder& order = cell.desk.order();
-    return cell.desk.settings().engine == Engine::exact &&
-           std::holds_alternative<scene::KelvinVoigt<double>>(cell.desk.scene().contact) &&
+    const auto& [engine, tolerance, largest_displacement] = cell.desk.settings();
+    const scene::Oscillator<double>& scene = cell.desk.scene();
+    const bool splits = engine == Engine::split && scene.cubic_form == job::CubicForm::relative &&
+                        trajectory::split_steps(scene, largest_displacement, tolerance) > 0;
+    return (engine == Engine::exact || splits) &&
+           std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact) &&
            !(order.recorder != nullptr && order.recorder->records_contacts());
 }
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
     const scene::Oscillator<double>& scene = cell.desk.scene();
-    const int steps = batch::BatchedCycleMap::steps_for(scene.frequency);
+    const EngineSettings& settings = cell.desk.settings();
+    const bool splits = settings.engine == Engine::split && scene.cubic != 0;
+    const batch::Springs springs = splits ? batch::Springs::split : batch::Springs::linear;
+    const int steps = splits ? trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance)
+                             : batch::BatchedCycleMap::steps_for(scene.frequency);
     const bool measures = cell.wants_measure();
     const auto suits = [&](const std::unique_ptr<Group>& group) {
-        return group->measures == measures && group->map.steps_per_cycle() == steps;
+        return group->measures == measures && group->springs == springs &&
+               group->map.steps_per_cycle() == steps;
     };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return **found;
-    groups_.push_back(std::make_unique<Group>(measures, scene, steps));
+    groups_.push_back(std::make_unique<Group>(measures, scene, steps, springs));
     return *groups_.back();
 }
 
