@@ -63,41 +63,32 @@ HWY_INLINE V scaled(V x, V n) {
     return {one(x.a, shifted.a), one(x.b, shifted.b)};
 }
 
+constexpr double factorial(int n) {
+    return n < 2 ? 1 : n * factorial(n - 1);
+}
+// The terms of exp(x) from x^first/first! to x^last/last!, over x^first.
+template <int last, int first = 0>
+HWY_INLINE V exp_series(V x) {
+    const V coefficient = all(1 / factorial(first));
+    if constexpr (first == last) {
+        return coefficient;
+    } else {
+        return mul_add(exp_series<last, first + 1>(x), x, coefficient);
+    }
+}
+
 // exp(x) for x <= 700; 0 below -700.
 HWY_INLINE V exp_of(V x) {
     const V n = round(max(x, all(-700)) * all(1.44269504088896340736));
     V r = mul_add(n, all(-6.93147180369123816490e-01), max(x, all(-700)));
     r = mul_add(n, all(-1.90821492927058770002e-10), r);
-    V p = all(1 / 6227020800.0);
-    p = mul_add(p, r, all(1 / 479001600.0));
-    p = mul_add(p, r, all(1 / 39916800.0));
-    p = mul_add(p, r, all(1 / 3628800.0));
-    p = mul_add(p, r, all(1 / 362880.0));
-    p = mul_add(p, r, all(1 / 40320.0));
-    p = mul_add(p, r, all(1 / 5040.0));
-    p = mul_add(p, r, all(1 / 720.0));
-    p = mul_add(p, r, all(1 / 120.0));
-    p = mul_add(p, r, all(1 / 24.0));
-    p = mul_add(p, r, all(1 / 6.0));
-    p = mul_add(p, r, all(0.5));
-    p = mul_add(p, r, all(1));
-    p = mul_add(p, r, all(1));
+    const V p = exp_series<13>(r);
     return choose(x > all(-700), scaled(p, n), all(0));
 }
 
 // For |x| <= 0.1, by its series.
 HWY_INLINE V small_exp(V x) {
-    V p = all(1 / 362880.0);
-    p = mul_add(p, x, all(1 / 40320.0));
-    p = mul_add(p, x, all(1 / 5040.0));
-    p = mul_add(p, x, all(1 / 720.0));
-    p = mul_add(p, x, all(1 / 120.0));
-    p = mul_add(p, x, all(1 / 24.0));
-    p = mul_add(p, x, all(1 / 6.0));
-    p = mul_add(p, x, all(0.5));
-    p = mul_add(p, x, all(1));
-    p = mul_add(p, x, all(1));
-    return p;
+    return exp_series<9>(x);
 }
 
 // (x, x') after t, from (1, 0) and (0, 1), of x'' + 2 decay x' + (rate^2 + decay^2) x = 0.
