@@ -30,7 +30,7 @@ DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
 
 class OneLineParser(argparse.ArgumentParser):
     def error(self, message):
-        self.exit(BAD_INPUT, f"draw.py: {message}; --help shows the arguments\n")
+        self.exit(BAD_INPUT, f"{self.prog}: {message}; --help shows the arguments\n")
 
 
 def main():

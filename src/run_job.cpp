@@ -84,9 +84,12 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     parallel::failing_ends_all(session, [&] {
         const bool complete = plan.existing == Existing::complete;
         if (complete) refuse_damage(plan, file.remaining_tiles());
-        const bool solved = complete || (solve_missing_tiles(session, plan, scene, stop, file) &&
-                                         audit_map(session, plan, scene, stop, file));
-        const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
+        const Stopwatch solving;
+        const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
+        const double solve_seconds = solving.seconds();
+        const bool solved = complete || (all_there && audit_map(session, plan, scene, stop, file));
+        const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session),
+                                     solve_seconds};
         if (solved) {
             const output::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);

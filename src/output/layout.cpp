@@ -32,6 +32,7 @@ constexpr Variable run_tile_variables[] = {
 constexpr Variable run_variables[] = {
     {"ranks", Number::int32, 0, "1", "ranks of the last run"},
     {"compute_seconds", Number::float64, 0, "s", "wall time of all runs of this file"},
+    {"solve_seconds", Number::float64, 0, "s", "of these, solving and storing cells, without starting up"},
     {"hosts", Number::text, 0, "", "hosts of the last run"},
 };
 constexpr Variable summary_variables[] = {

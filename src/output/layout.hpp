@@ -48,6 +48,7 @@ inline constexpr const char* tile_seconds = "/run/tile_seconds";
 inline constexpr const char* tile_rank = "/run/tile_rank";
 inline constexpr const char* ranks = "/run/ranks";
 inline constexpr const char* compute_seconds = "/run/compute_seconds";
+inline constexpr const char* solve_seconds = "/run/solve_seconds";
 inline constexpr const char* hosts = "/run/hosts";
 inline constexpr const char* omitted = "/summary/omitted";
 inline constexpr const char* failures = "/summary/failures";

@@ -30,8 +30,11 @@ std::string table_full_text(std::int64_t left_over) {
 }
 
 void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
-    const double before = read_number(check, file, path::compute_seconds);
-    write_number(check, file, path::compute_seconds, before + facts.compute_seconds);
+    const auto add = [&](const char* name, double seconds) {
+        write_number(check, file, name, read_number(check, file, name) + seconds);
+    };
+    add(path::compute_seconds, facts.compute_seconds);
+    add(path::solve_seconds, facts.solve_seconds);
     write_number(check, file, path::ranks, facts.ranks);
     write_text(check, file, path::hosts, facts.hosts);
 }

@@ -55,6 +55,7 @@ std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
         for (const auto setting : settings) runs.push_back({method, static_cast<double>(setting)});
     };
     runs.push_back({Method::exact, 0});
+    if (!cubic) runs.push_back({Method::batched, 0});
     if (cubic) add(Method::split, tolerances);
     for (const Method method :
          {Method::cvode_adams, Method::cvode_bdf, Method::arkode_explicit, Method::arkode_implicit}) {

@@ -41,8 +41,8 @@ struct Run {
     double setting = 0;
 };
 
-// Every method at each of its settings, one method after another. With a cubic spring there is split, too, and
-// the error of exact is that of leaving the spring out.
+// Every method at each of its settings, one method after another. Without a cubic spring there is the batched
+// engine; with one there is split, and the error of exact is that of leaving the spring out.
 [[nodiscard]] std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
                                     std::span<const std::int64_t> steps_per_cycle);
 
@@ -55,6 +55,7 @@ struct Observation {
     double last_touch = 0;  // tau since the cycle began, NaN without an impact
 };
 
+// A single cell by any method but the batched one, for which see batch_trial.hpp.
 class MethodMap {
   public:
     // largest_displacement, of |u|: what the kicks of `split` are chosen for.

@@ -82,14 +82,30 @@ std::int64_t WorkPrecision::tasks() const {
     return std::ssize(runs_) * std::ssize(cells_);
 }
 
-Result WorkPrecision::solve(std::int64_t task) const {
-    const Run& run = runs_[static_cast<std::size_t>(task / std::ssize(cells_))];
-    const auto number = static_cast<std::size_t>(task % std::ssize(cells_));
-    const Cell& cell = cells_[number];
-    const Result failed{Outcome::failed, nan, nan, nan, nan};
-    if (!orbit(number)) return failed;
-    const ReferenceOrbit& expected = *orbit(number);
+const BatchTrial& WorkPrecision::batch_trial() const {
+    if (!batch_trial_) {
+        std::vector<OrbitStart> starts;
+        for (std::size_t n = 0; n < cells_.size(); ++n) {
+            if (!orbit(n)) continue;
+            starts.push_back({cells_[n].scene, orbit(n)->points[0].cast<double>(), orbit(n)->period()});
+        }
+        BatchTrial trial = follow_in_batch(starts, study_.cycles, study_.repeats);
+        for (std::size_t n = 0; n < cells_.size(); ++n) {
+            if (!orbit(n)) trial.orbits.insert(trial.orbits.begin() + static_cast<std::ptrdiff_t>(n), 1, {});
+        }
+        batch_trial_ = std::move(trial);
+    }
+    return *batch_trial_;
+}
 
+std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std::size_t number) const {
+    const Cell& cell = cells_[number];
+    const ReferenceOrbit& expected = *orbit(number);
+    if (run.method == Method::batched) {
+        const BatchTrial& trial = batch_trial();
+        if (!std::ranges::all_of(trial.orbits[number], &Observation::ok)) return std::nullopt;
+        return Followed{trial.seconds_per_cycle, trial.orbits[number]};
+    }
     MethodMap map(cell.scene, run, static_cast<double>(expected.largest_displacement()));
     const State<double> start = expected.points[0].cast<double>();
     State<double> x = start;
@@ -98,25 +114,37 @@ Result WorkPrecision::solve(std::int64_t task) const {
         x = start;
         const Stopwatch stopwatch;
         for (std::int64_t n = 0; n < study_.cycles; ++n) {
-            if (!map.advance(x)) return failed;
+            if (!map.advance(x)) return std::nullopt;
         }
         fastest = std::min(fastest, stopwatch.seconds());
     }
-    std::vector<Observation> cycles;
+    Followed followed{fastest / static_cast<double>(study_.cycles), {}};
     for (std::size_t n = 0; n < expected.period(); ++n) {
-        cycles.push_back(map.observe(x));
-        if (!cycles.back().ok) return failed;
-        x = cycles.back().end;
+        followed.cycles.push_back(map.observe(x));
+        if (!followed.cycles.back().ok) return std::nullopt;
+        x = followed.cycles.back().end;
     }
+    return followed;
+}
+
+Result WorkPrecision::solve(std::int64_t task) const {
+    const auto number = static_cast<std::size_t>(task % std::ssize(cells_));
+    const Result failed{Outcome::failed, nan, nan, nan, nan};
+    if (!orbit(number)) return failed;
+    const ReferenceOrbit& expected = *orbit(number);
+    const auto followed = follow(runs_[static_cast<std::size_t>(task / std::ssize(cells_))], number);
+    if (!followed) return failed;
+
     // a coarse method may have slipped by a cycle on an orbit of several
     Result best = failed;
     best.error_state = std::numeric_limits<double>::infinity();
     for (std::size_t shift = 0; shift < expected.period(); ++shift) {
-        const Result result = compared(cycles, expected, shift,
-                                       2 * std::numbers::pi_v<Extended> / Extended(cell.scene.frequency));
+        const Result result =
+            compared(followed->cycles, expected, shift,
+                     2 * std::numbers::pi_v<Extended> / Extended(cells_[number].scene.frequency));
         if (result.error_state < best.error_state) best = result;
     }
-    best.seconds_per_cycle = fastest / static_cast<double>(study_.cycles);
+    best.seconds_per_cycle = followed->seconds_per_cycle;
     return best;
 }
 

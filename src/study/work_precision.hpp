@@ -2,7 +2,8 @@
 //
 // Each run starts on the cell's stable periodic orbit, which the reference knows to 1e-17, and follows it for
 // job.study.cycles forcing cycles; then one period is compared with the reference. All methods do the same
-// work: state, Jacobian and contacts; time is that of the fastest of job.study.repeats.
+// work: state, Jacobian and contacts; time is that of the fastest of job.study.repeats. The batched engine
+// follows all cells together, and each cell's time is its share of the batch's.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "job/job.hpp"
 #include "scene/scales.hpp"
+#include "study/batch_trial.hpp"
 #include "study/method.hpp"
 #include "study/reference.hpp"
 #include "study/table.hpp"
@@ -45,9 +47,17 @@ class WorkPrecision {
         State<double> start;
     };
     using Orbit = std::optional<ReferenceOrbit>;
+    struct Followed {
+        double seconds_per_cycle = 0;
+        std::vector<Observation> cycles;  // one period
+    };
 
     // The cell's orbit, found when it is first asked for: a rank needs few, and a check none.
     [[nodiscard]] const Orbit& orbit(std::size_t cell) const;
+    // All cells in one batch, when it is first asked for.
+    [[nodiscard]] const BatchTrial& batch_trial() const;
+    // The run on the cell's orbit; nothing where it fails.
+    [[nodiscard]] std::optional<Followed> follow(const Run& run, std::size_t cell) const;
 
     job::Study study_;
     regime::Budget budget_;
@@ -55,6 +65,7 @@ class WorkPrecision {
     std::vector<Run> runs_;
     std::vector<Cell> cells_;
     mutable std::vector<std::optional<Orbit>> orbits_;
+    mutable std::optional<BatchTrial> batch_trial_;
 };
 
 }  // namespace peterka::study

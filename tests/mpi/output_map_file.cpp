@@ -203,7 +203,7 @@ TEST_P(OutputMapFile, ResumeComputesWhatIsMissingOrDamagedAndNothingElse) {
     {
         MapFile map = create("map.h5");
         write(map, std::vector<std::int64_t>{1, 2, 3, 5, 8, 13});
-        map.record({ranks_, 2.0, "first host"});
+        map.record({ranks_, 2.0, "first host", 1.5});
         map.close();
     }
     on_first_rank(MPI_COMM_WORLD, [&] {
@@ -221,7 +221,7 @@ TEST_P(OutputMapFile, ResumeComputesWhatIsMissingOrDamagedAndNothingElse) {
               (std::vector<parallel::TileRange>{{0, 1}, {2, 3}, {4, 5}, {6, 8}, {9, 13}, {14, 20}}));
     EXPECT_EQ(remaining.damaged, 1);
     write(map, remaining.ranges);
-    map.finish(map.statistics(), omitted, {ranks_, 3.0, "second host"});
+    map.finish(map.statistics(), omitted, {ranks_, 3.0, "second host", 2.5});
     map.close();
     write_alone("alone.h5");
     EXPECT_EQ(content("map.h5"), content("alone.h5"));
@@ -229,6 +229,7 @@ TEST_P(OutputMapFile, ResumeComputesWhatIsMissingOrDamagedAndNothingElse) {
     const Checked check(folder_ / "map.h5");
     const FileId file(check(H5Fopen((folder_ / "map.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
     EXPECT_EQ(read_number(check, file.id(), path::compute_seconds), 5.0);
+    EXPECT_EQ(read_number(check, file.id(), path::solve_seconds), 4.0);
     EXPECT_EQ(read_number(check, file.id(), path::ranks), ranks_);
 }
 

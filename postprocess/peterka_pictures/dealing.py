@@ -1,0 +1,119 @@
+"""Replays the dealing of tiles to ranks, event by event: how long does a map take on so many ranks?
+
+Every rank has a few tiles in hand, takes another one when the first of them is done, and asks for its next run of
+neighbouring tiles when it takes the last one of the present run. Rank 0 deals the runs in the order of the tiles. It
+serves one request after the other, first come, first served, and computes in between, on single tiles: it looks for
+requests every so often, and its own tiles take longer by what it serves. A message takes a fixed time whatever else is
+under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is thought to be done one
+tile after the other.
+"""
+
+from bisect import bisect_right
+from collections import deque
+from dataclasses import dataclass
+from heapq import heapify, heapreplace
+from math import ceil
+
+RUNS_PER_RANK = 64
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Times in s."""
+
+    service: float  # of rank 0 for one run: its request, its answer and the reports on it
+    latency: float  # of a message
+    look: float  # between two looks of rank 0 for requests, while it computes
+    in_hand: int = 4  # tiles that a rank works on
+
+
+@dataclass(frozen=True)
+class Replay:
+    ranks: int
+    seconds: float  # until the last rank is done
+    work: float  # computing time of all tiles [s]
+    runs: int  # that rank 0 dealt to others
+
+    @property
+    def efficiency(self):
+        return self.work / (self.ranks * self.seconds)
+
+
+def deal_size(remaining, tiles, ranks, runs_per_rank=RUNS_PER_RANK):
+    """How many tiles a run has; the program's rule (deal_size in src/parallel/tile_pool.cpp)."""
+    longest = max(tiles // (runs_per_rank * ranks), 1)
+    return min(-(-remaining // (2 * ranks)), longest)
+
+
+def replay(costs, ranks, machine, size=deal_size):
+    """The course of a map with these TileCosts, as a Replay."""
+    before, tiles, in_hand = costs.before, costs.count, machine.in_hand
+    master = _Master(costs, machine)
+    requests = [(machine.latency, rank) for rank in range(1, ranks)]  # when rank 0 has them, and whose they are
+    heapify(requests)
+    done = [deque([0.0] * in_hand, in_hand) for _ in range(ranks)]  # when each rank ends its latest tiles
+    runs = 0
+    while requests:
+        arrival, rank = requests[0]
+        if arrival > master.now:
+            master.compute_until(arrival)
+        first = master.dealt
+        if first == tiles:
+            break
+        master.now += machine.service
+        end = first + size(tiles - first, tiles, ranks)
+        master.dealt = end
+        runs += 1
+
+        has_run = master.now + machine.latency
+        mine = done[rank]
+        shift = max(has_run, mine[-1]) - before(first)
+        length = end - first
+        room = shift + before(end - in_hand) if length > in_hand else mine[length - 1 - in_hand]
+        mine.extend([shift + before(tile) for tile in range(max(first, end - in_hand) + 1, end + 1)])
+        heapreplace(requests, (max(has_run, room) + machine.latency, rank))
+    else:
+        master.compute_until(costs.total)
+    return Replay(ranks, max(master.now + sum(master.in_hand), max(mine[-1] for mine in done)), costs.total, runs)
+
+
+class _Master:
+    """Rank 0 as one that computes: takes tiles off the front of what is not dealt."""
+
+    def __init__(self, costs, machine):
+        self._costs = costs
+        self._look = machine.look
+        self._most = machine.in_hand
+        self.now = 0.0  # s
+        self.in_hand = []  # what is left of its tiles [s]
+        self.dealt = 0  # tiles, by itself and to others
+
+    def compute_until(self, moment):
+        """On to its first look for requests at or after this moment, or to the end of its last tile."""
+        self._fill()
+        time = ceil((moment - self.now) / self._look) * self._look
+        if time < sum(self.in_hand):
+            self.now += time
+            while time >= self.in_hand[0]:
+                time -= self.in_hand.pop(0)
+            self.in_hand[0] -= time
+        else:
+            self._finish_all(time)
+        self._fill()
+
+    def _finish_all(self, time):
+        """What it has in hand, and as many of the next tiles as it comes through in this time."""
+        before, tiles = self._costs.before, self._costs.count
+        reached = before(self.dealt) + time - sum(self.in_hand)  # on the axis of all tiles' times
+        end = bisect_right(range(tiles + 1), reached, lo=self.dealt + 1, key=before)
+        if end > tiles:
+            self.now += sum(self.in_hand) + before(tiles) - before(self.dealt)
+            self.in_hand, self.dealt = [], tiles
+        else:
+            self.now += time
+            self.in_hand, self.dealt = [before(end) - reached], end
+
+    def _fill(self):
+        while len(self.in_hand) < self._most and self.dealt < self._costs.count:
+            self.in_hand.append(self._costs.before(self.dealt + 1) - self._costs.before(self.dealt))
+            self.dealt += 1

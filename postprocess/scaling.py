@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Parallel efficiency of a map on any number of ranks, from the seconds per tile that its file stores.
+
+    scaling.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
+               [--service US] [--latency US] [--look US] [--output-dir DIR] [--formats png,pdf]
+
+Deals the tiles again as the program does, event by event: to 1 up to --ranks ranks, for the map's plane at the
+resolution of each of --cells, and draws STEM_scaling. --measured are files of the same plane: each is drawn against
+the one of as many cells that was computed on one rank. The defaults of --service (rank 0's time for one run) and
+--latency (of a message) were measured on 2 cores with tests/benchmark/deal_rate; measure them on your machine.
+Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 a picture cannot be written.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from draw import BAD_INPUT, BAD_OUTPUT, DONE, FORMATS, OneLineParser, read_formats, tell  # noqa: E402
+from peterka_pictures import axes, scaling  # noqa: E402
+from peterka_pictures.dealing import Machine  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.run_record import read_record  # noqa: E402
+
+LEAST_CELLS, MOST_CELLS, MOST_RANKS = 256, 10**11, 10**6  # more than that takes hours
+
+
+def main():
+    arguments = read_arguments()
+    machine = Machine(1e-6 * arguments.service, 1e-6 * arguments.latency, 1e-6 * arguments.look)
+    try:
+        record = read_record(arguments.file)
+        measured, alone = scaling.measured_efficiency([read_record(path) for path in arguments.measured])
+    except NotDrawable as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    for lonely in alone:
+        complain(f"{lonely.path} is left out: no file of as many cells was computed on one rank")
+    ranks = scaling.ranks_up_to(arguments.ranks)
+    curves = [scaling.curve(record, cells, ranks, machine) for cells in arguments.cells]
+    tell(scaling.text(curves, machine))
+    try:
+        arguments.output_dir.mkdir(parents=True, exist_ok=True)
+        figure = scaling.draw(record, curves, measured, machine)
+        for suffix in arguments.formats:
+            picture = arguments.output_dir / f"{arguments.file.stem}_scaling.{suffix}"
+            axes.save(figure, picture)
+            tell(picture)
+    except OSError as error:
+        complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+        return BAD_OUTPUT
+    return DONE
+
+
+def read_arguments():
+    parser = OneLineParser(prog="scaling.py", description=__doc__,
+                           formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", metavar="FILE.h5", type=Path)
+    parser.add_argument("--measured", metavar="FILE.h5", nargs="+", type=Path, default=[])
+    parser.add_argument("--cells", type=read_cells, default="1e6,1e8,1e10", help="default: 1e6,1e8,1e10")
+    parser.add_argument("--ranks", type=whole_number(1, MOST_RANKS), default=100000, help="default: 100000")
+    for name, default, what in (("service", 3.0, "rank 0's time for one run"), ("latency", 2.0, "time of a message"),
+                                ("look", 100.0, "between two looks of a computing rank 0 for messages")):
+        parser.add_argument(f"--{name}", metavar="US", type=microseconds, default=default,
+                            help=f"{what} [µs], default: {default:g}")
+    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
+    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    return parser.parse_args()
+
+
+def read_cells(text):
+    return [whole_number(LEAST_CELLS, MOST_CELLS)(word) for word in text.split(",")]
+
+
+def whole_number(least, most):
+    def read(text):
+        number = number_in(text)
+        if not least <= number <= most or number != int(number):
+            raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from {least} to {most:.0e}")
+        return int(number)
+
+    return read
+
+
+def microseconds(text):
+    number = number_in(text)
+    if not 0 < number < 1e6:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a time in microseconds between 0 and 1e6")
+    return number
+
+
+def number_in(text):
+    try:
+        return float(text)
+    except ValueError:
+        return float("nan")
+
+
+def complain(message):
+    print(f"scaling.py: {' '.join(str(message).split())}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
