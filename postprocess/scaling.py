@@ -2,11 +2,12 @@
 """Parallel efficiency of a map on any number of ranks, from the seconds per tile that its file stores.
 
     scaling.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
-               [--service US] [--latency US] [--look US] [--output-dir DIR] [--formats png,pdf]
+               [--service US] [--latency US] [--look US] [--remedies] [--output-dir DIR] [--formats png,pdf]
 
 Deals the tiles again as the program does, event by event: to 1 up to --ranks ranks, for the map's plane at the
 resolution of each of --cells, and draws STEM_scaling. --measured are files of the same plane: each is drawn against
-the one of as many cells that was computed on one rank. The defaults of --service (rank 0's time for one run) and
+the one of as many cells that was computed on one rank. --remedies tells what longer runs, or groups of ranks with a
+dealer each, would give where one dealer is too slow. The defaults of --service (rank 0's time for one run) and
 --latency (of a message) were measured on 2 cores with tests/benchmark/deal_rate; measure them on your machine.
 Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 a picture cannot be written.
 """
@@ -19,7 +20,7 @@ from pathlib import Path
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from draw import BAD_INPUT, BAD_OUTPUT, DONE, FORMATS, OneLineParser, read_formats, tell  # noqa: E402
-from peterka_pictures import axes, scaling  # noqa: E402
+from peterka_pictures import axes, remedies, scaling  # noqa: E402
 from peterka_pictures.dealing import Machine  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.run_record import read_record  # noqa: E402
@@ -41,6 +42,8 @@ def main():
     ranks = scaling.ranks_up_to(arguments.ranks)
     curves = [scaling.curve(record, cells, ranks, machine) for cells in arguments.cells]
     tell(scaling.text(curves, machine))
+    if arguments.remedies:
+        tell(remedies.text(record, curves, machine))
     try:
         arguments.output_dir.mkdir(parents=True, exist_ok=True)
         figure = scaling.draw(record, curves, measured, machine)
@@ -65,6 +68,7 @@ def read_arguments():
                                 ("look", 100.0, "between two looks of a computing rank 0 for messages")):
         parser.add_argument(f"--{name}", metavar="US", type=microseconds, default=default,
                             help=f"{what} [µs], default: {default:g}")
+    parser.add_argument("--remedies", action="store_true", help="compare ways out where rank 0 is too slow")
     parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
     parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
     return parser.parse_args()

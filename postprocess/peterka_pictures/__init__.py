@@ -12,6 +12,8 @@ peterka_map, force_map, quantity_map, basin_map, audit_map   the pictures: each 
 study         files of studies, checked
 methods       the fixed look of each method of integration
 work_precision, labels, stability   the pictures of studies; study_words: their tables
+tile_costs, dealing   times of tiles, and the replay of their dealing to ranks
+run_record, scaling, remedies   parallel efficiency against ranks: what was measured, the picture, ways out
 results_page  the results page in Markdown
 pictures      which pictures a file gives
 """

@@ -26,6 +26,7 @@ class Curve:
     """The same plane as a map of so many cells; members of shape (ranks,)."""
 
     cells: int
+    tiles: tuple  # rows and columns
     replays: list  # of dealing.Replay
     ideal: list  # the same with a rank 0 that serves at once
 
@@ -47,9 +48,10 @@ def ranks_up_to(most):
 def curve(record, cells, ranks, machine):
     """The Curve of a map of about so many cells, as many along one side as along the other."""
     shape = record.shape if cells == record.cells else (isqrt(cells),) * 2
-    costs = TileCosts(record.tile_seconds, tiles_of(shape))
-    ideal = replace(machine, service=0.0, latency=0.0)
-    return Curve(cells, [replay(costs, number, machine) for number in ranks],
+    tiles = tiles_of(shape)
+    costs = TileCosts(record.tile_seconds, tiles)
+    ideal = replace(machine, service=0.0)
+    return Curve(cells, tiles, [replay(costs, number, machine) for number in ranks],
                  [replay(costs, number, ideal) for number in ranks])
 
 
@@ -89,8 +91,8 @@ def text(curves, machine):
 
 
 def assumptions(machine):
-    return (f"rank 0 deals {_round(1 / machine.service)} runs a second, a message takes {1e6 * machine.latency:.3g} µs, "
-            f"rank 0 looks for messages every {1e6 * machine.look:.3g} µs; starting up and the file are left out")
+    return (f"Rank 0 deals {_rate(machine)} runs a second and looks for requests every {1e6 * machine.look:.3g} µs, a "
+            f"message takes {1e6 * machine.latency:.3g} µs; starting up and the file are left out.")
 
 
 def draw(record, curves, measured, machine):
@@ -115,8 +117,8 @@ def draw(record, curves, measured, machine):
     ax.margins(x=0.04)
     ax.set_xlabel("ranks")
     ax.set_ylabel("parallel efficiency (%)")
-    axes.write_title(figure, record, axes.textwrap.fill(
-        f"{record.cells:,} measured cells dealt again: {assumptions(machine)}".replace(",", " ", 1), 62))
+    axes.write_title(figure, record, f"rank 0 deals {_rate(machine)} runs a second,\n"
+                                     f"a message takes {1e6 * machine.latency:.3g} µs")
     return figure
 
 
@@ -124,8 +126,8 @@ _MEASURED = {"marker": "*", "linestyle": "none", "markersize": 10, "markerfaceco
              "markeredgecolor": "black", "markeredgewidth": 0.7, "zorder": 5}
 
 
-def _round(number):
-    return f"{float(f'{number:.2g}'):,.0f}".replace(",", " ")
+def _rate(machine):
+    return f"{float(f'{1 / machine.service:.2g}'):,.0f}".replace(",", " ")
 
 
 def _power(cells):

@@ -82,6 +82,15 @@ def test_the_exact_engine_is_exact_and_integrators_keep_their_tolerance(precisio
             assert trials(data, method, tolerance).error_peak_force.max() < 3 * tolerance, method
 
 
+def test_the_batched_engine_is_as_exact_as_its_twin(precision_file):
+    data = xarray.open_dataset(precision_file)
+    batched = trials(data, "batched")
+    assert batched.error_peak_force.max() < 1e-11 and batched.error_state.max() < 1e-11
+    assert np.isnan(batched.error_impact_time.values).all(), "it doesn't tell when an impact was"
+    seconds = xarray.open_dataset(precision_file, group="run").seconds_per_cycle
+    assert len(set(seconds[np.flatnonzero(words(data.method) == "batched")].values.ravel())) == 1, "one batch"
+
+
 def test_fixed_steps_have_order_four_with_events_and_lose_it_without(precision_file):
     data = xarray.open_dataset(precision_file)
     coarse, fine = (trials(data, "rk4_with_events", steps).error_state.values[0] for steps in (2000, 8000))
@@ -194,5 +203,5 @@ def test_check_tells_the_number_of_runs(tmp_path):
     jobs.write(tmp_path, jobs.small_precision_study())
     checked = launch.run("check", "job.toml", cwd=tmp_path)
     assert checked.returncode == 0
-    assert "runs     26," in checked.stdout  # 2 cells, and 1 exact, 4 integrators at 2 tolerances, 2 with 2 steps
+    assert "runs     28," in checked.stdout  # 2 cells, and exact, batched, 4 integrators at 2 tolerances, 2 with 2 steps
     assert list(tmp_path.glob("*.h5*")) == []

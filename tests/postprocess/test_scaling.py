@@ -9,7 +9,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
-from peterka_pictures import axes, scaling
+from peterka_pictures import axes, remedies, scaling
 from peterka_pictures.dealing import Machine, deal_size, replay
 from peterka_pictures.run_record import read_record
 from peterka_pictures.tile_costs import TileCosts, tiles_of, whole_tiles
@@ -148,6 +148,19 @@ def test_measured_runs_are_compared_with_one_rank_of_as_many_cells(tmp_path):
     points, alone = scaling.measured_efficiency(records)
     assert [(point.ranks, point.efficiency) for point in points] == [(1, 1.0), (2, 0.8)]
     assert [record.path for record in alone] == [str(tmp_path / "2.h5")]
+
+
+def test_groups_with_a_dealer_each_help_where_one_is_too_slow(tmp_path):
+    record = read_record(write_run(tmp_path / "a.h5", side=256, tile_seconds=uneven(16, 16).ravel()))
+    slow = Machine(service=5e-5, latency=2e-6, look=1e-4)
+    one = scaling.curve(record, 4000**2, [1, 500], slow)
+    found = remedies.remedies(record, one.tiles, one.replays[1], slow)
+    assert found.present < 0.5 * found.groups and found.group_size in remedies.GROUP_SIZES
+    assert found.present < found.floor < 1
+    lines = remedies.text(record, [one], slow).splitlines()
+    assert len(lines) == 2 and f"{100 * found.groups:.1f} % of {found.group_size} ranks" in lines[1]
+    fast = scaling.curve(record, 4000**2, [1, 5], REAL)
+    assert remedies.text(record, [fast], REAL) == "Rank 0 is fast enough everywhere."
 
 
 def test_ranks_are_round_numbers():

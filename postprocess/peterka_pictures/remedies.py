@@ -1,0 +1,59 @@
+"""What helps where rank 0 is too slow for so many ranks: longer runs, or groups of ranks with a dealer each.
+
+    floor    a run takes at least as long as rank 0 needs to serve all ranks once; tiles are thought to cost the mean
+    groups   each group of ranks has a dealer of its own and every so-many-th tile, which is the same plane with that
+             many fewer tiles: the replay of one group stands for all
+"""
+
+from dataclasses import dataclass
+from math import ceil, sqrt
+
+from .dealing import deal_size, replay
+from .tile_costs import TileCosts
+
+BEST_PART = 0.9  # efficiency over that of a rank 0 that serves at once, below which there is something to remedy
+BUSY = 0.8  # share of its time that rank 0 may spend on serving
+GROUP_SIZES = (100, 200, 500, 1000)  # ranks
+
+
+@dataclass(frozen=True)
+class Remedies:
+    """Efficiencies."""
+
+    ranks: int
+    present: float
+    floor: float
+    groups: float
+    group_size: int  # of the best
+
+
+def text(record, curves, machine):
+    """A line for each number of ranks of these scaling.Curves at which rank 0 costs more than a tenth of them all."""
+    lines = [f"{'cells':>9}{'ranks':>8}{'one dealer':>12}{'longer runs':>13}{'groups':>10}"]
+    for curve in curves:
+        for real, ideal in zip(curve.replays, curve.ideal):
+            if real.efficiency < BEST_PART * ideal.efficiency:
+                found = remedies(record, curve.tiles, real, machine)
+                lines.append(f"{curve.cells:>9.3g}{found.ranks:>8}{100 * found.present:>10.1f} %"
+                             f"{100 * found.floor:>11.1f} %{100 * found.groups:>8.1f} % of {found.group_size} ranks")
+    return "\n".join(lines) if len(lines) > 1 else "Rank 0 is fast enough everywhere."
+
+
+def remedies(record, tiles, present, machine):
+    """What each gives in place of this Replay of a plane of `tiles` (rows, columns) with the costs of a RunRecord."""
+    ranks = present.ranks
+    costs = TileCosts(record.tile_seconds, tiles)
+    least = ceil(ranks * machine.service / (BUSY * costs.total / costs.count))
+
+    def with_floor(remaining, all_tiles, everyone):
+        return min(max(deal_size(remaining, all_tiles, everyone), least), ceil(remaining / everyone))
+
+    groups = {size: _one_group(record, tiles, ranks / size, size, machine) for size in GROUP_SIZES if size < ranks}
+    best = max(groups, key=groups.get, default=ranks)
+    floor = replay(costs, ranks, machine, with_floor).efficiency
+    return Remedies(ranks, present.efficiency, floor, groups.get(best, present.efficiency), best)
+
+
+def _one_group(record, tiles, groups, size, machine):
+    fewer = tuple(max(1, round(side / sqrt(groups))) for side in tiles)
+    return replay(TileCosts(record.tile_seconds, fewer), size, machine).efficiency

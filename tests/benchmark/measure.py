@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""Runs the benchmarks, prints their tables and writes them as a page; jobs/benchmark.sh calls it.
+
+Runs that are compared take turns, and medians of their rounds count, so that other work on the machine disturbs as
+little as possible.
+"""
+
+import argparse
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "postprocess"))
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from peterka_pictures.run_record import read_record  # noqa: E402
+from peterka_pictures.study import StudyFile  # noqa: E402
+from peterka_pictures.study_words import work_precision_table  # noqa: E402
+
+JOB = "jobs/peterka_170mm.toml"
+HUGE = 8192
+PLANNED = 65536
+# The fastest other program that was tried, measured once on a 2-core AVX-512 machine, with the same eight cells.
+HEYOKA = [("heyoka (Taylor series), one cell", 3.7, 1e-12), ("heyoka (Taylor series), batch of 8", 2.5, 1e-12)]
+
+
+@dataclass(frozen=True)
+class Sizes:
+    map: int  # cells along a side
+    ratio: int
+    memory: tuple
+    rounds: int
+
+
+USUAL = Sizes(1024, 2048, (1024, 4096), 5)
+QUICK = Sizes(256, 512, (256, 1024), 3)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A map computed once."""
+
+    wall: float  # s, of the whole command
+    solving: float  # s, without starting up and finishing
+    memory: float  # MB, resident, of the largest rank
+    file: Path
+
+
+class Bench:
+    def __init__(self, build, results):
+        self.build, self.results = build, results
+        results.mkdir(parents=True, exist_ok=True)
+
+    def output(self, *command):
+        """What a command prints; it must succeed."""
+        done = subprocess.run(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(f"measure.py: {' '.join(map(str, command))} failed with code {done.returncode}")
+        return done.stdout
+
+    def map(self, points, ranks):
+        """Computes the paper's plane with so many points a side, without an audit; a Run."""
+        file = self.results / f"benchmark_{points}_on_{ranks}.h5"
+        command = ["mpirun", "-n", ranks, self.build / "peterka", "run", JOB, "--output", file, "--fresh", "--quiet",
+                   "--set", f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}",
+                   "--set", "audit.cells=0"]
+        start = time.monotonic()
+        process = subprocess.Popen(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)  # of the largest process that mpirun waited for
+        wall = time.monotonic() - start
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            sys.exit(f"measure.py: the map of {points} x {points} cells on {ranks} ranks failed")
+        run = Run(wall, read_record(file).seconds, usage.ru_maxrss / 1024, file)
+        tell(f"  {points} x {points} on {ranks}: {wall:.2f} s, solving {run.solving:.2f} s, {run.memory:.0f} MB")
+        return run
+
+    def in_turn(self, points, all_ranks, rounds):
+        """{ranks: [Run of each round]}"""
+        runs = {ranks: [] for ranks in all_ranks}
+        for _ in range(rounds):
+            for ranks in all_ranks:
+                runs[ranks].append(self.map(points, ranks))
+        return runs
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--huge", action="store_true")
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--results", type=Path, required=True)
+    parser.add_argument("--page", type=Path, required=True)
+    arguments = parser.parse_args()
+    bench, sizes = Bench(arguments.build, arguments.results), QUICK if arguments.quick else USUAL
+    arguments.page.parent.mkdir(parents=True, exist_ok=True)
+
+    sections = [introduction(bench, arguments.quick)]
+    for measure in (engines, work_precision, maps, dealing, memory, huge, scaling):
+        if measure is huge and not arguments.huge:
+            continue
+        section = measure(bench, sizes, arguments.page.parent)
+        print(f"\n{section}", flush=True)
+        sections.append(section)
+    arguments.page.write_text("\n\n".join(sections) + "\n", encoding="utf-8")
+    print(f"\nThe page is {arguments.page}.")
+
+
+def introduction(bench, quick):
+    version = bench.output(bench.build / "peterka", "--version").strip().splitlines()[0]
+    cautious = " with `--quick`: small maps, few rounds, rough numbers" if quick else ""
+    return (f"# Benchmarks\n\nWritten by `jobs/benchmark.sh`{cautious}. {version}; {processor()}, {os.cpu_count()} "
+            "cores. Compared runs take turns; numbers are medians.")
+
+
+def engines(bench, sizes, _page):
+    """Microseconds per forcing cycle and cell of every engine."""
+    lines = bench.output(bench.build / "tests" / "batch_cycles", sizes.rounds).splitlines()
+    rows = []
+    for line in lines[1:]:
+        name, numbers = line[:32].strip(), line[32:].split()
+        if len(numbers) == 3:
+            rows.append((name, float(numbers[0]), float(numbers[1])))
+    cvode = next(microseconds for name, microseconds, _ in rows if name.startswith("cvode"))
+    rows += [(f"{name}, quoted", microseconds, error) for name, microseconds, error in HEYOKA]
+    table = [[name, f"{microseconds:.3g}", f"{error:.0e}", f"{cvode / microseconds:,.1f}"]
+             for name, microseconds, error in rows]
+    return "\n\n".join([
+        "## A forcing cycle",
+        "Eight regular cells of the 170 mm rig; the batched engine carries 256 shuffled copies of each. The fastest round "
+        "counts. heyoka's figures were measured once on a 2-core AVX-512 machine.",
+        markdown(["engine", "µs per cycle and cell", "error in peak force", "times as fast as CVODE"], table),
+        "\n".join(line for line in lines[1:] if ":" in line),
+    ]).strip()
+
+
+def work_precision(bench, _sizes, page):
+    file = bench.results / "study_work_precision.h5"
+    bench.output("mpirun", "-n", 1, bench.build / "peterka", "run", "jobs/study_work_precision.toml", "--output", file,
+                 "--fresh", "--quiet")
+    bench.output(sys.executable, "postprocess/draw.py", file, "--output-dir", bench.results / "pictures", "--formats",
+                 "png")
+    shutil.copyfile(bench.results / "pictures" / "study_work_precision.png", page / "study_work_precision.png")
+    with StudyFile(file) as study:
+        table = work_precision_table(study.table)
+    return "\n\n".join(["## Work and precision", table, "![work and precision](study_work_precision.png)"])
+
+
+def maps(bench, sizes, _page):
+    """Time per cell with everything, and what more ranks gain."""
+    cells = sizes.map**2
+    runs = bench.in_turn(sizes.map, (1, 2), sizes.rounds)
+    rows = []
+    for ranks, all_rounds in runs.items():
+        wall, solving = median(run.wall for run in all_rounds), median(run.solving for run in all_rounds)
+        rows.append([f"{sizes.map} × {sizes.map}", str(ranks), f"{wall:.2f}", f"{1e6 * wall * ranks / cells:.2f}",
+                     f"{1e6 * solving * ranks / cells:.2f}", ratio(runs, 1, ranks)])
+    large = bench.in_turn(sizes.ratio, (1, 2, 8), max(2, sizes.rounds // 2))
+    cells = sizes.ratio**2
+    for ranks, all_rounds in large.items():
+        wall, solving = median(run.wall for run in all_rounds), median(run.solving for run in all_rounds)
+        cores = min(ranks, os.cpu_count())
+        rows.append([f"{sizes.ratio} × {sizes.ratio}", str(ranks), f"{wall:.2f}", f"{1e6 * wall * cores / cells:.2f}",
+                     f"{1e6 * solving * cores / cells:.2f}", ratio(large, 1, ranks)])
+    return "\n\n".join([
+        "## A map",
+        f"The plane of `{JOB}` without its audit. `time` is that of the whole command, with mpirun, starting up and "
+        f"writing the file. 8 ranks share {os.cpu_count()} cores.",
+        markdown(["cells", "ranks", "time (s)", "µs per cell and core", "solving alone", "solving: 1 rank/this"], rows),
+    ])
+
+
+def ratio(runs, ranks, other):
+    """Median over the rounds of how much faster `other` ranks solve."""
+    return f"{median(one.solving / two.solving for one, two in zip(runs[ranks], runs[other])):.3f}"
+
+
+def deal_rates(bench, sizes):
+    """[(ranks, runs a second, µs of rank 0 per run, µs waited)], medians."""
+    rows = []
+    for ranks in (2, 4, 8):
+        all_rounds = []
+        for _ in range(sizes.rounds):
+            last = bench.output("mpirun", "-n", ranks, bench.build / "tests" / "deal_rate").splitlines()[-1]
+            all_rounds.append([float(number) for number in last.split()[2:]])
+        rows.append((ranks, *(median(column) for column in zip(*all_rounds))))
+    return rows
+
+
+def dealing(bench, sizes, _page):
+    bench.rates = deal_rates(bench, sizes)
+    table = [[str(ranks), f"{rate:,.0f}".replace(",", " "), f"{own:.2f}", f"{waited:.1f}"]
+             for ranks, rate, own, waited in bench.rates]
+    return "\n\n".join([
+        "## Dealing",
+        f"Rank 0 deals empty tiles one by one and does nothing else. With more ranks than the {os.cpu_count()} cores they "
+        "take turns on them, and a rank waits for its turn; rank 0's own time per run then still holds.",
+        markdown(["ranks", "runs a second", "µs of rank 0 per run", "µs that a rank waits for a run"], table),
+    ])
+
+
+def memory(bench, sizes, _page):
+    rows = [[f"{points} × {points}", f"{bench.map(points, 1).memory:.0f}"] for points in sizes.memory]
+    planned = bench.output(bench.build / "peterka", "check", JOB, "--set", f"axes.frequency_ratio.points={PLANNED}",
+                           "--set", f"axes.gap_ratio.points={PLANNED}", "--set", "audit.cells=0")
+    told = [line.strip() for line in planned.splitlines() if "memory" in line.lower() or "size" in line.lower()]
+    return "\n\n".join([
+        "## Memory",
+        "Largest resident memory of a rank while it computes a map.",
+        markdown(["cells", "MB"], rows),
+        f"`peterka check` of {PLANNED} × {PLANNED} cells:\n\n```\n" + "\n".join(told) + "\n```",
+    ])
+
+
+def huge(bench, _sizes, _page):
+    run = bench.map(HUGE, 2)
+    return (f"A map of {HUGE} × {HUGE} = {HUGE**2 / 1e6:.0f} million cells on 2 ranks: {run.wall:.0f} s, "
+            f"{run.memory:.0f} MB resident in the larger rank.")
+
+
+def scaling(bench, sizes, page):
+    """The measured tiles dealt again to many ranks, next to what was measured."""
+    _, _, own, waited = bench.rates[0]
+    files = [bench.results / f"benchmark_{sizes.ratio}_on_{ranks}.h5" for ranks in (1, 2)]
+    text = bench.output(sys.executable, "postprocess/scaling.py", files[0], "--measured", *files, "--service", own,
+                        "--latency", max(waited - own, 0.2) / 2, "--ranks", 1000 if sizes is QUICK else 100000,
+                        "--output-dir", bench.results / "pictures", "--formats", "png")
+    shutil.copyfile(bench.results / "pictures" / f"{files[0].stem}_scaling.png", page / "scaling.png")
+    lines = text.splitlines()
+    told = [line for line in lines if "efficiency up to" in line]
+    return "\n\n".join(["## Scaling", "\n".join(f"- {line}" for line in told), "![scaling](scaling.png)"])
+
+
+def markdown(head, rows):
+    return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows])
+
+
+def processor():
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), platform.machine())
+
+
+def tell(line):
+    print(line, file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    main()
