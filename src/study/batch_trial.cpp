@@ -12,7 +12,7 @@ namespace {
 
 using batch::BatchedCycleMap;
 
-constexpr std::size_t usual_slots = 2048;
+constexpr std::size_t usual_slots = 1024;  // as many as a map carries at once
 
 // Slot n carries cell order[n]; the first slots carry each cell once, so that they can be found again.
 std::vector<std::size_t> slots_in_order(std::size_t cells) {
@@ -27,9 +27,9 @@ BatchedCycleMap filled(std::span<const OrbitStart> cells, const std::vector<std:
     const auto frequency = [](const OrbitStart& cell) { return cell.scene.frequency; };
     const OrbitStart& slowest = *std::ranges::min_element(cells, {}, frequency);
     BatchedCycleMap map(slowest.scene, order.size(), BatchedCycleMap::steps_for(slowest.scene.frequency));
-    for (std::size_t slot = 0; slot < order.size(); ++slot) {
-        const OrbitStart& cell = cells[order[slot]];
-        map.place(slot, cell.scene.frequency, cell.scene.gap, cell.point);
+    for (const std::size_t number : order) {
+        const OrbitStart& cell = cells[number];
+        map.add(cell.scene.frequency, cell.scene.gap, cell.point);
     }
     return map;
 }

@@ -20,7 +20,7 @@ struct BatchTrial {
     std::vector<std::vector<Observation>> orbits;  // of each cell: one period, after the cycles that were timed
 };
 
-// Follows copies of all cells, shuffled, about 2000 together, for so many cycles, with state, Jacobian and
+// Follows copies of all cells, shuffled, about 1000 together, for so many cycles, with state, Jacobian and
 // contacts; the time is that of the fastest repeat. The engine doesn't tell when an impact was: last_touch is
 // NaN.
 [[nodiscard]] BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycles,
