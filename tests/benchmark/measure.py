@@ -74,12 +74,14 @@ class Bench:
                    "--set", "audit.cells=0"]
         start = time.monotonic()
         process = subprocess.Popen(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)  # of the largest process that mpirun waited for
+        resident = 0.0
+        while process.poll() is None:
+            resident = max(resident, resident_memory(self.build / "peterka", file))
+            time.sleep(0.05)
         wall = time.monotonic() - start
-        process.returncode = os.waitstatus_to_exitcode(status)
         if process.returncode != 0:
             sys.exit(f"measure.py: the map of {points} x {points} cells on {ranks} ranks failed")
-        run = Run(wall, read_record(file).seconds, usage.ru_maxrss / 1024, file)
+        run = Run(wall, read_record(file).seconds, resident, file)
         tell(f"  {points} x {points} on {ranks}: {wall:.2f} s, solving {run.solving:.2f} s, {run.memory:.0f} MB")
         return run
 
@@ -243,6 +245,20 @@ def scaling(bench, sizes, page):
 
 def markdown(head, rows):
     return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *rows])
+
+
+def resident_memory(program, file):
+    """MB: the most that any running process of the program for this file has had; 0 without one."""
+    most = 0.0
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (folder / "cmdline").read_text(encoding="utf-8").split("\0")
+            if words[0] == str(program) and str(file) in words:
+                status = (folder / "status").read_text(encoding="utf-8")
+                most = max(most, *(int(line.split()[1]) / 1024 for line in status.splitlines() if "VmHWM" in line), 0.0)
+        except OSError:  # it has ended meanwhile
+            continue
+    return most
 
 
 def processor():
