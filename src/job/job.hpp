@@ -113,6 +113,7 @@ enum class OptionalField {
     contact_time,      // longest time for which the stop presses in one impact
     contact_power,     // mean power that the impacts take from the hammer
     max_displacement,  // largest |x - y|
+    force_per_cycle,   // of the largest forces of each cycle: mean, 95 % quantile, number of cycles
 };
 
 struct Output {

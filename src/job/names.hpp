@@ -81,7 +81,8 @@ struct Names<OptionalField> {
                                     Named{OptionalField::impulse, "impulse"},
                                     Named{OptionalField::contact_time, "contact_time"},
                                     Named{OptionalField::contact_power, "contact_power_w"},
-                                    Named{OptionalField::max_displacement, "max_displacement"}};
+                                    Named{OptionalField::max_displacement, "max_displacement"},
+                                    Named{OptionalField::force_per_cycle, "force_per_cycle"}};
     static LaterNames later() { return {}; }
 };
 

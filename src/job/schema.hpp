@@ -217,7 +217,9 @@ void describe(Walker& table, SteadyState& steady_state) {
     table.integer(
         {"max_period", "largest period q looked for [forcing cycles]"}, steady_state.max_period,
         from_to<std::int64_t>(1, 1024, "every cycle of the longest period is remembered for each cell"));
-    table.integer({"chaos_cycles", "cycles before a cell may be called chaotic [forcing cycles]"},
+    table.integer({"chaos_cycles",
+                   "cycles before a cell may be called chaotic where the hammer may also come free for good; "
+                   "elsewhere 0.3 of them [forcing cycles]"},
                   steady_state.chaos_cycles,
                   from_to<std::int64_t>(1, 1'000'000'000, "chaos shows only in a run of some length"));
 }
@@ -251,7 +253,7 @@ void describe_settings(Walker& file, Job& job) {
         table.choices(
             {"fields",
              "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
-             "contact_power_w, max_displacement"},
+             "contact_power_w, max_displacement, force_per_cycle"},
             job.output.fields);
     });
     file.table({"audit", "an independent check of a random sample of cells"},

@@ -38,6 +38,9 @@ constexpr Field fields[] = {
     {{"contact_time", Number::float64, nan, "s", "longest time for which the stop presses in one impact"}, OptionalField::contact_time, member<&CellResult::contact_time>},
     {{"contact_power_w", Number::float64, nan, "W", "mean power that the impacts take from the hammer's motion against the cart"}, OptionalField::contact_power, member<&CellResult::contact_power>},
     {{"max_displacement", Number::float64, nan, "m", "largest displacement of the hammer from its rest in the cart, |x - y|"}, OptionalField::max_displacement, member<&CellResult::max_displacement>},
+    {{"peak_force_mean_ratio", Number::float64, nan, "1", "mean of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_mean>},
+    {{"peak_force_q95_ratio", Number::float64, nan, "1", "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_q95>},
+    {{"window_cycles", Number::int32, -1, "1", "forcing cycles of which these are mean and quantile"}, OptionalField::force_per_cycle, member<&CellResult::window_cycles>},
 };
 // clang-format on
 
@@ -68,6 +71,8 @@ StoredCell in_file_units(const CellResult& cell, const scene::Scales& scales) {
     StoredCell stored = cell;
     const double speed = scales.length_m * scales.frequency_rad_per_s;  // A0 omega
     stored.peak_force *= scales.force_ratio();
+    stored.peak_force_mean *= scales.force_ratio();
+    stored.peak_force_q95 *= scales.force_ratio();
     stored.impact_speed *= speed;
     stored.impulse *= scales.force_n / scales.frequency_rad_per_s;
     stored.contact_time /= scales.frequency_rad_per_s;

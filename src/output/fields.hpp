@@ -16,7 +16,7 @@
 
 namespace peterka::output {
 
-// A cell as the file holds it: a CellResult whose peak_force is over the hammer's weight, F/(m g0), and whose
+// A cell as the file holds it: a CellResult whose peak forces are over the hammer's weight, F/(m g0), and whose
 // impact_speed, impulse, contact_time, contact_power and max_displacement are in m/s, Ns, s, W and m.
 using StoredCell = regime::CellResult;
 

@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "batch/cycle_kernel.hpp"
+
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif
@@ -62,17 +64,17 @@ std::string math_library() {
 
 std::string arithmetic() {
 #if defined(__x86_64__)
-    return fmt::format("x86-64 scalar double, {}, {}", math_library(),
-                       __builtin_cpu_supports("fma") != 0 ? "fma" : "no fma");
+    const std::string scalar = __builtin_cpu_supports("fma") != 0 ? "x86-64, libm with fma" : "x86-64, libm";
 #elif defined(__aarch64__)
-    return fmt::format("aarch64 scalar double, {}", math_library());
+    const std::string scalar = "aarch64, libm";
 #elif defined(__powerpc64__)
-    return fmt::format("ppc64 scalar double, {}", math_library());
+    const std::string scalar = "ppc64, libm";
 #elif defined(__riscv)
-    return fmt::format("riscv scalar double, {}", math_library());
+    const std::string scalar = "riscv, libm";
 #else
-    return fmt::format("other scalar double, {}", math_library());
+    const std::string scalar = "other, libm";
 #endif
+    return fmt::format("{} {}, vectors {}", scalar, math_library(), batch::arithmetic());
 }
 
 Provenance collect_provenance() {

@@ -64,6 +64,11 @@ struct CellResult {
     double contact_time = unknown;   // longest time for which the stop presses in one impact, in 1/omega
     double contact_power = unknown;  // mean power that the stop takes from the relative motion, in k A0^2 omega
     double max_displacement = unknown;  // largest |u|, in A0
+    // On request, of the largest force of each cycle, F/(k A0): mean, 95 % quantile (nearest rank), and of how
+    // many cycles; of the q cycles of an orbit.
+    double peak_force_mean = unknown;
+    double peak_force_q95 = unknown;
+    std::int32_t window_cycles = 0;
 };
 
 }  // namespace peterka::regime

@@ -14,46 +14,67 @@ constexpr double newton_residual = 1e-11;    // relative; some thousand times th
 constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
 constexpr double same_orbit = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
 
-PeriodicOrbit orbit_of(const Point& point, std::int64_t q, const Passage& passage) {
-    return {point, q, passage.jacobian, spectral_radius(passage.jacobian), passage.pattern, passage.touched};
-}
+// A residual below this falls to rounding with one more step.
+constexpr double nearly_there = 1e-8;
 
 }  // namespace
+
+std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian) {
+    const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - jacobian;
+    const Point correction = system.partialPivLu().solve(end - from);
+    if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(from)) return std::nullopt;
+    return from + correction;
+}
 
 // Newton's method on M^q(x) = x. It goes on until rounding stops it, so the point is better than the residual
 // asked for.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
-    Point x = guess;
+    PeriodicOrbit orbit;
+    orbit.point = guess;
+    orbit.period = q;
     const double residual_asked = std::max(newton_residual, 10 * map.noise());
     double last_size = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= newton_steps; ++step) {
-        const Passage passage = co_await map.advance(x, q);
-        if (!passage.ok) co_return std::nullopt;
-        const Point residual = passage.end - x;
-        const double size = residual.lpNorm<Eigen::Infinity>() / magnitude(x);
+        orbit.points.clear();
+        orbit.jacobian.setIdentity();
+        orbit.pattern = 0;
+        orbit.touched = false;
+        Point end = orbit.point;
+        for (std::int64_t n = 0; n < q; ++n) {
+            orbit.points.push_back(end);
+            const Passage cycle = co_await map.cycle(end);
+            if (!cycle.ok) co_return std::nullopt;
+            end = cycle.end;
+            orbit.jacobian = (cycle.jacobian * orbit.jacobian).eval();
+            orbit.pattern = append(orbit.pattern, cycle.pattern);
+            orbit.touched |= cycle.touched;
+        }
+        const double size = (end - orbit.point).lpNorm<Eigen::Infinity>() / magnitude(orbit.point);
         const bool small = size < residual_asked;
-        if (small && (size > last_size / 2 || size < 1e-15 || step == newton_steps))
-            co_return orbit_of(x, q, passage);
+        const bool is_best = size > last_size / 2 || size < 1e-15 || last_size < nearly_there;
+        if (small && (is_best || step == newton_steps)) {
+            orbit.multiplier = spectral_radius(orbit.jacobian);
+            co_return orbit;
+        }
         last_size = size;
-        const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - passage.jacobian;
-        const Point correction = system.partialPivLu().solve(residual);
-        if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(x))
-            co_return std::nullopt;
-        x += correction;
+        const auto next = newton_step(orbit.point, end, orbit.jacobian);
+        if (!next) co_return std::nullopt;
+        orbit.point = *next;
     }
     co_return std::nullopt;
 }
 
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                      std::int64_t q) {
-    auto found = co_await find_orbit(map, trajectory.state(), q);
+    const auto guess = newton_step(trajectory.state(q), trajectory.state(), trajectory.jacobian(q));
+    auto found = co_await find_orbit(map, guess.value_or(trajectory.state()), q);
     if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0) continue;
-        const Passage passage = co_await map.advance(found->point, divisor);
         const double tolerance = same_orbit * magnitude(found->point);
-        if (!passage.ok || (passage.end - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
+        const Point& there = found->points[static_cast<std::size_t>(divisor)];
+        if ((there - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
         auto smaller = co_await find_orbit(map, found->point, divisor);
         if (!smaller || (smaller->point - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
         if (smaller->multiplier < largest_stable && smaller->pattern == trajectory.pattern(divisor))

@@ -4,23 +4,29 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "regime/recurrence.hpp"
 #include "regime/stroboscopic_map.hpp"
+#include "support/task.hpp"
 
 namespace peterka::regime {
 
 struct PeriodicOrbit {
-    Point point;               // at forcing phase 0
-    std::int64_t period = 0;   // q, forcing cycles
-    Eigen::Matrix2d jacobian;  // of the q-cycle map at the point
-    double multiplier = 0;     // spectral radius of the Jacobian, < 1
-    EventPattern pattern = 0;  // of the q cycles
-    bool touched = false;      // the stop presses at some time
+    Point point;                // at forcing phase 0
+    std::vector<Point> points;  // there and one, two, ..., q - 1 cycles later
+    std::int64_t period = 0;    // q, forcing cycles
+    Eigen::Matrix2d jacobian;   // of the q-cycle map at the point
+    double multiplier = 0;      // spectral radius of the Jacobian, < 1
+    EventPattern pattern = 0;   // of the q cycles
+    bool touched = false;       // the stop presses at some time
 };
 
 // The orbit of period q, stable or not, that Newton's method reaches from a guess.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
+
+// Newton's step towards the orbit, from where the q cycles of a passage began; none where it leads nowhere.
+std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian);
 
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.

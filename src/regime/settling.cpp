@@ -22,6 +22,10 @@ double gain(double damping_ratio) {
     return 1 / std::tanh(std::numbers::pi * damping_ratio / (2 * std::sqrt(1 - damping_ratio * damping_ratio)));
 }
 
+Task<Passage> one_cycle(StroboscopicMap& map, Point from, Recorder<double>& recorder) {
+    co_return co_await map.cycle(from, &recorder);
+}
+
 }  // namespace
 
 Settling::Settling(const StroboscopicMap& map)
@@ -43,7 +47,7 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
     const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), desk);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
-    const Passage cycle = complete(free_map.advance(orbit->point, 1, &recorder), desk);
+    const Passage cycle = complete(one_cycle(free_map, orbit->point, recorder), desk);
     if (!cycle.ok || cycle.touched) return;
     const scene::State<double> point = free_map.unscaled(orbit->point);
     free_orbit_ = {{point[0] + far.gap - scene_.gap, point[1]},
@@ -85,6 +89,19 @@ Settling::Contact Settling::contact_of(const scene::Oscillator<double>& scene) {
         return trajectory::RigidContact<double>(scene);
     }
     return std::monostate{};
+}
+
+bool Settling::may_settle() const {
+    if (scene_.cubic != 0) return !free_orbit_ || free_orbit_->largest_displacement < scene_.gap;
+    if (free_flight_.may_last()) return true;
+    return std::visit(
+        []<class Law>(const Law& contact) {
+            if constexpr (std::is_same_v<Law, std::monostate>)
+                return false;
+            else
+                return contact.may_last();
+        },
+        contact_);
 }
 
 std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<double>& x) const {

@@ -36,6 +36,9 @@ class Settling {
     [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x) const;
     [[nodiscard]] std::optional<SettledMotion> stays_in_contact(const scene::State<double>& x) const;
 
+    // Whether such a motion exists for some start, as far as is known.
+    [[nodiscard]] bool may_settle() const;
+
   private:
     // For a law without a closed form of its lasting contacts nothing is said.
     using Contact =

@@ -15,13 +15,14 @@ Budget budget_of(const job::SteadyState& steady) {
 
 namespace {
 
-// What of the impacts is asked for: not asked for, not computed.
-trajectory::Detail detail_of(const job::Output& output) {
+// Not asked for, not computed.
+Measures measures_of(const job::Output& output) {
     using job::OptionalField;
     const bool impacts = output.has(OptionalField::impact_speed) || output.has(OptionalField::impulse) ||
                          output.has(OptionalField::contact_time) || output.has(OptionalField::contact_power) ||
                          output.has(OptionalField::max_displacement);
-    return impacts ? trajectory::Detail::contacts : trajectory::Detail::force;
+    return {impacts ? trajectory::Detail::contacts : trajectory::Detail::force,
+            output.has(OptionalField::force_per_cycle)};
 }
 
 // What leaving the cubic term out may have changed in the peak force. Next to a bifurcation an orbit moves by
@@ -34,8 +35,7 @@ double change_without_cubic(const scene::Oscillator<double>& scene, const CellRe
 // Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, const job::Solver& solver,
-                                  const Budget& budget, double largest_displacement,
-                                  trajectory::Detail detail) {
+                                  const Budget& budget, double largest_displacement, Measures measures) {
     constexpr int most_rounds = 3;
     constexpr double slack = 1.1;
     CellResult result;
@@ -43,7 +43,7 @@ Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, cons
     for (int round = 0; round < most_rounds; ++round) {
         const Engine engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
         result = co_await find_steady_state(desk, cell.oscillator, cell.start, budget,
-                                            {engine, solver.tolerance, largest_displacement}, detail);
+                                            {engine, solver.tolerance, largest_displacement}, measures);
         cycles += result.cycles;
         result.cycles =
             static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
@@ -69,26 +69,26 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
 Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Solver& solver = scene.job().solver;
     const Budget budget = budget_of(scene.job().steady_state);
-    const trajectory::Detail detail = detail_of(scene.job().output);
+    const Measures measures = measures_of(scene.job().output);
     const scene::Cell cell = scene.cell(row, column);
     const bool automatic = solver.engine == job::EngineChoice::automatic;
     const bool is_linear = cell.oscillator.cubic == 0;
     const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);
     if (!automatic || keeps_all) {
         co_return co_await solve_with_cubic(desk, cell, solver, budget, EngineSettings{}.largest_displacement,
-                                            detail);
+                                            measures);
     }
 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
-    const CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, detail);
+    const CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, measures);
     if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
         co_return without;
     }
     const bool known = std::isfinite(without.largest_displacement);
     CellResult with = co_await solve_with_cubic(
         desk, cell, solver, budget,
-        known ? without.largest_displacement : EngineSettings{}.largest_displacement, detail);
+        known ? without.largest_displacement : EngineSettings{}.largest_displacement, measures);
     with.cycles += without.cycles;
     co_return with;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "regime/growth.hpp"
 #include "regime/periodic_orbit.hpp"
@@ -35,19 +36,26 @@ Status status_of(Cycle<double>::Outcome outcome) {
     return Status::proved;
 }
 
+// Of the cycles of an orbit.
+struct Touches {
+    bool some = false;
+    bool separated = false;
+};
+
 class Search {
   public:
     Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
-           const EngineSettings& engine, trajectory::Detail detail, CycleDesk& desk)
+           const EngineSettings& engine, Measures measures, CycleDesk& desk)
         : scene_(scene),
           budget_(budget),
           map_(scene, engine, desk),
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
-          window_(detail),
+          window_(measures.detail),
           state_(map_.scaled(start)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
-          detail_(detail),
+          measures_(measures),
+          chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
           conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {}
 
     Task<CellResult> run() {
@@ -67,7 +75,10 @@ class Search {
             if (!passage.ok) co_return failed(passage.outcome);
             state_ = passage.end;
             growth_.advance(passage.jacobian);
-            if (counts) ++window_cycles_;
+            if (counts) {
+                ++window_cycles_;
+                keep_peak(window_);
+            }
 
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
@@ -75,11 +86,11 @@ class Search {
                 if (converges(passage)) co_return co_await periodic(test_->orbit());
             } else if (const auto q = recurrence_.candidate()) {
                 const auto orbit = co_await find_stable_orbit(map_, recurrence_, *q);
-                if (orbit) begin_test(*orbit);
+                if (orbit && converged(*orbit)) co_return co_await periodic(*orbit);
             }
             const bool repeats =
                 growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
-            if (cycle + 1 >= budget_.chaos_cycles && !repeats && growth_.block_just_closed() &&
+            if (cycle + 1 >= chaos_from_ && !repeats && growth_.block_just_closed() &&
                 growth_.surely_positive()) {
                 co_return unproved(Regime::chaotic, Status::proved);
             }
@@ -87,10 +98,19 @@ class Search {
     }
 
   private:
-    void begin_test(const PeriodicOrbit& orbit) {
-        test_.emplace(orbit, state_, map_.noise());
+    // Tests with the cycles already there first. True: that is proof enough.
+    bool converged(const PeriodicOrbit& orbit) {
+        const std::int64_t q = orbit.period;
         tested_cycles_ = 0;
         pattern_ = 0;
+        ConvergenceTest past(orbit, recurrence_.state(2 * q), map_.noise());
+        using enum ConvergenceTest::Verdict;
+        if (past.advance(recurrence_.state(q), recurrence_.pattern(q, q)) == open &&
+            past.advance(recurrence_.state(), recurrence_.pattern(q)) == proved) {
+            return true;
+        }
+        test_.emplace(orbit, state_, map_.noise());
+        return false;
     }
 
     // Whether the trajectory is proved to converge to the orbit found.
@@ -105,16 +125,15 @@ class Search {
     }
 
     Task<CellResult> periodic(PeriodicOrbit orbit) {
-        Recorder<double> recorder(detail_);
-        const Passage passage = co_await record_period(orbit.point, orbit.period, recorder);
+        Recorder<double> recorder(measures_.detail);
+        const Touches touches = co_await record_period(orbit, recorder);
         const Totals<double>& totals = recorder.totals();
-        if (!passage.touched || !passage.separated) {
+        if (!touches.some || !touches.separated) {
             const SettledMotion motion{map_.unscaled(orbit.point), orbit.jacobian, totals.peak_force(),
                                        totals.displacement_bound};
-            co_return co_await settled(motion, passage.touched ? Regime::sustained_contact : Regime::no_impact);
+            co_return co_await settled(motion, touches.some ? Regime::sustained_contact : Regime::no_impact);
         }
-        const Point lowest = co_await lowest_point(orbit);
-        CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest));
+        CellResult result = on_orbit(orbit.jacobian, orbit.period, map_.unscaled(lowest_point(orbit)));
         result.regime = Regime::periodic;
         result.impacts = static_cast<std::int32_t>(totals.impacts);
         result.period = static_cast<std::int32_t>(orbit.period);
@@ -123,20 +142,46 @@ class Search {
     }
 
     // One period of an orbit. What is open at its start counts in full at its end, as in every later period.
-    Task<Passage> record_period(Point point, std::int64_t period, Recorder<double>& recorder) {
-        Passage passage = co_await map_.advance(point, period, &recorder);
-        if (!recorder.is_open()) co_return passage;
-        recorder.reset_totals();
-        co_return co_await map_.advance(point, period, &recorder);
+    Task<Touches> record_period(const PeriodicOrbit& orbit, Recorder<double>& recorder) {
+        Touches touches;
+        for (int round = 0; round == 0 || (round == 1 && recorder.is_open()); ++round) {
+            recorder.reset_totals();
+            cycle_peaks_.clear();
+            for (const Point& point : orbit.points) {
+                const Passage cycle = co_await map_.cycle(point, &recorder);
+                touches.some |= cycle.touched;
+                touches.separated |= cycle.separated;
+                keep_peak(recorder);
+            }
+        }
+        co_return touches;
+    }
+
+    void keep_peak(Recorder<double>& recorder) {
+        if (measures_.force_per_cycle) cycle_peaks_.push_back(recorder.take_recent_force());
+    }
+
+    // Mean and 95 % quantile (nearest rank) of the cycles' largest forces.
+    void measure_force_per_cycle(CellResult& result) {
+        if (cycle_peaks_.empty()) return;
+        const std::size_t cycles = cycle_peaks_.size();
+        double sum = 0;
+        for (const double peak : cycle_peaks_) sum += peak;
+        const auto rank = cycle_peaks_.begin() + static_cast<std::ptrdiff_t>((95 * cycles + 99) / 100 - 1);
+        std::ranges::nth_element(cycle_peaks_, rank);
+        result.peak_force_mean = sum / static_cast<double>(cycles);
+        result.peak_force_q95 = std::isnan(sum) ? unknown : *rank;
+        result.window_cycles = static_cast<std::int32_t>(cycles);
     }
 
     // What was recorded over so many cycles.
-    void measured(CellResult& result, const Totals<double>& totals, std::int64_t cycles) const {
+    void measured(CellResult& result, const Totals<double>& totals, std::int64_t cycles) {
         result.peak_force = totals.peak_force();
+        measure_force_per_cycle(result);
         result.largest_displacement = totals.displacement_bound;
         result.chatter = totals.chatter;
         result.impact_rate = static_cast<double>(totals.impacts) / static_cast<double>(cycles);
-        if (detail_ == trajectory::Detail::force) return;
+        if (measures_.detail == trajectory::Detail::force) return;
         result.impact_speed = totals.impact_speed;
         result.impulse = totals.impulse;
         result.contact_time = totals.contact_time;
@@ -145,19 +190,12 @@ class Search {
     }
 
     // One of the q points names the orbit, whatever start and phase led to it.
-    Task<Point> lowest_point(PeriodicOrbit orbit) {
-        Point lowest = orbit.point;
-        Point point = orbit.point;
-        for (std::int64_t n = 1; n < orbit.period; ++n) {
-            const Passage passage = co_await map_.cycle(point);
-            point = passage.end;
-            if (point[0] < lowest[0]) lowest = point;
-        }
-        co_return lowest;
+    static Point lowest_point(const PeriodicOrbit& orbit) {
+        return *std::ranges::min_element(orbit.points, {}, [](const Point& point) { return point[0]; });
     }
 
     Task<CellResult> settled(SettledMotion motion, Regime regime) {
-        Recorder<double> recorder(detail_);
+        Recorder<double> recorder(measures_.detail);
         if (recorder.records_contacts()) {
             std::ignore = co_await map_.cycle(map_.scaled(motion.point), &recorder);
         }
@@ -166,6 +204,10 @@ class Search {
         result.period = 1;
         measured(result, recorder.totals(), 1);
         result.peak_force = motion.peak_force;
+        if (measures_.force_per_cycle) {
+            result.peak_force_mean = result.peak_force_q95 = motion.peak_force;
+            result.window_cycles = 1;
+        }
         result.largest_displacement = motion.largest_displacement;
         if (!recorder.records_contacts()) co_return result;
         if (!motion.decays) result.max_displacement = motion.largest_displacement;
@@ -223,22 +265,24 @@ class Search {
     EventPattern pattern_ = 0;
     std::int64_t tested_cycles_ = 0;
     std::int64_t measure_from_;
-    trajectory::Detail detail_;
+    Measures measures_;
+    std::vector<double> cycle_peaks_;  // of the cycles that count
+    std::int64_t chaos_from_;
     bool conservative_;
 };
 
 }  // namespace
 
 Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
-                                   Budget budget, EngineSettings engine, trajectory::Detail detail) {
-    Search search(scene, start, budget, engine, detail, desk);
+                                   Budget budget, EngineSettings engine, Measures measures) {
+    Search search(scene, start, budget, engine, measures, desk);
     co_return co_await search.run();
 }
 
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                             const Budget& budget, const EngineSettings& engine, trajectory::Detail detail) {
+                             const Budget& budget, const EngineSettings& engine, Measures measures) {
     CycleDesk desk;
-    return complete(find_steady_state(desk, scene, start, budget, engine, detail), desk);
+    return complete(find_steady_state(desk, scene, start, budget, engine, measures), desk);
 }
 
 }  // namespace peterka::regime

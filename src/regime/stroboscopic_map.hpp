@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "regime/cycle_desk.hpp"
-#include "support/task.hpp"
 
 namespace peterka::regime {
 
@@ -18,7 +17,7 @@ using trajectory::Recorder;
 
 using Point = Eigen::Vector2d;  // (delta, delta') over the scales of the scene
 
-// q cycles in a row.
+// One cycle.
 struct Passage {
     bool ok = true;
     trajectory::Cycle<double>::Outcome outcome = trajectory::Cycle<double>::Outcome::done;
@@ -67,22 +66,6 @@ class StroboscopicMap {
         };
         ++spent_;
         return Scaled{desk_->cycle({unscaled(from), recorder}), this};
-    }
-
-    // From where so many cycles in a row lead; those after one that fails aren't tried.
-    [[nodiscard]] Task<Passage> advance(Point from, std::int64_t cycles, Recorder<double>* recorder = nullptr) {
-        Passage all = co_await cycle(from, recorder);
-        for (std::int64_t n = 1; n < cycles && all.ok; ++n) {
-            const Passage next = co_await cycle(all.end, recorder);
-            all.ok = next.ok;
-            all.outcome = next.outcome;
-            all.end = next.end;
-            all.jacobian = (next.jacobian * all.jacobian).eval();
-            all.pattern = append(all.pattern, next.pattern);
-            all.touched |= next.touched;
-            all.separated |= next.separated;
-        }
-        co_return all;
     }
 
   private:

@@ -44,7 +44,8 @@ double RigidLimit::compliant_speed(double stiffness) const {
         .frequency = frequency,
         .gap = gap};
     const scene::State<double> start(-1 - gap, 0);
-    const auto result = regime::find_steady_state(scene, start, {}, {}, trajectory::Detail::contacts);
+    const auto result =
+        regime::find_steady_state(scene, start, {}, {}, {.detail = trajectory::Detail::contacts});
     const bool one_to_one =
         result.regime == regime::Regime::periodic && result.impacts == 1 && result.period == 1;
     return one_to_one ? result.impact_speed : std::numeric_limits<double>::quiet_NaN();

@@ -28,9 +28,11 @@ class FreeFlight {
     explicit FreeFlight(const Oscillator<Real>& scene)
         : scene_(scene), flight_(motion::flight_equation(scene)), touch_({.position = 1}, flight_) {}
 
+    // The steady motion doesn't reach the stop.
+    [[nodiscard]] bool may_last() const { return touch_.rest() + touch_.swing() < 0; }
     // The decaying rest can no longer lift the hammer to the stop: it never impacts again.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return phase_of(scene_, x) == Phase::flight &&
+        return may_last() && phase_of(scene_, x) == Phase::flight &&
                touch_.rest() + touch_.swing() + decaying_part(flight_, touch_, x) < 0;
     }
     [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0; }

@@ -23,9 +23,11 @@ class LinearContact {
                    contact_),
           depth_({.position = 1}, contact_) {}
 
+    // The stop presses all the time in the steady motion.
+    [[nodiscard]] bool may_last() const { return release_.rest() + release_.swing() < 0; }
     // The decaying rest can no longer make the force vanish: the stop presses for ever.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return phase_of(scene_, x) == Phase::contact &&
+        return may_last() && phase_of(scene_, x) == Phase::contact &&
                release_.rest() + release_.swing() + decaying_part(contact_, release_, x) < 0;
     }
     [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0; }
@@ -54,8 +56,9 @@ class RigidContact {
   public:
     explicit RigidContact(const Oscillator<Real>& scene) : scene_(scene), stop_(scene) {}
 
+    [[nodiscard]] bool may_last() const { return stop_.always_presses(); }
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return phase_of(scene_, x) == Phase::contact && stop_.always_presses();
+        return may_last() && phase_of(scene_, x) == Phase::contact;
     }
     [[nodiscard]] bool decays() const { return true; }  // nothing is left to decay
     [[nodiscard]] Real steady_force() const { return stop_.largest(0, 2 * std::numbers::pi_v<Real>); }

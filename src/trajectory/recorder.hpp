@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace peterka::trajectory {
 
@@ -77,7 +78,15 @@ class Recorder {
     }
 
     // Any law.
-    void force(Real largest) { totals_.largest_force = std::max(totals_.largest_force, largest); }
+    void force(Real largest) {
+        totals_.largest_force = std::max(totals_.largest_force, largest);
+        recent_force_ = std::max(recent_force_, largest);
+    }
+    // The largest force since this was asked last; NaN where the stop is rigid and was struck.
+    [[nodiscard]] Real take_recent_force() {
+        return totals_.struck_rigid_stop ? std::numeric_limits<Real>::quiet_NaN()
+                                         : std::exchange(recent_force_, Real(0));
+    }
     void displacement_bound(Real bound) {
         totals_.displacement_bound = std::max(totals_.displacement_bound, bound);
     }
@@ -161,6 +170,7 @@ class Recorder {
     Press<Real> impact_;  // the one going on
     bool touching_ = false;
     Chain chain_;
+    Real recent_force_ = 0;
 };
 
 }  // namespace peterka::trajectory

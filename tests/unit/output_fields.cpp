@@ -58,7 +58,8 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
     const job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), always.size() + 1 + job.output.fields.size() + 1);  // chatter; the orbit has two
+    EXPECT_EQ(all.size(), always.size() + 1 + job.output.fields.size() + 1 +
+                              2);  // chatter; two or three datasets for one field
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
 }
 
@@ -83,15 +84,18 @@ regime::CellResult distinct_cell() {
             .impulse = 10.5,
             .contact_time = 11.5,
             .contact_power = 12.5,
-            .max_displacement = 13.5};
+            .max_displacement = 13.5,
+            .peak_force_mean = 14.5,
+            .peak_force_q95 = 15.5,
+            .window_cycles = 16};
 }
 
 TEST(OutputFields, EachFieldStoresItsOwnMember) {
     const job::Job job = with_every_field();
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2, 1, 3, 11, 12, 1.5, 1, 2.5, 13, 3.5, 4.5, 5.5, 6.5, 7.5, 9.5, 10.5,
-                                           11.5, 12.5, 13.5}));
+    EXPECT_EQ(values, (std::vector<double>{2,   1,   3,   11,  12,   1.5,  1,    2.5,  13,   3.5,  4.5,
+                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16}));
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {
@@ -111,6 +115,8 @@ constexpr scene::Scales four_weights{.force_n = 20, .weight_n = 5};
 
 TEST(OutputFields, ForceIsStoredOverTheHammersWeight) {
     EXPECT_EQ(in_file_units(distinct_cell(), four_weights).peak_force, 6.0);
+    EXPECT_EQ(in_file_units(distinct_cell(), four_weights).peak_force_mean, 58.0);
+    EXPECT_EQ(in_file_units(distinct_cell(), four_weights).peak_force_q95, 62.0);
     EXPECT_EQ(in_file_units(distinct_cell(), four_weights).impact_rate, 2.5);
 }
 

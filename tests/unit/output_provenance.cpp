@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "batch/cycle_kernel.hpp"
+
 namespace peterka::output {
 namespace {
 
@@ -22,8 +24,10 @@ TEST(OutputProvenance, ArithmeticSaysWhichInstructionsComputed) {
     EXPECT_EQ(arithmetic(), arithmetic());
     EXPECT_EQ(collect_provenance().arithmetic, arithmetic());
 #if defined(__x86_64__)
-    EXPECT_TRUE(arithmetic().starts_with("x86-64 scalar double, ")) << arithmetic();
-    EXPECT_EQ(arithmetic().ends_with(", fma"), __builtin_cpu_supports("fma") != 0) << arithmetic();
+    EXPECT_TRUE(arithmetic().starts_with("x86-64, libm")) << arithmetic();
+    EXPECT_EQ(arithmetic().find("libm with fma") != std::string::npos, __builtin_cpu_supports("fma") != 0)
+        << arithmetic();
+    EXPECT_TRUE(arithmetic().ends_with(", vectors " + std::string(batch::arithmetic()))) << arithmetic();
 #endif
 }
 

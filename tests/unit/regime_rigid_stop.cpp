@@ -24,7 +24,7 @@ scene::Oscillator<double> rigid(double restitution, double frequency, double gap
 
 CellResult solved(const scene::Oscillator<double>& scene, const scene::State<double>& start,
                   const Budget& budget = {}) {
-    return find_steady_state(scene, start, budget, {}, Detail::contacts);
+    return find_steady_state(scene, start, budget, {}, {.detail = Detail::contacts});
 }
 
 std::pair<int, int> z(const CellResult& cell) {
@@ -197,7 +197,8 @@ TEST(RigidRegimes, SplitCarriesACubicSpring) {
     const auto linear = solved(scene, {-1.5, 0});
     for (const double cubic : {1e-6, 2e-6}) {
         scene.cubic = cubic;
-        const auto cell = find_steady_state(scene, {-1.5, 0}, {}, {Engine::split, 1e-9, 15}, Detail::contacts);
+        const auto cell =
+            find_steady_state(scene, {-1.5, 0}, {}, {Engine::split, 1e-9, 15}, {.detail = Detail::contacts});
         ASSERT_EQ(z(cell), std::pair(1, 1));
         const double shift = cell.impact_speed / linear.impact_speed - 1;
         EXPECT_GT(std::abs(shift), 1e-2 * cubic);

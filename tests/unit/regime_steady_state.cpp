@@ -53,13 +53,26 @@ TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
 TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
     const CellResult cell = solve(paper_rig(beam_170mm, 2.88, 0.0));
     ASSERT_EQ(cell.regime, Regime::chaotic);
-    EXPECT_GE(cell.cycles, 1000);
+    EXPECT_GE(cell.cycles, 300);  // the steady free motion reaches the stop: impacts go on for ever
     EXPECT_GT(cell.lyapunov, 0);
     EXPECT_GT(cell.sensitivity, 20);
     EXPECT_GT(cell.peak_force, 0);
     EXPECT_GT(cell.impact_rate, 0.4);
     EXPECT_EQ(cell.impacts, 0);
     EXPECT_EQ(cell.period, 0);
+}
+
+// Where the hammer may come free for good chaos is called later: most of it ends there.
+TEST(Regimes, ChaosThatMayEndIsWatchedLonger) {
+    int chaotic = 0;
+    for (double gap = 1.2; gap < 1.7; gap += 0.02) {
+        const auto scene = paper_rig(beam_170mm, 3.8, gap);
+        const CellResult cell = solve(scene);
+        if (cell.regime != Regime::chaotic) continue;
+        ++chaotic;
+        EXPECT_GE(cell.cycles, testing::free_amplitude(scene) < gap ? 1000 : 300) << gap;
+    }
+    EXPECT_GT(chaotic, 0);
 }
 
 // Slow transients with a slightly positive exponent over the first thousand cycles: 2/4 and 2/2 in the end.

@@ -289,7 +289,7 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
             .gap = place.gap};
         const auto solved = [&](Engine engine, double tolerance) {
             return regime::find_steady_state(scene, testing::start_at(scene), {}, {engine, tolerance, 10},
-                                             Detail::contacts);
+                                             {.detail = Detail::contacts});
         };
         const auto best = solved(Engine::arkode, 1e-11);
         SCOPED_TRACE(::testing::Message()

@@ -201,7 +201,7 @@ TEST(Recorder, ResultsOfACellCarryWhatWasAskedFor) {
     const auto plain = regime::find_steady_state(scene, start, {});
     EXPECT_TRUE(std::isnan(plain.impulse));
     EXPECT_TRUE(std::isnan(plain.max_displacement));
-    const auto cell = regime::find_steady_state(scene, start, {}, {}, Detail::contacts);
+    const auto cell = regime::find_steady_state(scene, start, {}, {}, {.detail = Detail::contacts});
     EXPECT_EQ(cell.peak_force, plain.peak_force);
     EXPECT_FALSE(cell.chatter);
     // a periodic orbit: what the stop takes is what the drive brings in less what the springs' damper takes
@@ -216,8 +216,8 @@ TEST(Recorder, ResultsOfACellCarryWhatWasAskedFor) {
     EXPECT_NEAR(cell.impulse, totals.impulse, 1e-10 * totals.impulse);
     EXPECT_LE(cell.max_displacement, cell.largest_displacement);
 
-    const auto free =
-        regime::find_steady_state(paper_rig(beam_170mm, 2.0, 4.0), {-4, -2}, {}, {}, Detail::contacts);
+    const auto free = regime::find_steady_state(paper_rig(beam_170mm, 2.0, 4.0), {-4, -2}, {}, {},
+                                                {.detail = Detail::contacts});
     ASSERT_EQ(free.regime, regime::Regime::no_impact);
     EXPECT_EQ(free.impulse, 0);
     EXPECT_EQ(free.contact_power, 0);

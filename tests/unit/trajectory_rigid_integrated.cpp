@@ -100,15 +100,15 @@ TEST(IntegratedRigidStop, OrbitsHaveTheSpeedsOfTheFormula) {
         const auto scene = rigid(0.6, orbit.frequency, orbit.gap);
         // T to the impact at phase psi: u = P sin(theta), with P sin(theta) = g - alpha V, of the exact engine
         const auto exact = regime::find_steady_state(scene, testing::start_at(scene, -orbit.speed / 3), {}, {},
-                                                     Detail::contacts);
+                                                     {.detail = Detail::contacts});
         ASSERT_EQ(exact.period, orbit.period);
         ASSERT_NEAR(exact.impact_speed, orbit.speed, 1e-10);
         const State<double> start(exact.orbit_displacement - scene.gap + 0.01, exact.orbit_velocity);
         for (const auto engine : {regime::Engine::cvode, regime::Engine::arkode}) {
             for (const double tolerance : every_tolerance) {
                 SCOPED_TRACE(::testing::Message() << static_cast<int>(engine) << " at " << tolerance);
-                const auto cell =
-                    regime::find_steady_state(scene, start, {}, {engine, tolerance, 10}, Detail::contacts);
+                const auto cell = regime::find_steady_state(scene, start, {}, {engine, tolerance, 10},
+                                                            {.detail = Detail::contacts});
                 EXPECT_EQ(cell.impacts, 1);
                 EXPECT_EQ(cell.period, orbit.period);
                 EXPECT_NEAR(cell.impact_speed / orbit.speed, 1, 2 * tolerance);

@@ -1,0 +1,229 @@
+// Cells solved side by side give what each gives alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "regime/cell_pool.hpp"
+#include "regime/solve_cell.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+
+namespace peterka::regime {
+namespace {
+
+job::Job split_job(double cubic_stiffness) {
+    job::Job job;
+    job.hammer.mass_kg = 0.298;
+    job.hammer.natural_frequency_hz = 4.5;
+    job.hammer.damping_ns_per_m = 0.06;
+    job.hammer.cubic_stiffness_n_per_m3 = cubic_stiffness;
+    job.cart.amplitude_m = 0.89e-3;
+    job.contact = job::KelvinVoigt{5.5e6, 1.2e3};
+    job.columns = {1.6, 2.4, 5};
+    job.rows = {0.0, 3.0, 4};
+    job.solver.engine = job::EngineChoice::split;
+    job.solver.tolerance = 1e-7;
+    return job;
+}
+
+job::Job linear_job(std::int64_t columns, std::int64_t rows) {
+    job::Job job = split_job(0);
+    job.columns = {0.5, 4.5, columns};
+    job.rows = {0.0, 5.0, rows};
+    job.solver.engine = job::EngineChoice::automatic;
+    return job;
+}
+
+std::vector<std::int64_t> all_cells(const scene::Scene& scene) {
+    std::vector<std::int64_t> cells(static_cast<std::size_t>(scene.rows() * scene.columns()));
+    std::iota(cells.begin(), cells.end(), 0);
+    return cells;
+}
+
+// In the order of `cells`, added in that order.
+std::vector<CellResult> pooled(const scene::Scene& scene, const std::vector<std::int64_t>& cells) {
+    std::vector<CellResult> results(cells.size());
+    CellPool pool(scene, [&](const CellPool::Solved& solved) {
+        results[static_cast<std::size_t>(solved.number)] = solved.result;
+    });
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        while (!pool.has_room()) pool.step();
+        pool.add(cells[n] / scene.columns(), cells[n] % scene.columns(), static_cast<std::int64_t>(n));
+    }
+    while (!pool.empty()) pool.step();
+    return results;
+}
+
+std::vector<CellResult> pooled(const scene::Scene& scene) {
+    return pooled(scene, all_cells(scene));
+}
+
+std::vector<CellResult> one_by_one(const scene::Scene& scene) {
+    std::vector<CellResult> results;
+    for (const std::int64_t cell : all_cells(scene)) {
+        results.push_back(solve_cell(scene, cell / scene.columns(), cell % scene.columns()));
+    }
+    return results;
+}
+
+bool same_label(const CellResult& a, const CellResult& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
+}
+
+// All numbers that a file may hold.
+std::vector<double> numbers(const CellResult& c) {
+    return {static_cast<double>(c.regime),
+            static_cast<double>(c.status),
+            static_cast<double>(c.impacts),
+            static_cast<double>(c.period),
+            static_cast<double>(c.cycles),
+            c.peak_force,
+            c.largest_displacement,
+            c.impact_rate,
+            c.multiplier,
+            c.lyapunov,
+            c.sensitivity,
+            c.orbit_displacement,
+            c.orbit_velocity,
+            c.impact_speed,
+            c.impulse,
+            c.contact_time,
+            c.contact_power,
+            c.max_displacement,
+            c.peak_force_mean,
+            c.peak_force_q95,
+            static_cast<double>(c.window_cycles)};
+}
+
+bool same_bytes(const CellResult& a, const CellResult& b) {
+    const auto x = numbers(a);
+    const auto y = numbers(b);
+    return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
+}
+
+// Both engines round differently. A label may hang on that where a perturbation grew by e^20 (the fractal
+// boundaries of chaos), and nowhere else.
+TEST(CellPool, LabelsAWholeMapAsTheScalarEngineDoes) {
+    const scene::Scene scene(linear_job(60, 50));
+    const auto together = pooled(scene);
+    const auto alone = one_by_one(scene);
+    int different = 0;
+    for (std::size_t n = 0; n < alone.size(); ++n) {
+        const bool fractal = std::max(together[n].sensitivity, alone[n].sensitivity) > 20;
+        if (!same_label(together[n], alone[n])) {
+            ++different;
+            EXPECT_TRUE(fractal) << n;
+        } else if (alone[n].regime == Regime::periodic && !fractal) {
+            EXPECT_NEAR(together[n].peak_force, alone[n].peak_force, 1e-9 * alone[n].peak_force) << n;
+            EXPECT_NEAR(together[n].multiplier, alone[n].multiplier, 1e-6) << n;
+        }
+    }
+    EXPECT_LT(different, 15);  // of 3000
+}
+
+TEST(CellPool, ACellDoesNotDependOnItsCompany) {
+    const scene::Scene scene(linear_job(40, 30));
+    const auto expected = pooled(scene);
+    auto order = all_cells(scene);
+    std::shuffle(order.begin(), order.end(), std::mt19937(3));
+    order.resize(700);
+    const auto others = pooled(scene, order);
+    for (std::size_t n = 0; n < order.size(); ++n) {
+        EXPECT_TRUE(same_bytes(others[n], expected[static_cast<std::size_t>(order[n])])) << order[n];
+    }
+}
+
+// The batch gathers no more than peak forces: what else is asked for comes from the scalar engine.
+TEST(CellPool, MeasuresImpactsToo) {
+    job::Job job = linear_job(9, 7);
+    job.output.fields = {job::OptionalField::impact_speed, job::OptionalField::impulse,
+                         job::OptionalField::force_per_cycle};
+    const scene::Scene scene(job);
+    const auto together = pooled(scene);
+    const auto alone = one_by_one(scene);
+    int measured = 0;
+    for (std::size_t n = 0; n < alone.size(); ++n) {
+        if (alone[n].regime != Regime::periodic || !same_label(together[n], alone[n])) continue;
+        ++measured;
+        EXPECT_NEAR(together[n].impact_speed, alone[n].impact_speed, 1e-8 * alone[n].impact_speed);
+        EXPECT_NEAR(together[n].impulse, alone[n].impulse, 1e-8 * alone[n].impulse);
+        EXPECT_NEAR(together[n].peak_force_mean, alone[n].peak_force_mean, 1e-8 * alone[n].peak_force);
+        EXPECT_EQ(together[n].window_cycles, together[n].period);
+    }
+    EXPECT_GT(measured, 15);
+}
+
+TEST(CellPool, OtherLawsAreServedOneAfterTheOther) {
+    job::Job job = linear_job(5, 4);
+    job.contact = job::Restitution{0.6};
+    const scene::Scene scene(job);
+    const auto together = pooled(scene);
+    const auto alone = one_by_one(scene);
+    for (std::size_t n = 0; n < alone.size(); ++n) EXPECT_TRUE(same_bytes(together[n], alone[n])) << n;
+}
+
+// The cycles of a 2/2 orbit differ in force; those of a chaotic motion scatter.
+TEST(CellPool, ForcePerCycle) {
+    job::Job job = linear_job(2, 1);
+    job.output.fields = {job::OptionalField::force_per_cycle};
+    job.columns = {2.7, 2.75, 2};  // gap 0: 2/2
+    job.rows = {0.0, 1e-9, 1};
+    const scene::Scene scene(job);
+    const CellResult cell = pooled(scene)[1];
+    ASSERT_EQ(cell.period, 2);
+    const scene::Oscillator<double> oscillator = scene.cell(0, 1).oscillator;
+    const trajectory::ExactCycleMap<double> map(oscillator);
+    scene::State<double> x(cell.orbit_displacement - oscillator.gap, cell.orbit_velocity);
+    std::vector<double> peaks;
+    for (int n = 0; n < 2; ++n) {
+        trajectory::Recorder<double> recorder;
+        x = map(x, &recorder).end;
+        peaks.push_back(recorder.totals().largest_force);
+    }
+    EXPECT_GT(std::abs(peaks[0] - peaks[1]), 1);
+    EXPECT_EQ(cell.window_cycles, 2);
+    EXPECT_NEAR(cell.peak_force_mean, (peaks[0] + peaks[1]) / 2, 1e-8);
+    EXPECT_NEAR(cell.peak_force_q95, std::max(peaks[0], peaks[1]), 1e-8);
+
+    job.columns = {1.2, 4.5, 60};
+    job.rows = {0.0, 0.5, 2};
+    int chaotic = 0;
+    for (const CellResult& wild : pooled(scene::Scene(job))) {
+        if (wild.regime != Regime::chaotic) continue;
+        ++chaotic;
+        EXPECT_GT(wild.peak_force_mean, 0);
+        EXPECT_LT(wild.peak_force_mean, wild.peak_force_q95);
+        EXPECT_LE(wild.peak_force_q95, wild.peak_force);
+        EXPECT_GE(wild.window_cycles, 200);
+    }
+    EXPECT_GT(chaotic, 0);
+}
+
+// The paper's cubic, stronger ones, none, and one too strong to split: every cell fails.
+TEST(CellPool, SplitsTheCubicAsOneCellAloneDoes) {
+    for (const double stiffness : {238.2325, 5e3, 0.0, 1e10}) {
+        const scene::Scene scene(split_job(stiffness));
+        const auto results = pooled(scene);
+        for (std::size_t n = 0; n < results.size(); ++n) {
+            SCOPED_TRACE(::testing::Message() << stiffness << " cell " << n);
+            const auto row = static_cast<std::int64_t>(n / 5);
+            const auto column = static_cast<std::int64_t>(n % 5);
+            const CellResult alone = solve_cell(scene, row, column);
+            EXPECT_EQ(results[n].regime, alone.regime);
+            EXPECT_EQ(results[n].regime == Regime::failed, stiffness > 1e9);
+            EXPECT_EQ(results[n].impacts, alone.impacts);
+            EXPECT_EQ(results[n].period, alone.period);
+            EXPECT_EQ(results[n].engine, Engine::split);
+            if (alone.regime == Regime::periodic) {
+                EXPECT_NEAR(results[n].peak_force / alone.peak_force, 1, 1e-9);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace peterka::regime
