@@ -58,16 +58,22 @@ class Recurrence {
     // The smallest q for which the state is close to that of q cycles ago, the last q patterns equal the q
     // before, and the distance fell well below that of the last try at this q. Asking counts as trying.
     [[nodiscard]] std::optional<std::int64_t> candidate() {
-        const bool late = recorded_ > 2 * longest_ + late_interval;
+        const bool late = recorded_ > early_cycles;
         if (late && recorded_ % late_interval != 0) return std::nullopt;
         const Entry& now = entry(recorded_);
         const std::uint16_t* ago = &marks_[newest_];
+        Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  // of the last `carried` cycles
+        std::int64_t carried = 0;
         for (std::int64_t q = 1; q <= longest_ && 2 * q < recorded_; ++q) {
             if (ago[q] != ago[0]) continue;
             if (late && std::memcmp(ago + q, ago, late_interval * sizeof *ago) != 0) continue;
             if (recorded_ - last_touch_ >= q && !untouched_) continue;
             const double distance = (now.state - entry(recorded_ - q).state).lpNorm<Eigen::Infinity>();
-            if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q) || stretches(q)) continue;
+            if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q)) continue;
+            for (; carried < q; ++carried) {
+                jacobian = (jacobian * entry(recorded_ - carried).jacobian.cast<double>()).eval();
+            }
+            if (!(spectral_radius(jacobian) < largest_stretch)) continue;
             // a multiple of q would lead to the same orbit again
             tried_at_.resize(static_cast<std::size_t>(longest_ + 1), first_distance);
             for (std::int64_t multiple = q; multiple <= longest_; multiple += q) {
@@ -88,6 +94,7 @@ class Recurrence {
     static constexpr double largest_stretch = 1.2;
     // A motion that didn't settle at once is looked at in every fourth cycle only, and must have repeated four
     // patterns even where q is smaller.
+    static constexpr std::int64_t early_cycles = 40;
     static constexpr std::int64_t late_interval = 4;
 
     struct Entry {
@@ -108,9 +115,9 @@ class Recurrence {
 
     // Marks lie newest first, so that marks_[newest_ + q] is that of q cycles ago, and are added in front.
     void mark(EventPattern pattern) {
-        const auto kept = static_cast<std::size_t>(longest_ + late_interval);
+        const auto kept = static_cast<std::size_t>(2 * longest_ + late_interval);
         if (newest_ == 0) {
-            const std::size_t room = 3 * kept;
+            const std::size_t room = kept;
             std::vector<std::uint16_t> moved(room + kept);
             std::copy_n(marks_.begin(), std::min(kept, marks_.size()),
                         moved.begin() + static_cast<std::ptrdiff_t>(room));
@@ -120,15 +127,14 @@ class Recurrence {
         marks_[--newest_] = static_cast<std::uint16_t>(pattern ^ (pattern >> 16U) ^ (pattern >> 32U));
     }
 
+    // The last q patterns equal the q before.
     [[nodiscard]] bool patterns_repeat(std::int64_t q) const {
+        const std::uint16_t* ago = &marks_[newest_];
+        if (std::memcmp(ago, ago + q, static_cast<std::size_t>(q) * sizeof *ago) != 0) return false;
         for (std::int64_t i = 0; i < q; ++i) {
             if (entry(recorded_ - i).pattern != entry(recorded_ - q - i).pattern) return false;
         }
         return true;
-    }
-
-    [[nodiscard]] bool stretches(std::int64_t q) const {
-        return !(spectral_radius(jacobian(q)) < largest_stretch);
     }
 
     std::int64_t longest_;
