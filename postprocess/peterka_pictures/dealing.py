@@ -24,7 +24,7 @@ class Machine:
     service: float  # of rank 0 for one run: its request, its answer and the reports on it
     latency: float  # of a message
     look: float  # between two looks of rank 0 for requests, while it computes
-    in_hand: int = 4  # tiles that a rank works on
+    in_hand: int = 2  # tiles that a rank works on
 
 
 @dataclass(frozen=True)

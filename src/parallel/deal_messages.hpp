@@ -21,7 +21,7 @@ inline constexpr int report_tag = 1;
 inline constexpr int order_tag = 2;
 
 struct Report {
-    std::int64_t orders_wanted = 0;  // since the start; rank 0 owes one while this exceeds the orders sent
+    std::int64_t orders_wanted = 0;  // since the start; rank 0 owes one order for each
     std::int64_t tiles_done = 0;     // since the last report
     std::int64_t cells_done = 0;     // since the last report
     std::int64_t wants_stop = 0;     // 1: this rank was asked to stop

@@ -52,13 +52,11 @@ void Dealer::serve() {
     while (take_report()) {
     }
     stopping_ = stopping_ || work_.stop_requested();
-    for (int rank = 1; rank < session_.size() && !stopping_; ++rank) {
-        Worker& worker = workers_[static_cast<std::size_t>(rank - 1)];
-        if (worker.orders_wanted <= worker.orders_sent || pool_.remaining() == 0) continue;
+    while (!waiting_.empty() && pool_.remaining() > 0 && !stopping_) {
         const TileRange run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
-        send_order(rank, {run});
-        ++worker.orders_sent;
-        worker.tiles_owed += run.size();
+        send_order(waiting_.front(), {run});
+        worker_of(waiting_.front()).tiles_owed += run.size();
+        waiting_.pop_front();
     }
 }
 
@@ -72,8 +70,10 @@ bool Dealer::take_report() {
     Report report;
     checked("MPI_Recv", MPI_Recv(&report, words<Report>, MPI_INT64_T, status.MPI_SOURCE, report_tag,
                                  communicator, MPI_STATUS_IGNORE));
-    Worker& worker = workers_[static_cast<std::size_t>(status.MPI_SOURCE - 1)];
-    worker.orders_wanted = report.orders_wanted;
+    Worker& worker = worker_of(status.MPI_SOURCE);
+    for (; worker.orders_wanted < report.orders_wanted; ++worker.orders_wanted) {
+        waiting_.push_back(status.MPI_SOURCE);
+    }
     worker.tiles_owed -= report.tiles_done;
     worker.has_left = report.has_left != 0;
     stopping_ = stopping_ || report.wants_stop != 0;

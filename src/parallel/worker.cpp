@@ -1,12 +1,16 @@
 #include "parallel/worker.hpp"
 
+#include <algorithm>
+
 #include "parallel/checked.hpp"
 
 namespace peterka::parallel {
 namespace {
 
-// Often enough for a live progress bar, rare enough for rank 0 with a thousand workers.
-constexpr double report_interval_seconds = 0.2;
+// Often enough for a live progress bar; together the workers send rank 0 no more than 5000 reports a second.
+double report_interval_seconds(const Session& session) {
+    return std::max(0.2, session.size() / 5000.0);
+}
 
 }  // namespace
 
@@ -66,7 +70,7 @@ void Worker::report() {
     }
     report_.tiles_done = 0;
     report_.cells_done = 0;
-    next_report_seconds_ = since_start_.seconds() + report_interval_seconds;
+    next_report_seconds_ = since_start_.seconds() + report_interval_seconds(session_);
 }
 
 void Worker::expect_order() {

@@ -12,9 +12,13 @@ import shutil
 import subprocess
 import sys
 import time
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+
+import h5py
+import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
@@ -25,6 +29,7 @@ from peterka_pictures.study import StudyFile  # noqa: E402
 from peterka_pictures.study_words import work_precision_table  # noqa: E402
 
 JOB = "jobs/peterka_170mm.toml"
+NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED = range(4)  # regimes in a file
 HUGE = 8192
 PLANNED = 65536
 # The fastest other program that was tried, measured once on a 2-core AVX-512 machine, with the same eight cells.
@@ -36,11 +41,13 @@ class Sizes:
     map: int  # cells along a side
     ratio: int
     memory: tuple
+    labels: int  # cells along a side
     rounds: int
 
 
-USUAL = Sizes(1024, 2048, (1024, 4096), 5)
-QUICK = Sizes(128, 256, (128, 512), 3)
+USUAL = Sizes(1024, 2048, (1024, 4096), 200, 5)
+QUICK = Sizes(128, 256, (128, 512), 60, 3)
+LONG = 20000  # forcing cycles that a label is compared with
 
 
 @dataclass(frozen=True)
@@ -66,12 +73,12 @@ class Bench:
             sys.exit(f"measure.py: {' '.join(map(str, command))} failed with code {done.returncode}")
         return done.stdout
 
-    def map(self, points, ranks):
+    def map(self, points, ranks, name="", settings=()):
         """Computes the paper's plane with so many points a side, without an audit; a Run."""
-        file = self.results / f"benchmark_{points}_on_{ranks}.h5"
+        file = self.results / f"benchmark_{points}_on_{ranks}{name}.h5"
         command = ["mpirun", "-n", ranks, self.build / "peterka", "run", JOB, "--output", file, "--fresh", "--quiet",
                    "--set", f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}",
-                   "--set", "audit.cells=0"]
+                   "--set", "audit.cells=0", *(word for setting in settings for word in ("--set", setting))]
         start = time.monotonic()
         process = subprocess.Popen(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL)
         resident = 0.0
@@ -106,7 +113,7 @@ def main():
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
 
     sections = [introduction(bench, arguments.quick)]
-    for measure in (engines, work_precision, maps, dealing, memory, huge, scaling):
+    for measure in (engines, work_precision, maps, decisions, dealing, memory, huge, scaling):
         if measure is huge and not arguments.huge:
             continue
         section = measure(bench, sizes, arguments.page.parent)
@@ -183,6 +190,47 @@ def maps(bench, sizes, _page):
 def ratio(runs, ranks, other):
     """Median over the rounds of how much faster `other` ranks solve."""
     return f"{median(one.solving / two.solving for one, two in zip(runs[ranks], runs[other])):.3f}"
+
+
+def decisions(bench, sizes, _page):
+    """How soon cells are decided, and what a much longer look says of their labels."""
+    # where nothing can end chaos it is called after 0.3 of chaos_cycles
+    long = ("steady_state.max_cycles=" + str(LONG + 100), "steady_state.chaos_cycles=" + str(LONG * 10 // 3))
+    usual = Labels(bench.map(sizes.labels, 2, "_labels").file)
+    truth = Labels(bench.map(sizes.labels, 2, "_labels_long", long).file)
+    settles = np.isin(truth.regime, [NO_IMPACT, PERIODIC, SUSTAINED])
+    chaotic, periodic = usual.regime == CHAOTIC, usual.regime == PERIODIC
+    other = periodic & settles & ~truth.same(usual)
+    rows = [[name, f"{int(np.sum(chaotic & where))}", *(f"{int(np.sum(chaotic & where & (truth.regime == regime)))}"
+                                                        for regime in (NO_IMPACT, PERIODIC))]
+            for name, where in (("no impact is possible, too", usual.comes_free), ("impacts go on for ever",
+                                                                                  ~usual.comes_free))]
+    return "\n\n".join([
+        "## Decisions",
+        f"{sizes.labels} × {sizes.labels} cells of the same plane, and again with {LONG} cycles before a cell is called "
+        f"chaotic. {np.mean(usual.cycles):.1f} cycles per cell, {np.mean(usual.cycles[periodic]):.1f} per periodic one, "
+        "Newton's method and measuring included. Periodic cells with another label after the long run: "
+        f"{int(np.sum(other))} of {int(np.sum(periodic))}.",
+        markdown(["where", "called chaotic", f"no impact within {LONG} cycles", "periodic by then"], rows),
+    ])
+
+
+class Labels:
+    """Regime, p and q of a map's cells, the cycles they took, and whether the hammer may come free for good there."""
+
+    def __init__(self, file):
+        with h5py.File(file) as opened:
+            self.regime, self.impacts, self.period, self.cycles = (
+                opened[name][:] for name in ("regime", "impacts", "period", "cycles"))
+            eta, gap = opened["frequency_ratio"][:], opened["gap_ratio"][:]
+        with open(ROOT / JOB, "rb") as job:
+            hammer = tomllib.load(job)["hammer"]
+        zeta = hammer["damping_ns_per_m"] / (4 * np.pi * hammer["mass_kg"] * hammer["natural_frequency_hz"])
+        amplitude = eta**2 / np.hypot(1 - eta**2, 2 * zeta * eta)
+        self.comes_free = gap[:, None] > amplitude[None, :]
+
+    def same(self, other):
+        return (self.regime == other.regime) & (self.impacts == other.impacts) & (self.period == other.period)
 
 
 def deal_rates(bench, sizes):
