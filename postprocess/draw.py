@@ -3,10 +3,11 @@
 
     draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf]
 
-A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), and STEM_audit where cells
-were audited; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact or not). Both give a picture of each
-of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they hold. A study gives
-STEM_work_precision, STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
+A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
+audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
+or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they
+hold. A study gives STEM_work_precision, STEM_labels or STEM_stability. An unfinished file is drawn as far as it is
+computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """
 

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from . import audit_map, basin_map, force_map, labels, peterka_map, quantity_map, stability, work_precision
+from . import audit_map, basin_map, computed_map, force_map, labels, peterka_map, quantity_map, stability, work_precision
 from .opened import OpenedFile
 from .read import PeterkaFile
 from .study import StudyFile
@@ -37,6 +37,8 @@ def pictures_of(file):
     if file.kind == "study":
         return {file.topic: STUDIES[file.topic]}
     pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
+    if file.is_refined:
+        pictures["computed"] = computed_map.draw
     if file.audit is not None:
         pictures["audit"] = audit_map.draw
     return pictures

@@ -4,8 +4,8 @@ Layout version 1: two coordinate vectors and the data on [rows][columns],
     map    rows gap_ratio,      columns frequency_ratio
     basin  rows velocity_ratio, columns displacement_ratio
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
-`attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), and the group `audit`. What
-cannot be drawn raises NotDrawable.
+`attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
+maps), and the group `audit`. What cannot be drawn raises NotDrawable.
 """
 
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` (those of QUANTITIES that
-    it holds), has_chatter, attractors, audit."""
+    it holds), has_chatter, is_refined, attractors, audit."""
 
     @cached_property
     def computed(self):
@@ -76,11 +76,15 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.has_chatter = self.data.has("chatter")
-        if self.has_chatter:
-            self.data.dataset("chatter", self.shape, INTEGER)
+        self.has_chatter = self._has_flag("chatter")
+        self.is_refined = self._has_flag("computed")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
+
+    def _has_flag(self, name):
+        if self.data.has(name):
+            self.data.dataset(name, self.shape, INTEGER)
+        return self.data.has(name)
 
     def _check_quantity(self, name):
         self.data.dataset(name, self.shape, REAL)
@@ -93,8 +97,9 @@ class PeterkaFile(OpenedFile):
         attractor = columns.get("attractor")
         if attractor is not None and np.any((attractor < -1) | (attractor >= self.attractors.count)):
             raise self.refusal("names an attractor that its table does not have")
-        if "chatter" in columns and not np.isin(columns["chatter"], [0, 1, classes.NOT_COMPUTED]).all():
-            raise self.refusal("has a chatter that is neither 0 nor 1")
+        for name in {"chatter", "computed"} & columns.keys():
+            if not np.isin(columns[name], [0, 1, classes.NOT_COMPUTED]).all():
+                raise self.refusal(f"has a {name} that is neither 0 nor 1")
 
     def _axis(self, name):
         shape = self.data.dataset(name, None, INTEGER + REAL).shape

@@ -127,6 +127,12 @@ struct Audit {
     friend bool operator==(const Audit&, const Audit&) = default;
 };
 
+// Of a map: first every 2^levels-th cell, then, stride after stride, only cells that those around don't tell.
+struct Refine {
+    std::int64_t levels = 0;  // 0: every cell is computed
+    friend bool operator==(const Refine&, const Refine&) = default;
+};
+
 // What a study compares: engines and common practice, on cells, on a map, or on a battery of extreme scenes.
 struct Study {
     StudyTopic topic = StudyTopic::work_precision;
@@ -161,7 +167,8 @@ struct Job {
     Solver solver;
     Output output;
     Audit audit;
-    Study study;  // study only
+    Refine refine;  // map only
+    Study study;    // study only
     Limits limits;
     [[nodiscard]] std::int64_t cells() const { return columns.points * rows.points; }
     friend bool operator==(const Job&, const Job&) = default;

@@ -177,6 +177,8 @@ void describe_plane(Walker& file, Job& job) {
 template <typename Walker>
 void describe_map(Walker& file, Job& job) {
     describe_plane(file, job);
+    file.table({"refine", "cells that are filled from those around them instead of being computed"},
+               [&](auto& table) { describe(table, job.refine); });
     file.refuse("operating_point", "belongs to a basin; a map covers the plane of its axes; remove this table");
     file.rule({"axes"}, [&] {
         return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
@@ -204,6 +206,8 @@ void describe_basin(Walker& file, Job& job) {
                    axes.refuse(gap_ratio.name, why);
                });
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
+    file.refuse("refine",
+                "is for maps; the edges of basins are fractal, so every start is computed; remove this table");
     file.rule({"axes"}, [&] {
         return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
                                   "operating_point.gap_ratio", job.operating_point.gap_ratio);
@@ -240,6 +244,14 @@ void describe(Walker& table, Audit& audit) {
                   audit.cells,
                   from_to<std::int64_t>(0, 1'000'000,
                                         "an audited cell costs a thousand others, and a sample tells enough"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Refine& refine) {
+    table.integer(
+        {"levels", "first every 2^levels-th cell, then only where needed; 0 computes every cell"},
+        refine.levels,
+        from_to<std::int64_t>(0, 6, "on a coarser grid than every 64th cell whole regions go unseen"));
 }
 
 // Of a map or a basin: how it is computed, and what is stored.
@@ -337,6 +349,7 @@ void describe_study(Walker& file, Job& job) {
     }
     file.refuse("operating_point", "belongs to a basin; a study has scenes of its own; remove this table");
     file.refuse("output", "is for maps; a study has fields of its own; remove this table");
+    file.refuse("refine", "is for maps; a study compares computed cells; remove this table");
     file.refuse("audit", "is for maps; a study is an audit itself; remove this table");
     file.refuse("limits", "is for maps; a study tells failures as results; remove this table");
 }
@@ -344,7 +357,7 @@ void describe_study(Walker& file, Job& job) {
 // Tables of kinds that are named already; saying so helps more than "unknown table".
 template <typename Walker>
 void refuse_later_tables(Walker& file) {
-    for (const auto* name : {"sweep", "trace", "refine"}) {
+    for (const auto* name : {"sweep", "trace"}) {
         file.refuse(name, "is not in this version; it computes maps, basins and studies; remove this table");
     }
 }
@@ -367,7 +380,7 @@ void describe(Walker& file, Job& job) {
                [&](auto& table) { describe(table, job.contact); });
     file.note([&] { return derived_numbers_in_words(job); });
 
-    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "study"});
+    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "refine", "study"});
     if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
     file.table({"steady_state", "when a regime counts as proved"},

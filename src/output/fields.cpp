@@ -21,6 +21,7 @@ constexpr double nan = regime::unknown;
 constexpr Field fields[] = {
     {{"regime", Number::int8, not_computed, "", "regime of the steady state", regime_names}, always, member<&CellResult::regime>, table_too},
     {{"status", Number::int8, not_computed, "", "why a cell is unresolved or failed", status_names}, always, member<&CellResult::status>},
+    {{"computed", Number::int8, not_computed, "", "whether the cell is computed or filled from computed cells around it", computed_names}, Refined{}, member<&CellResult::computed>},
     {{"engine", Number::int8, not_computed, "", "engine that carried the cell; exact leaves a cubic spring out", engine_names}, always, member<&CellResult::engine>},
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
     {{"period", Number::int32, -1, "1", "period q of z = p/q in forcing cycles"}, always, member<&CellResult::period>, table_too},
@@ -46,6 +47,7 @@ constexpr Field fields[] = {
 
 bool stores(const job::Job& job, const Field& field) {
     if (const auto* law = std::get_if<ContactLaw>(&field.stored)) return law_of(job.contact) == *law;
+    if (std::holds_alternative<Refined>(field.stored)) return job.refine.levels > 0;
     const auto* asked = std::get_if<OptionalField>(&field.stored);
     if (asked == nullptr) return true;
     return job.output.has(*asked) || (job.kind == job::Kind::basin && *asked == OptionalField::orbit);

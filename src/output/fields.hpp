@@ -25,6 +25,7 @@ inline constexpr std::array<const char*, 6> regime_names{"no_impact",         "p
 inline constexpr std::array<const char*, 6> status_names{"proved",          "budget",     "conservative",
                                                          "too_many_events", "not_finite", "solver_failed"};
 inline constexpr std::array<const char*, 2> chatter_names{"no_chatter", "chatter"};
+inline constexpr std::array<const char*, 2> computed_names{"filled", "computed"};
 inline constexpr std::array<const char*, 4> engine_names{"exact", "split", "cvode", "arkode"};
 
 // The member of a cell that a field stores, as a double (each number type used fits one exactly).
@@ -43,11 +44,12 @@ inline constexpr Member member{[](const StoredCell& cell) { return static_cast<d
 enum class InAttractorTable { no, yes };
 
 struct Always {};
+struct Refined {};
 
 struct Field {
     Variable variable;
-    std::variant<Always, job::OptionalField, job::ContactLaw>
-        stored;  // always, on request, or for this law only
+    // always, in a refined map, on request, or for this law only
+    std::variant<Always, Refined, job::OptionalField, job::ContactLaw> stored;
     Member member;
     InAttractorTable in_attractor_table = InAttractorTable::no;
 };

@@ -54,6 +54,8 @@ class MapFile {
                                       const scene::Scales& scales, MPI_Comm communicator,
                                       Access access = Access::write);
 
+    [[nodiscard]] const parallel::Tiling& tiling() const { return tiles_.tiling(); }
+
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
     void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
 

@@ -29,6 +29,7 @@ void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
 void add_cell(Statistics& statistics, const StoredCell& cell, std::int64_t row, std::int64_t column) {
     Counts& counts = statistics.counts;
     ++counts.cells;
+    counts.filled += cell.computed ? 0 : 1;
     counts.cycles += cell.cycles;
     count(counts.by_regime, static_cast<std::int8_t>(cell.regime));
     count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
@@ -75,6 +76,7 @@ void Counts::add(const Counts& other) {
     add_each(failed_by_status, other.failed_by_status);
     add_each(by_engine, other.by_engine);
     cells += other.cells;
+    filled += other.filled;
     cycles += other.cycles;
 }
 

@@ -1,4 +1,4 @@
-// What a map holds, for the summary at its end: counts and extremes over all computed cells.
+// What a map holds, for the summary at its end: counts and extremes over all cells that are there.
 //
 // Taken from cells in any grouping and merged, the result is the same: counts are sums, and of equal extremes
 // the one with the lowest cell wins. Forces are over the hammer's weight, F/(m g0).
@@ -39,7 +39,8 @@ struct Counts {
     std::array<std::int64_t, status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, status_names.size()> failed_by_status{};
     std::array<std::int64_t, engine_names.size()> by_engine{};
-    std::int64_t cells = 0;   // computed
+    std::int64_t cells = 0;   // that the map holds so far
+    std::int64_t filled = 0;  // of these, from cells around them
     std::int64_t cycles = 0;  // forcing cycles spent on them
 
     void add(const Counts& other);

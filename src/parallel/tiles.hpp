@@ -16,6 +16,13 @@ struct Extent {
     friend bool operator==(const Extent&, const Extent&) = default;
 };
 
+// A cell.
+struct Place {
+    std::int64_t row = 0;
+    std::int64_t column = 0;
+    friend bool operator==(const Place&, const Place&) = default;
+};
+
 inline constexpr Extent tile_extent{16, 16};
 
 struct Tile {
@@ -45,6 +52,11 @@ class Tiling {
                 column,
                 {std::min(largest_tile_.rows, grid_.rows - row),
                  std::min(largest_tile_.columns, grid_.columns - column)}};
+    }
+
+    // The tile that a cell lies in.
+    [[nodiscard]] std::int64_t index_at(const Place& cell) const {
+        return cell.row / largest_tile_.rows * tiles_.columns + cell.column / largest_tile_.columns;
     }
 
   private:

@@ -30,12 +30,19 @@ double force_error(const StoredCell& cell, const StoredCell& again) {
 
 AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const output::MapFile& file) {
     const Stopwatch stopwatch;
-    const std::int64_t row = cell / scene.columns();
-    const std::int64_t column = cell % scene.columns();
-    const StoredCell first = file.read_cell(row, column);
+    std::int64_t row = cell / scene.columns();
+    std::int64_t column = cell % scene.columns();
+    StoredCell first = file.read_cell(row, column);
+    if (!first
+             .computed) {  // the cell of the coarsest lattice before it stands for it, which is always computed
+        const std::int64_t stride = std::int64_t{1} << scene.job().refine.levels;
+        row -= row % stride;
+        column -= column % stride;
+        first = file.read_cell(row, column);
+    }
     const StoredCell again =
         output::in_file_units(regime::solve_again(scene, row, column, first.engine), scene.scales());
-    return {.cell = cell,
+    return {.cell = row * scene.columns() + column,
             .row = row,
             .column = column,
             .again = again,

@@ -12,6 +12,7 @@
 #include "output/layout.hpp"
 #include "output/map_size.hpp"
 #include "program/run_plan.hpp"
+#include "refine/lattice.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
 
@@ -32,6 +33,16 @@ std::string free_space_text(const std::filesystem::path& file) {
     const auto space = std::filesystem::space(output::folder_of(file), unknown);
     if (unknown) return "its folder cannot be read";
     return readable_bytes(static_cast<std::int64_t>(space.available)) + " free there";
+}
+
+// Of a refined map: how many cells are surely computed, and where; all of them at most.
+std::string refine_text(const job::Job& job) {
+    if (job.refine.levels == 0) return "";
+    const std::int64_t stride = std::int64_t{1} << job.refine.levels;
+    const std::int64_t coarsest =
+        refine::Lattice(job.rows.points, stride).lines() * refine::Lattice(job.columns.points, stride).lines();
+    return fmt::format("#   refine   from a grid of stride {}, {} cells, to all of them where it must\n",
+                       stride, readable_count(coarsest));
 }
 
 std::string check_study(const Request& request, const job::Job& job) {
@@ -56,14 +67,15 @@ std::string check_job(const Request& request) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
+               "{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
                request.job_file.string(), readable_count(job.columns.points * job.rows.points),
                readable_count(job.columns.points), axes.columns, readable_count(job.rows.points), axes.rows,
-               readable_count(tiles), parallel::tile_extent.rows, parallel::tile_extent.columns,
-               readable_bytes(memory_per_rank()), file.string(), readable_bytes(output::predicted_bytes(job)),
-               free_space_text(file)) +
+               refine_text(job), readable_count(tiles), parallel::tile_extent.rows,
+               parallel::tile_extent.columns, readable_bytes(memory_per_rank()), file.string(),
+               readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);
 }
 

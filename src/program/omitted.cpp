@@ -46,6 +46,11 @@ std::vector<std::string> omitted_in_words(const job::Job& job, const output::Sta
         sentences.emplace_back(
             "numerical integration: linear phases are solved in closed form, SUNDIALS is not called");
     }
+    if (statistics.counts.filled > 0) {
+        sentences.push_back(fmt::format(
+            "{} cells: filled from computed ones of the same regime and z around them, see computed",
+            readable_count(statistics.counts.filled)));
+    }
     sentences.emplace_back("the rest of each trajectory once its regime is proved");
     sentences.emplace_back(
         "force maxima of transients: force is searched on proved orbits and in chaotic windows only");

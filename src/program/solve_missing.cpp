@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "parallel/dealing.hpp"
 #include "program/progress_style.hpp"
 #include "program/solve_tiles.hpp"
+#include "refine/region.hpp"
+#include "refine/regions.hpp"
 #include "support/tell.hpp"
 
 namespace peterka {
@@ -16,6 +18,62 @@ namespace {
 
 using output::MapFile;
 using parallel::Session;
+
+using parallel::Place;
+using parallel::Tile;
+using Results = std::span<const regime::CellResult>;
+
+// Every cell of a tile.
+TileWork whole_tiles(MapFile& file) {
+    return {.begin =
+                [](const Tile& tile) {
+                    std::vector<Place> cells;
+                    for (std::int64_t i = 0; i < tile.size(); ++i) {
+                        cells.push_back(
+                            {tile.row + i / tile.extent.columns, tile.column + i % tile.extent.columns});
+                    }
+                    return cells;
+                },
+            .go_on =
+                [&](const Tile& tile, Results cells, double seconds) {
+                    file.write_tile(tile, cells, seconds);
+                    return std::vector<Place>();
+                }};
+}
+
+// Lattice after lattice of a region of tiles.
+class RefinedRegions {
+  public:
+    RefinedRegions(const job::Job& job, MapFile& file) : job_(job), file_(file) {}
+
+    [[nodiscard]] TileWork work() {
+        return {.begin =
+                    [this](const Tile& tile) {
+                        auto& region = regions_.try_emplace(tile.index, job_, tile).first->second;
+                        return region.next();
+                    },
+                .go_on = [this](const Tile& tile, Results cells,
+                                double seconds) { return go_on(tile, cells, seconds); }};
+    }
+
+  private:
+    std::vector<Place> go_on(const Tile& rectangle, Results cells, double seconds) {
+        refine::Region& region = regions_.at(rectangle.index);
+        region.put(cells);
+        std::vector<Place> places = region.next();
+        if (!places.empty()) return places;
+        const std::vector<Tile> tiles = refine::tiles_in(rectangle, file_.tiling());
+        for (const Tile& tile : tiles) {
+            file_.write_tile(tile, region.cells(tile), seconds / static_cast<double>(tiles.size()));
+        }
+        regions_.erase(rectangle.index);
+        return places;
+    }
+
+    const job::Job& job_;
+    MapFile& file_;
+    std::unordered_map<std::int64_t, refine::Region> regions_;  // those in hand
+};
 
 // The tiles that the file lacks, on rank 0.
 std::vector<parallel::TileRange> find_missing_tiles(const Session& session, const RunPlan& plan,
@@ -32,18 +90,15 @@ std::vector<parallel::TileRange> find_missing_tiles(const Session& session, cons
 
 bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scene::Scene& scene,
                          const StopRequest& stop, MapFile& file) {
-    const parallel::Tiling tiling({scene.rows(), scene.columns()});
+    const bool refines = plan.job.refine.levels > 0;
+    const parallel::Tiling tiling =
+        refines ? refine::regions_of(file.tiling().grid(), session.size()) : file.tiling();
     std::vector<parallel::TileRange> missing = find_missing_tiles(session, plan, file);
+    if (refines) missing = refine::regions_with(missing, file.tiling(), tiling);
     Progress progress(progress_style(session, plan), plan.job.cells(),
                       plan.job.cells() - parallel::cells_in(missing, tiling));
-    const TileWork work{.cells_to_solve =
-                            [](const parallel::Tile& tile) {
-                                std::vector<std::int64_t> all(static_cast<std::size_t>(tile.size()));
-                                std::iota(all.begin(), all.end(), 0);
-                                return all;
-                            },
-                        .store = [&](const parallel::Tile& tile, std::span<const regime::CellResult> cells,
-                                     double seconds) { file.write_tile(tile, cells, seconds); }};
+    RefinedRegions regions(plan.job, file);
+    const TileWork work = refines ? regions.work() : whole_tiles(file);
     return parallel::deal_tiles(
         session, tiling, std::move(missing),
         {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, work, source); },

@@ -1,6 +1,8 @@
 #include "program/solve_tiles.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <unordered_map>
 #include <utility>
 
@@ -31,63 +33,57 @@ class TilesInHand {
   private:
     struct Open {
         parallel::Tile tile;
-        std::vector<std::int64_t> cells;
-        std::vector<regime::CellResult> results;
+        std::vector<parallel::Place> cells = {};
+        std::vector<regime::CellResult> results = {};
+        std::size_t added = 0;
         std::size_t solved = 0;
         double seconds = 0;
     };
 
-    // The next cell of the tile taken last, or of another tile. False: none is at hand.
+    // The next cell of the tile that waits first, or of another tile. False: none is at hand.
     bool add_cell() {
-        while (newest_ == nullptr || added_ == newest_->cells.size()) {
-            if (!take_tile()) return false;
+        while (waiting_.empty()) {
+            const auto tile = source_.next();
+            if (!tile) return false;
+            Open& open = open_.emplace(tile->index, Open{*tile}).first->second;
+            solve(open, work_.begin(*tile));
         }
-        const parallel::Tile& tile = newest_->tile;
-        const std::int64_t cell = newest_->cells[added_];
-        const std::int64_t number = tile.index * most_cells + static_cast<std::int64_t>(added_);
-        ++added_;
-        pool_.add(tile.row + cell / tile.extent.columns, tile.column + cell % tile.extent.columns, number);
+        Open& open = *waiting_.front();
+        const parallel::Place& cell = open.cells[open.added];
+        const std::int64_t number = open.tile.index * most_cells + static_cast<std::int64_t>(open.added);
+        ++open.added;
+        if (open.added == open.cells.size()) waiting_.pop_front();
+        pool_.add(cell.row, cell.column, number);
         return true;
     }
 
-    bool take_tile() {
-        newest_ = nullptr;
-        const auto tile = source_.next();
-        if (!tile) return false;
-        Open open{*tile, work_.cells_to_solve(*tile), {}};
-        open.results.resize(open.cells.size());
-        if (open.cells.empty()) {
-            close(open);
-            return true;
+    void solve(Open& open, std::vector<parallel::Place> cells) {
+        if (cells.empty()) {
+            source_.solved(open.tile);
+            open_.erase(open.tile.index);
+            return;
         }
-        newest_ = &open_.emplace(tile->index, std::move(open)).first->second;
-        added_ = 0;
-        return true;
+        open.cells = std::move(cells);
+        open.results.resize(open.cells.size());
+        open.added = 0;
+        open.solved = 0;
+        waiting_.push_front(&open);  // tiles that are begun come to an end before others
     }
 
     void keep(const regime::CellPool::Solved& cell) {
-        const auto found = open_.find(cell.number / most_cells);
-        Open& open = found->second;
+        Open& open = open_.at(cell.number / most_cells);
         open.results[static_cast<std::size_t>(cell.number % most_cells)] = cell.result;
         open.seconds += cell.seconds;
         if (++open.solved < open.cells.size()) return;
-        if (newest_ == &open) newest_ = nullptr;
-        close(open);
-        open_.erase(found);
+        solve(open, work_.go_on(open.tile, open.results, open.seconds));
     }
 
-    void close(const Open& open) {
-        work_.store(open.tile, open.results, open.seconds);
-        source_.solved(open.tile);
-    }
-
-    static constexpr std::int64_t most_cells = parallel::tile_extent.rows * parallel::tile_extent.columns;
+    static constexpr std::int64_t most_cells = 1 << 24;  // of a tile at a time
 
     const TileWork& work_;
     parallel::TileSource& source_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
-    Open* newest_ = nullptr;                       // whose cells are being added
-    std::size_t added_ = 0;
+    std::deque<Open*> waiting_;                    // with cells that are still to be added
     regime::CellPool pool_;
 };
 

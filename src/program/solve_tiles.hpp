@@ -2,7 +2,6 @@
 // they come to an end.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -14,11 +13,13 @@
 namespace peterka {
 
 struct TileWork {
-    // Cells of the tile that are to be solved: numbered within the tile, row by row, in rising order.
-    std::function<std::vector<std::int64_t>(const parallel::Tile& tile)> cells_to_solve;
-    // Their results, in the same order, and the seconds of computing that they took.
-    std::function<void(const parallel::Tile& tile, std::span<const regime::CellResult> results, double seconds)>
-        store;
+    // The cells that are to be solved for a tile at first.
+    std::function<std::vector<parallel::Place>(const parallel::Tile& tile)> begin;
+    // Takes their results, in the same order, and the seconds of computing that the tile took so far. Gives the
+    // cells that are to be solved next; none once the tile is stored.
+    std::function<std::vector<parallel::Place>(const parallel::Tile& tile,
+                                               std::span<const regime::CellResult> results, double seconds)>
+        go_on;
 };
 
 // For DealtWork::solve.

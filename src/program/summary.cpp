@@ -122,13 +122,21 @@ std::string forces(const SummaryInput& input) {
     return fmt::format("\nLargest peak force (the hammer weighs {:.3g} N)\n{}", input.scales.weight_n, lines);
 }
 
+std::string refinement(const Statistics& statistics) {
+    if (statistics.counts.filled == 0) return "";
+    const std::int64_t cells = statistics.counts.cells;
+    const std::int64_t computed = cells - statistics.counts.filled;
+    return fmt::format("  {} of {} cells computed ({}), the others filled from those around them\n",
+                       readable_count(computed), readable_count(cells), readable_share(computed, cells));
+}
+
 std::string effort(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
     const auto cells = static_cast<double>(std::max<std::int64_t>(statistics.counts.cells, 1));
     return fmt::format(
-        "\nWork\n  {:.1f} forcing cycles and {} per cell, {} of computing in all\n"
+        "\nWork\n{}  {:.1f} forcing cycles and {} per cell, {} of computing in all\n"
         "  this run: {} on {} {}\n",
-        static_cast<double>(statistics.counts.cycles) / cells,
+        refinement(statistics), static_cast<double>(statistics.counts.cycles) / cells,
         readable_duration(statistics.tile_seconds / cells), readable_duration(statistics.tile_seconds),
         readable_duration(input.effort.wall_seconds), input.effort.ranks,
         input.effort.ranks == 1 ? "rank" : "ranks");

@@ -34,7 +34,7 @@ UNITS = {"impact_speed": "m/s", "impulse": "N s", "contact_time": "s", "contact_
 
 def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=None, fields=None, **attributes):
     """`cells[row][column]` is (regime, impacts, period); forces default to 10 + row + column/10. `fields`: optional
-    datasets, those of UNITS and chatter."""
+    datasets, those of UNITS, chatter and computed."""
     rows, columns = np.shape(cells)[:2]
     coordinates = {
         "gap_ratio": np.linspace(0, 3, rows) if gap_ratio is None else gap_ratio,
@@ -110,7 +110,7 @@ def _write_common(file, kind, coordinates, cells, forces, attributes):
 
 def _write_fields(file, fields, coordinates):
     for name, values in fields.items():
-        _write_data(file, name, np.array(values).astype("i1" if name == "chatter" else "f8"), coordinates)
+        _write_data(file, name, np.array(values).astype("i1" if name in ("chatter", "computed") else "f8"), coordinates)
         if name in UNITS:
             file[name].attrs["units"] = UNITS[name]
 

@@ -41,6 +41,7 @@ inline Job map() {
     job.solver = {.engine = EngineChoice::split, .tolerance = 2e-9, .omit_tolerance = 2e-3};
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}};
     job.audit = {.cells = 150};
+    job.refine = {.levels = 2};
     job.limits = {.failed_cells = 7};
     return job;
 }
@@ -57,6 +58,7 @@ inline Job basin() {
     job.rows = {.from = 0.75, .to = 5.25, .points = 22};
     job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
     job.start = {};
+    job.refine = {};
     return job;
 }
 
@@ -71,6 +73,7 @@ inline Job study(StudyTopic topic) {
     job.solver = {};
     job.output = {};
     job.audit = {};
+    job.refine = {};
     job.limits = {};
     job.study.topic = topic;
     if (topic == StudyTopic::stability) job.solver.tolerance = 2e-9;

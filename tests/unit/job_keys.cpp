@@ -49,6 +49,8 @@ omit_tolerance = 2e-3
 fields = ["orbit", "multiplier"]
 [audit]
 cells = 150
+[refine]
+levels = 2
 [limits]
 failed_cells = 7
 )",
@@ -85,6 +87,7 @@ const std::map<std::string, std::string> other_values{
     {"solver.omit_tolerance", "0.003"},
     {"output.fields", "[\"lyapunov\"]"},
     {"audit.cells", "151"},
+    {"refine.levels", "3"},
     {"limits.failed_cells", "8"},
     {"study.frequency_ratio", "[3.5, 1.5]"},
     {"study.gap_ratio", "[0.5, -2.0]"},

@@ -36,6 +36,7 @@ class RandomJobs {
         job.rows = is_map ? axis(-1e6, 1e6) : axis(-1e9, 1e9);
         if (is_map) {
             job.start = {signed_number(1e9), signed_number(1e9)};
+            job.refine.levels = integer(0, 6);
         } else {
             job.operating_point = {uniform(1e-6, 1e6), signed_number(1e6)};
         }

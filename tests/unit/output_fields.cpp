@@ -29,10 +29,11 @@ std::vector<std::string> names(const std::vector<Field>& fields) {
 const std::vector<std::string> always{"regime", "status",           "engine",      "impacts",
                                       "period", "peak_force_ratio", "impact_rate", "cycles"};
 
-// A rigid stop has a field of its own.
+// A rigid stop has a field of its own, and a refined map.
 job::Job with_every_field() {
     job::Job job = examples::small_map(4, 4);
     job.contact = job::Restitution{0.6};
+    job.refine.levels = 1;
     for (const auto& field : job::Names<OptionalField>::all) job.output.fields.push_back(field.value);
     return job;
 }
@@ -46,6 +47,14 @@ TEST(OutputFields, MapStoresWhatIsAskedFor) {
     job.output.fields = {OptionalField::multiplier, OptionalField::sensitivity};
     std::vector<std::string> expected = always;
     expected.insert(expected.end(), {"multiplier", "sensitivity"});
+    EXPECT_EQ(names(stored_fields(job)), expected);
+}
+
+TEST(OutputFields, RefinedMapTellsWhatIsComputed) {
+    job::Job job = examples::small_map(4, 4);
+    job.refine.levels = 1;
+    std::vector<std::string> expected = always;
+    expected.insert(expected.begin() + 2, "computed");
     EXPECT_EQ(names(stored_fields(job)), expected);
 }
 

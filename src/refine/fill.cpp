@@ -1,0 +1,124 @@
+#include "refine/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace peterka::refine {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+bool has_smooth_numbers(Regime regime) {
+    return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
+}
+
+bool same_label(const CellResult& a, const CellResult& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period && a.chatter == b.chatter;
+}
+
+template <class Condition>
+std::size_t count_if(const Surroundings& around, Condition condition) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < around.rows().size; ++i) {
+        for (std::size_t j = 0; j < around.columns().size; ++j) count += condition(around.at(i, j)) ? 1 : 0;
+    }
+    return count;
+}
+
+std::size_t size_of(const Surroundings& around) {
+    return around.rows().size * around.columns().size;
+}
+
+bool lies_inside_chaos(const Surroundings& around) {
+    const auto is_chaotic = [](const CellResult& cell) { return cell.regime == Regime::chaotic; };
+    for (const std::size_t i : {around.rows().before, around.rows().after}) {
+        for (const std::size_t j : {around.columns().before, around.columns().after}) {
+            if (!is_chaotic(around.at(i, j))) return false;
+        }
+    }
+    return 5 * count_if(around, is_chaotic) >= 4 * size_of(around);
+}
+
+// How far the middle one of three values lies off the line of the others.
+double bend(const Stencil& line, std::size_t first, double a, double b, double c) {
+    const auto length = static_cast<double>(line.positions[first + 2] - line.positions[first]);
+    const double share = static_cast<double>(line.positions[first + 1] - line.positions[first]) / length;
+    return std::abs(b - (a + share * (c - a)));
+}
+
+// The number at the cell in question; NaN where no cell has one; nothing where it isn't smooth.
+std::optional<double> interpolated(const Surroundings& around, Number number) {
+    const auto value = [&](std::size_t i, std::size_t j) { return around.at(i, j).*number; };
+    const Stencil& rows = around.rows();
+    const Stencil& columns = around.columns();
+    const auto lacks = [&](const CellResult& cell) { return std::isnan(cell.*number); };
+    if (lacks(around.at(0, 0))) {
+        if (count_if(around, lacks) < size_of(around)) return std::nullopt;
+        return regime::unknown;
+    }
+    double sum = 0;
+    double largest = 0;
+    double largest_bend = 0;
+    for (std::size_t i = 0; i < rows.size; ++i) {
+        for (std::size_t j = 0; j < columns.size; ++j) {
+            sum += rows.weights[i] * columns.weights[j] * value(i, j);
+            largest = std::max(largest, std::abs(value(i, j)));
+            if (i + 2 < rows.size)
+                largest_bend =
+                    std::max(largest_bend, bend(rows, i, value(i, j), value(i + 1, j), value(i + 2, j)));
+            if (j + 2 < columns.size)
+                largest_bend =
+                    std::max(largest_bend, bend(columns, j, value(i, j), value(i, j + 1), value(i, j + 2)));
+        }
+    }
+    if (std::isnan(sum) || largest_bend > smoothness * largest) return std::nullopt;
+    return sum;
+}
+
+}  // namespace
+
+std::vector<Number> interpolated_numbers(const job::Job& job) {
+    using job::OptionalField;
+    constexpr std::pair<OptionalField, Number> on_request[] = {
+        {OptionalField::multiplier, &CellResult::multiplier},
+        {OptionalField::lyapunov, &CellResult::lyapunov},
+        {OptionalField::orbit, &CellResult::orbit_displacement},
+        {OptionalField::orbit, &CellResult::orbit_velocity},
+        {OptionalField::impact_speed, &CellResult::impact_speed},
+        {OptionalField::impulse, &CellResult::impulse},
+        {OptionalField::contact_time, &CellResult::contact_time},
+        {OptionalField::contact_power, &CellResult::contact_power},
+        {OptionalField::max_displacement, &CellResult::max_displacement},
+    };
+    std::vector<Number> numbers{&CellResult::peak_force, &CellResult::impact_rate};
+    for (const auto& [field, number] : on_request) {
+        if (job.output.has(field)) numbers.push_back(number);
+    }
+    return numbers;
+}
+
+std::optional<CellResult> filled(const Surroundings& around, std::span<const Number> numbers) {
+    const CellResult& next = around.at(around.rows().before, around.columns().before);
+    if (lies_inside_chaos(around)) {
+        CellResult cell{.regime = Regime::chaotic, .engine = next.engine, .computed = false};
+        cell.impact_rate = regime::unknown;
+        return cell;
+    }
+    const auto alike = [&](const CellResult& cell) { return same_label(cell, next); };
+    if (!has_smooth_numbers(next.regime) || count_if(around, alike) < size_of(around)) return std::nullopt;
+
+    CellResult cell{.regime = next.regime, .engine = next.engine, .computed = false};
+    cell.impacts = next.impacts;
+    cell.period = next.period;
+    cell.chatter = next.chatter;
+    for (const Number number : numbers) {
+        const std::optional<double> value = interpolated(around, number);
+        if (!value) return std::nullopt;
+        cell.*number = *value;
+    }
+    return cell;
+}
+
+}  // namespace peterka::refine

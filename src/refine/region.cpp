@@ -1,0 +1,122 @@
+#include "refine/region.hpp"
+
+#include <optional>
+
+namespace peterka::refine {
+namespace {
+
+using regime::CellResult;
+
+std::int64_t size_of(Interval interval) {
+    return interval.last - interval.first + 1;
+}
+
+Lattice lattice_of(std::int64_t points, std::size_t level) {
+    return {points, std::int64_t{1} << level};
+}
+
+std::vector<std::int64_t> positions_in(const Lattice& lattice, Interval interval) {
+    std::vector<std::int64_t> positions;
+    const std::int64_t last = lattice.line_before(interval.last);
+    for (std::int64_t line = lattice.line_before(interval.first); line <= last; ++line) {
+        positions.push_back(lattice.position(line));
+    }
+    return positions;
+}
+
+struct Line {
+    std::int64_t position = 0;
+    bool on_coarser = false;
+    Stencil stencil;
+};
+
+std::vector<Line> lines_in(std::int64_t points, std::size_t level, Interval interval) {
+    const Lattice coarser = lattice_of(points, level + 1);
+    std::vector<Line> lines;
+    for (const std::int64_t position : positions_in(lattice_of(points, level), interval)) {
+        lines.push_back({position, coarser.has(position), stencil_of(coarser, position)});
+    }
+    return lines;
+}
+
+}  // namespace
+
+Region::Region(const job::Job& job, const parallel::Tile& rectangle)
+    : grid_{job.rows.points, job.columns.points},
+      numbers_(interpolated_numbers(job)),
+      needed_{{{rectangle.row, rectangle.row + rectangle.extent.rows - 1},
+               {rectangle.column, rectangle.column + rectangle.extent.columns - 1}}},
+      levels_to_do_(static_cast<std::size_t>(job.refine.levels) + 1) {
+    for (std::size_t level = 1; level < levels_to_do_; ++level) {
+        needed_.push_back({reach_of(lattice_of(grid_.rows, level), needed_.back().rows),
+                           reach_of(lattice_of(grid_.columns, level), needed_.back().columns)});
+    }
+    const Rectangle& largest = needed_.back();
+    cells_.resize(static_cast<std::size_t>(size_of(largest.rows) * size_of(largest.columns)));
+}
+
+std::vector<parallel::Place> Region::next() {
+    to_compute_.clear();
+    while (to_compute_.empty() && levels_to_do_ > 0) {
+        const std::size_t level = --levels_to_do_;
+        if (level + 1 == needed_.size()) {
+            take_all(level);
+        } else {
+            refine(level);
+        }
+    }
+    return to_compute_;
+}
+
+void Region::put(std::span<const CellResult> results) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        cells_[index(to_compute_[i].row, to_compute_[i].column)] = results[i];
+    }
+}
+
+std::vector<CellResult> Region::cells(const parallel::Tile& tile) const {
+    std::vector<CellResult> cells;
+    for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
+        const CellResult* first = &cells_[index(row, tile.column)];
+        cells.insert(cells.end(), first, first + tile.extent.columns);
+    }
+    return cells;
+}
+
+void Region::take_all(std::size_t level) {
+    const auto columns = positions_in(lattice_of(grid_.columns, level), needed_[level].columns);
+    for (const std::int64_t row : positions_in(lattice_of(grid_.rows, level), needed_[level].rows)) {
+        for (const std::int64_t column : columns) to_compute_.push_back({row, column});
+    }
+}
+
+// Fills what can be filled of a lattice's cells that the next coarser one hasn't; the others are to be
+// computed.
+void Region::refine(std::size_t level) {
+    const std::vector<Line> columns = lines_in(grid_.columns, level, needed_[level].columns);
+    for (const Line& row : lines_in(grid_.rows, level, needed_[level].rows)) {
+        for (const Line& column : columns) {
+            if (row.on_coarser && column.on_coarser) continue;
+            Surroundings around(row.stencil, column.stencil);
+            for (std::size_t i = 0; i < row.stencil.size; ++i) {
+                for (std::size_t j = 0; j < column.stencil.size; ++j) {
+                    around.set(i, j, cells_[index(row.stencil.positions[i], column.stencil.positions[j])]);
+                }
+            }
+            const std::optional<CellResult> cell = filled(around, numbers_);
+            if (cell) {
+                cells_[index(row.position, column.position)] = *cell;
+            } else {
+                to_compute_.push_back({row.position, column.position});
+            }
+        }
+    }
+}
+
+std::size_t Region::index(std::int64_t row, std::int64_t column) const {
+    const Rectangle& largest = needed_.back();
+    return static_cast<std::size_t>((row - largest.rows.first) * size_of(largest.columns) + column -
+                                    largest.columns.first);
+}
+
+}  // namespace peterka::refine

@@ -1,0 +1,53 @@
+// The refinement of a rectangle of cells: lattice after lattice, from every 2^levels-th cell to all of them.
+//
+// What is computed and what is filled follows from the values on the coarser lattices, which surround a cell on
+// all sides. A region therefore takes in cells beyond its edges too, ever fewer on finer lattices; regions next
+// to each other compute those twice, and need not know of each other. So the value of a cell is the same in any
+// region.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "job/job.hpp"
+#include "parallel/tiles.hpp"
+#include "refine/fill.hpp"
+#include "refine/lattice.hpp"
+#include "regime/cell_result.hpp"
+
+namespace peterka::refine {
+
+class Region {
+  public:
+    Region(const job::Job& job, const parallel::Tile& rectangle);
+
+    // Goes on to the next lattice with cells that must be computed, and gives them; none once every cell of the
+    // rectangle has its value.
+    [[nodiscard]] std::vector<parallel::Place> next();
+    // The results of these, in their order.
+    void put(std::span<const regime::CellResult> results);
+
+    // The cells of a tile inside the rectangle, row by row, once all are there.
+    [[nodiscard]] std::vector<regime::CellResult> cells(const parallel::Tile& tile) const;
+
+  private:
+    struct Rectangle {
+        Interval rows;
+        Interval columns;
+    };
+
+    void take_all(std::size_t level);
+    void refine(std::size_t level);
+    [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const;
+
+    parallel::Extent grid_;
+    std::vector<Number> numbers_;
+    std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
+    std::size_t levels_to_do_;
+    std::vector<parallel::Place> to_compute_;
+    std::vector<regime::CellResult> cells_;  // of the largest rectangle, row by row
+};
+
+}  // namespace peterka::refine

@@ -1,0 +1,175 @@
+// Filling a cell: only inside one regime and one z, only with smooth numbers.
+#include "refine/fill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "output_examples.hpp"
+#include "refine/lattice.hpp"
+
+namespace peterka::refine {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+// The cells on every fourth row and column around (row, column) of a grid of 33 by 33.
+class Around {
+  public:
+    Around(const std::function<CellResult(double, double)>& cell_at, std::int64_t row, std::int64_t column)
+        : rows_(stencil_of({33, 4}, row)), columns_(stencil_of({33, 4}, column)) {
+        for (std::size_t i = 0; i < rows_.size; ++i) {
+            for (std::size_t j = 0; j < columns_.size; ++j) {
+                cells_.push_back(cell_at(static_cast<double>(rows_.positions[i]),
+                                         static_cast<double>(columns_.positions[j])));
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const { return cells_.size(); }
+    CellResult& operator[](std::size_t i) { return cells_[i]; }  // row by row
+    [[nodiscard]] std::optional<CellResult> filled(const job::Job& job = {}) const {
+        Surroundings around(rows_, columns_);
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            around.set(i / columns_.size, i % columns_.size, cells_[i]);
+        }
+        return refine::filled(around, interpolated_numbers(job));
+    }
+
+  private:
+    Stencil rows_;
+    Stencil columns_;
+    std::vector<CellResult> cells_;
+};
+
+CellResult periodic(double force) {
+    return {.regime = Regime::periodic,
+            .engine = regime::Engine::split,
+            .impacts = 2,
+            .period = 4,
+            .cycles = 77,
+            .peak_force = force,
+            .impact_rate = 0.5,
+            .sensitivity = 3};
+}
+
+CellResult smooth(double row, double column) {
+    return periodic(40 + 0.3 * row + 0.2 * column + 1e-4 * row * row * column);
+}
+
+CellResult chaotic(double, double) {
+    return {.regime = Regime::chaotic, .cycles = 1000, .peak_force = 9, .impact_rate = 0.7};
+}
+
+TEST(RefineFill, InsideOneRegimeAndOneZ) {
+    const auto cell = Around(smooth, 13, 22).filled();
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->regime, Regime::periodic);
+    EXPECT_EQ(cell->impacts, 2);
+    EXPECT_EQ(cell->period, 4);
+    EXPECT_EQ(cell->engine, regime::Engine::split);
+    EXPECT_NEAR(cell->peak_force, smooth(13, 22).peak_force, 1e-12);
+    EXPECT_EQ(cell->impact_rate, 0.5);
+    EXPECT_FALSE(cell->computed);
+}
+
+TEST(RefineFill, WhatBelongsToARunIsUnknownWithoutOne) {
+    const auto cell = Around(smooth, 13, 22).filled();
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->cycles, 0);
+    EXPECT_TRUE(std::isnan(cell->sensitivity));
+}
+
+TEST(RefineFill, AnyOtherCellAroundForbidsIt) {
+    const std::vector<std::function<void(CellResult&)>> changes{
+        [](CellResult& cell) { cell.regime = Regime::no_impact; },
+        [](CellResult& cell) { cell.impacts = 3; },
+        [](CellResult& cell) { cell.period = 2; },
+        [](CellResult& cell) { cell.chatter = true; },
+        [](CellResult& cell) { cell.peak_force += 3; },
+        [](CellResult& cell) { cell.peak_force = regime::unknown; },
+    };
+    for (std::size_t which = 0; which < changes.size(); ++which) {
+        for (std::size_t place = 0; place < 16; ++place) {
+            Around around(smooth, 14, 22);
+            changes[which](around[place]);
+            EXPECT_FALSE(around.filled()) << which << " at " << place;
+        }
+    }
+}
+
+TEST(RefineFill, CellsWithoutAProofSayNothing) {
+    for (const Regime regime : {Regime::unresolved, Regime::failed}) {
+        Around around([&](double, double) { return CellResult{.regime = regime, .peak_force = 0}; }, 14, 22);
+        EXPECT_FALSE(around.filled());
+    }
+}
+
+TEST(RefineFill, ABendForbidsIt) {
+    const auto bend = [](double row, double) { return periodic(10 + 0.2 * std::abs(row - 14)); };
+    EXPECT_FALSE(Around(bend, 14, 22).filled());
+    EXPECT_TRUE(Around(bend, 22, 22).filled());
+}
+
+TEST(RefineFill, AJumpForbidsItAlsoHalfWay) {
+    const auto jump = [](double, double column) { return periodic(column < 22 ? 10 : 12); };
+    EXPECT_FALSE(Around(jump, 14, 22).filled()) << "where linear and cubic interpolation give the same";
+    EXPECT_FALSE(Around(jump, 14, 26).filled());
+    EXPECT_TRUE(Around(jump, 14, 6).filled());
+}
+
+TEST(RefineFill, ARigidStopHasNoForceButItsOtherNumbersMustBeSmooth) {
+    const auto rigid = [](double row, double) {
+        CellResult cell = periodic(regime::unknown);
+        cell.impact_speed = row < 14 ? 1 : 2;
+        return cell;
+    };
+    job::Job asks_for_speed;
+    asks_for_speed.output.fields = {job::OptionalField::impact_speed};
+    EXPECT_FALSE(Around(rigid, 14, 22).filled(asks_for_speed));
+    const auto cell = Around(rigid, 22, 22).filled(asks_for_speed);
+    ASSERT_TRUE(cell);
+    EXPECT_TRUE(std::isnan(cell->peak_force));
+    EXPECT_EQ(cell->impact_speed, 2);
+    EXPECT_TRUE(Around(rigid, 14, 22).filled()) << "nobody asked for its speed";
+}
+
+TEST(RefineFill, InsideChaosItIsChaoticWithoutNumbers) {
+    const auto cell = Around(chaotic, 14, 22).filled();
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->regime, Regime::chaotic);
+    EXPECT_EQ(cell->period, 0);
+    EXPECT_EQ(cell->cycles, 0);
+    EXPECT_TRUE(std::isnan(cell->peak_force));
+    EXPECT_TRUE(std::isnan(cell->impact_rate));
+    EXPECT_FALSE(cell->computed);
+}
+
+TEST(RefineFill, ChaosNextToItAndInFourFifthsOfTheCellsAround) {
+    const std::vector<std::size_t> next{5, 6, 9, 10};
+    const std::vector<std::size_t> far{0, 3, 7, 13};
+    for (const std::size_t place : next) {
+        Around around(chaotic, 14, 22);
+        around[place] = smooth(0, 0);
+        EXPECT_FALSE(around.filled()) << place;
+    }
+    Around around(chaotic, 14, 22);
+    for (std::size_t i = 0; i < 3; ++i) around[far[i]] = smooth(0, 0);
+    EXPECT_TRUE(around.filled());
+    around[far[3]] = smooth(0, 0);
+    EXPECT_FALSE(around.filled());
+}
+
+TEST(RefineFill, OnALineOfTheLatticeItsNeighboursOnBothSidesCount) {
+    Around around(smooth, 12, 22);
+    ASSERT_EQ(around.size(), 12U);
+    EXPECT_TRUE(around.filled());
+    around[0].impacts = 3;
+    EXPECT_FALSE(around.filled());
+}
+
+}  // namespace
+}  // namespace peterka::refine
