@@ -91,6 +91,8 @@ std::vector<Number> interpolated_numbers(const job::Job& job) {
         {OptionalField::contact_time, &CellResult::contact_time},
         {OptionalField::contact_power, &CellResult::contact_power},
         {OptionalField::max_displacement, &CellResult::max_displacement},
+        {OptionalField::force_per_cycle, &CellResult::peak_force_mean},
+        {OptionalField::force_per_cycle, &CellResult::peak_force_q95},
     };
     std::vector<Number> numbers{&CellResult::peak_force, &CellResult::impact_rate};
     for (const auto& [field, number] : on_request) {
@@ -113,6 +115,7 @@ std::optional<CellResult> filled(const Surroundings& around, std::span<const Num
     cell.impacts = next.impacts;
     cell.period = next.period;
     cell.chatter = next.chatter;
+    cell.window_cycles = next.window_cycles;
     for (const Number number : numbers) {
         const std::optional<double> value = interpolated(around, number);
         if (!value) return std::nullopt;
