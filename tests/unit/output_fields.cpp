@@ -67,8 +67,8 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
     const job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), always.size() + 1 + job.output.fields.size() + 1 +
-                              2);  // chatter; two or three datasets for one field
+    EXPECT_EQ(all.size(), always.size() + 2 + job.output.fields.size() + 1 +
+                              2);  // chatter, computed; two or three datasets for one field
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
 }
 
@@ -77,6 +77,7 @@ regime::CellResult distinct_cell() {
     return {.regime = regime::Regime::chaotic,
             .status = regime::Status::budget,
             .engine = regime::Engine::arkode,
+            .computed = false,
             .impacts = 11,
             .period = 12,
             .cycles = 13,
@@ -103,7 +104,7 @@ TEST(OutputFields, EachFieldStoresItsOwnMember) {
     const job::Job job = with_every_field();
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2,   1,   3,   11,  12,   1.5,  1,    2.5,  13,   3.5,  4.5,
+    EXPECT_EQ(values, (std::vector<double>{2,   1,   0,   3,   11,   12,   1.5,  1,    2.5,  13,   3.5, 4.5,
                                            5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16}));
 }
 
