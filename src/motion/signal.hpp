@@ -62,11 +62,12 @@ class Probe {
             derivative_[n] = derivative(derivative_[n - 1], motion.equation());
             steady_[n] = turn * steady_[n - 1];
         }
+        swing_ = std::abs(steady_[0]);
         for (std::size_t n = 0; n < orders; ++n) {
-            steady_size_[n] = motion.resonant() ? size_from_rest(derivative_[n], motion) : std::abs(steady_[n]);
+            steady_size_[n] = motion.resonant() ? size_from_rest(derivative_[n], motion)
+                                                : swing_ * power(motion.equation().frequency, n);
             set_weights(n, motion.natural_frequency());
         }
-        swing_ = std::abs(steady_[0]);
     }
 
     [[nodiscard]] Real value(const Moment<Real>& m) const {
@@ -151,14 +152,20 @@ class Probe {
         return rest.slow * slow_weight_[n] + rest.fast * fast_weight_[n];
     }
 
+    static Real power(Real base, std::size_t n) {
+        Real product = 1;
+        for (; n > 0; --n) product *= base;
+        return product;
+    }
+
     void set_weights(std::size_t n, Real natural_frequency) {
-        fast_weight_[n] = std::pow(-fast_, Real(n));
+        fast_weight_[n] = power(-fast_, n);
         switch (bound_) {
             case Bound::amplitude:
-                slow_weight_[n] = std::pow(natural_frequency, Real(n));
+                slow_weight_[n] = power(natural_frequency, n);
                 return;
             case Bound::modes:
-                slow_weight_[n] = std::pow(-slow_, Real(n));
+                slow_weight_[n] = power(-slow_, n);
                 return;
             case Bound::energy:
                 slow_weight_[n] =

@@ -58,15 +58,15 @@ class Recurrence {
     // The smallest q for which the state is close to that of q cycles ago, the last q patterns equal the q
     // before, and the distance fell well below that of the last try at this q. Asking counts as trying.
     [[nodiscard]] std::optional<std::int64_t> candidate() {
+        if (recorded_ % interval() != 0) return std::nullopt;
         const bool late = recorded_ > early_cycles;
-        if (late && recorded_ % late_interval != 0) return std::nullopt;
         const Entry& now = entry(recorded_);
         const std::uint16_t* ago = &marks_[newest_];
         Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  // of the last `carried` cycles
         std::int64_t carried = 0;
         for (std::int64_t q = 1; q <= longest_ && 2 * q < recorded_; ++q) {
             if (ago[q] != ago[0]) continue;
-            if (late && std::memcmp(ago + q, ago, late_interval * sizeof *ago) != 0) continue;
+            if (late && std::memcmp(ago + q, ago, late_repeats * sizeof *ago) != 0) continue;
             if (recorded_ - last_touch_ >= q && !untouched_) continue;
             const double distance = (now.state - entry(recorded_ - q).state).lpNorm<Eigen::Infinity>();
             if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q)) continue;
@@ -92,10 +92,13 @@ class Recurrence {
     static constexpr double first_distance = 0.1 / retry_factor;
     // On the way to a stable orbit the Jacobian comes close to the orbit's, whose spectral radius is below 1.
     static constexpr double largest_stretch = 1.2;
-    // A motion that didn't settle at once is looked at in every fourth cycle only, and must have repeated four
-    // patterns even where q is smaller.
+    // A motion that didn't settle at once is looked at ever more rarely, and must have repeated four patterns
+    // even where q is smaller.
     static constexpr std::int64_t early_cycles = 40;
-    static constexpr std::int64_t late_interval = 4;
+    static constexpr std::int64_t late_repeats = 4;
+    [[nodiscard]] std::int64_t interval() const {
+        return static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(recorded_ / 32) | 1U));
+    }
 
     struct Entry {
         Point state = Point::Zero();
@@ -115,7 +118,7 @@ class Recurrence {
 
     // Marks lie newest first, so that marks_[newest_ + q] is that of q cycles ago, and are added in front.
     void mark(EventPattern pattern) {
-        const auto kept = static_cast<std::size_t>(2 * longest_ + late_interval);
+        const auto kept = static_cast<std::size_t>(2 * longest_ + late_repeats);
         if (newest_ == 0) {
             const std::size_t room = kept;
             std::vector<std::uint16_t> moved(room + kept);
