@@ -12,7 +12,8 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr std::size_t capacity = 256;     // of a batch: many fill the vectors, few stay in the cache
+constexpr std::size_t capacity = 256;  // of a batch: many fill the vectors, few stay in the cache
+constexpr std::size_t most_parked = 64;
 constexpr std::size_t most_alone = 32;    // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
 
@@ -25,21 +26,25 @@ struct CellPool::Cell {
     std::int64_t number;
     CycleDesk desk;
     Task<CellResult> search;
-    std::int64_t engine = 0;  // of desk.engines_used(): that of the batch in which it sits
+    std::int64_t engine = 0;     // of desk.engines_used(): that for which the batch was chosen
+    std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
     double seconds = 0;
     double paid_before = 0;  // by each cell of the group, when this one came
 
     [[nodiscard]] bool wants_measure() const { return desk.order().recorder != nullptr; }
+    // A batch measures peak forces at most.
+    [[nodiscard]] bool fits_batch() const {
+        return batch && !(wants_measure() && desk.order().recorder->records_contacts());
+    }
 };
 
 struct CellPool::Group {
-    Group(bool does_measure, const scene::Oscillator<double>& rig, int steps_per_cycle,
-          batch::Springs its_springs)
-        : measures(does_measure), springs(its_springs), map(rig, capacity, steps_per_cycle, its_springs) {}
+    Group(bool does_measure, const scene::Oscillator<double>& rig, const Batch& batch)
+        : measures(does_measure), kind(batch), map(rig, capacity + most_parked, batch.steps, batch.springs) {}
 
     bool measures;
-    batch::Springs springs;
+    Batch kind;
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
     double paid = 0;                           // by each cell that was there all the time [s]
@@ -50,7 +55,7 @@ CellPool::CellPool(const scene::Scene& scene, Take take) : scene_(scene), take_(
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
-    return in_hand_ < capacity && alone_.size() < most_alone;
+    return in_hand_ - parked_.size() < capacity && parked_.size() < most_parked && alone_.size() < most_alone;
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
@@ -63,48 +68,57 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     enter(std::move(cell));
 }
 
-// A closed form of a spring-dashpot stop, and at most the peak force. The absolute form of a cubic spring gains
-// nothing in a batch.
-bool CellPool::fits_batch(const Cell& cell) {
-    const CycleOrder& order = cell.desk.order();
-    const auto& [engine, tolerance, largest_displacement] = cell.desk.settings();
-    const scene::Oscillator<double>& scene = cell.desk.scene();
-    const bool splits = engine == Engine::split && scene.cubic_form == job::CubicForm::relative &&
-                        trajectory::split_steps(scene, largest_displacement, tolerance) > 0;
-    return (engine == Engine::exact || splits) &&
-           std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact) &&
-           !(order.recorder != nullptr && order.recorder->records_contacts());
+// The batch of a spring-dashpot stop that its engine has. The absolute form of a cubic spring gains nothing in
+// one.
+std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
+    const auto& [engine, tolerance, largest_displacement] = desk.settings();
+    const scene::Oscillator<double>& scene = desk.scene();
+    if (!std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) return std::nullopt;
+    if (engine == Engine::exact || (engine == Engine::split && scene.cubic == 0)) {
+        return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(scene.frequency)};
+    }
+    if (engine != Engine::split || scene.cubic_form != job::CubicForm::relative) return std::nullopt;
+    const int steps = trajectory::split_steps(scene, largest_displacement, tolerance);
+    if (steps == 0) return std::nullopt;
+    return Batch{batch::Springs::split, steps};
 }
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
-    const scene::Oscillator<double>& scene = cell.desk.scene();
-    const EngineSettings& settings = cell.desk.settings();
-    const bool splits = settings.engine == Engine::split && scene.cubic != 0;
-    const batch::Springs springs = splits ? batch::Springs::split : batch::Springs::linear;
-    const int steps = splits ? trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance)
-                             : batch::BatchedCycleMap::steps_for(scene.frequency);
     const bool measures = cell.wants_measure();
     const auto suits = [&](const std::unique_ptr<Group>& group) {
-        return group->measures == measures && group->springs == springs &&
-               group->map.steps_per_cycle() == steps;
+        return group->measures == measures && group->kind == *cell.batch;
     };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return **found;
-    groups_.push_back(std::make_unique<Group>(measures, scene, steps, springs));
+    groups_.push_back(std::make_unique<Group>(measures, cell.desk.scene(), *cell.batch));
     return *groups_.back();
 }
 
 // Puts a cell whose search waits where its order is served.
 void CellPool::enter(std::unique_ptr<Cell> cell) {
-    if (!fits_batch(*cell)) {
-        alone_.push_back(std::move(cell));
-        return;
+    if (cell->engine != cell->desk.engines_used()) {
+        cell->engine = cell->desk.engines_used();
+        cell->batch = batch_of(cell->desk);
     }
+    if (!cell->fits_batch()) {
+        alone_.push_back(std::move(cell));
+    } else if (cell->batch->springs == batch::Springs::split) {
+        parked_.push_back(std::move(cell));
+    } else {
+        board(std::move(cell));
+    }
+}
+
+void CellPool::board(std::unique_ptr<Cell> cell) {
     const scene::Oscillator<double>& scene = cell->desk.scene();
     Group& group = group_for(*cell);
     group.map.add(scene.frequency, scene.gap, cell->desk.order().from);
-    cell->engine = cell->desk.engines_used();
     put_in(group, std::move(cell));
+}
+
+void CellPool::board_parked() {
+    for (auto& cell : parked_) board(std::move(cell));
+    parked_.clear();
 }
 
 void CellPool::step() {
@@ -112,6 +126,7 @@ void CellPool::step() {
         if (!groups_[n]->cells.empty()) advance(*groups_[n]);
     }
     if (!alone_.empty()) serve_alone();
+    if (parked_.size() >= most_parked || parked_.size() == in_hand_) board_parked();
 }
 
 void CellPool::advance(Group& group) {
@@ -133,7 +148,7 @@ void CellPool::serve(Group& group, std::size_t slot) {
     }
     cell.desk.serve(cycle);
     if (cell.search.done()) return finish(*leave(group, slot));
-    if (cell.engine != cell.desk.engines_used() || !fits_batch(cell)) return enter(leave(group, slot));
+    if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
     if (cell.wants_measure() != group.measures) return move(group, slot);
     group.map.set_state(slot, cell.desk.order().from);
 }
@@ -168,11 +183,14 @@ void CellPool::serve_alone() {
     const Stopwatch stopwatch;
     Cell& cell = *alone_.front();
     if (!cell.scalar) cell.scalar.emplace();
+    const auto stays = [&] {
+        return !cell.search.done() && cell.engine == cell.desk.engines_used() && !cell.fits_batch();
+    };
     do {
         cell.scalar->serve(cell.desk);
-    } while (!cell.search.done() && !fits_batch(cell) && stopwatch.seconds() < seconds_alone);
+    } while (stays() && stopwatch.seconds() < seconds_alone);
     cell.seconds += stopwatch.seconds();
-    if (!cell.search.done() && !fits_batch(cell)) return;
+    if (stays()) return;
     std::unique_ptr<Cell> front = std::move(alone_.front());
     alone_.pop_front();
     if (front->search.done()) return finish(*front);

@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "batch/batched_cycle_map.hpp"
@@ -49,9 +50,17 @@ class CellPool {
     struct Cell;
     struct Group;  // a batch and the cells in it; peak forces cost time, so cells that want them are apart
 
-    [[nodiscard]] static bool fits_batch(const Cell& cell);
+    // What all cells of a batch share.
+    struct Batch {
+        batch::Springs springs;
+        int steps;  // per cycle
+        friend bool operator==(const Batch&, const Batch&) = default;
+    };
+    static std::optional<Batch> batch_of(const CycleDesk& desk);
     [[nodiscard]] Group& group_for(const Cell& cell);
     void enter(std::unique_ptr<Cell> cell);
+    void board(std::unique_ptr<Cell> cell);
+    void board_parked();
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
@@ -64,6 +73,7 @@ class CellPool {
     const scene::Scene& scene_;
     Take take_;
     std::vector<std::unique_ptr<Group>> groups_;
+    std::vector<std::unique_ptr<Cell>> parked_;  // rare ones, whose batches would be too small for each alone
     std::deque<std::unique_ptr<Cell>> alone_;
     std::size_t in_hand_ = 0;
 };
