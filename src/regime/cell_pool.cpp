@@ -85,13 +85,12 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
     const bool measures = cell.wants_measure();
-    const auto suits = [&](const std::unique_ptr<Group>& group) {
-        return group->measures == measures && group->kind == *cell.batch;
+    const auto suits = [&](const Group& group) {
+        return group.measures == measures && group.kind == *cell.batch;
     };
     const auto found = std::ranges::find_if(groups_, suits);
-    if (found != groups_.end()) return **found;
-    groups_.push_back(std::make_unique<Group>(measures, cell.desk.scene(), *cell.batch));
-    return *groups_.back();
+    if (found != groups_.end()) return *found;
+    return groups_.emplace_back(measures, cell.desk.scene(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
@@ -122,8 +121,8 @@ void CellPool::board_parked() {
 }
 
 void CellPool::step() {
-    for (std::size_t n = 0; n < groups_.size(); ++n) {  // on the way new ones may be made
-        if (!groups_[n]->cells.empty()) advance(*groups_[n]);
+    for (Group& group : groups_) {  // on the way more may be appended
+        if (!group.cells.empty()) advance(group);
     }
     if (!alone_.empty()) serve_alone();
     if (parked_.size() >= most_parked || parked_.size() == in_hand_) board_parked();

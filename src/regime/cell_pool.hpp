@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -72,7 +73,7 @@ class CellPool {
 
     const scene::Scene& scene_;
     Take take_;
-    std::vector<std::unique_ptr<Group>> groups_;
+    std::list<Group> groups_;
     std::vector<std::unique_ptr<Cell>> parked_;  // rare ones, whose batches would be too small for each alone
     std::deque<std::unique_ptr<Cell>> alone_;
     std::size_t in_hand_ = 0;

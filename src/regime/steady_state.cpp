@@ -51,11 +51,11 @@ class Search {
           map_(scene, engine, desk),
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
-          window_(measures.detail),
           state_(map_.scaled(start)),
+          window_(measures.detail),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
-          measures_(measures),
           chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
+          measures_(measures),
           conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {}
 
     Task<CellResult> run() {
@@ -258,16 +258,16 @@ class Search {
     Settling settling_;
     Recurrence recurrence_;
     Growth growth_;
-    Recorder<double> window_;  // over the cycles that count for a motion without a period
-    std::int64_t window_cycles_ = 0;
     Point state_;  // at the end of the last cycle
     std::optional<ConvergenceTest> test_;
+    Recorder<double> window_;          // over the cycles that count for a motion without a period
+    std::vector<double> cycle_peaks_;  // of the cycles that count
+    std::int64_t window_cycles_ = 0;
     EventPattern pattern_ = 0;
     std::int64_t tested_cycles_ = 0;
     std::int64_t measure_from_;
-    Measures measures_;
-    std::vector<double> cycle_peaks_;  // of the cycles that count
     std::int64_t chaos_from_;
+    Measures measures_;
     bool conservative_;
 };
 
