@@ -13,7 +13,7 @@ namespace peterka::regime {
 namespace {
 
 constexpr std::size_t capacity = 256;  // of a batch: many fill the vectors, few stay in the cache
-constexpr std::size_t most_parked = 64;
+constexpr std::size_t most_parked = 128;
 constexpr std::size_t most_alone = 32;    // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
 

@@ -98,15 +98,14 @@ const BatchTrial& WorkPrecision::batch_trial() const {
     return *batch_trial_;
 }
 
-std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std::size_t number) const {
-    const Cell& cell = cells_[number];
-    const ReferenceOrbit& expected = *orbit(number);
+std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std::size_t cell) const {
+    const ReferenceOrbit& expected = *orbit(cell);
     if (run.method == Method::batched) {
         const BatchTrial& trial = batch_trial();
-        if (!std::ranges::all_of(trial.orbits[number], &Observation::ok)) return std::nullopt;
-        return Followed{trial.seconds_per_cycle, trial.orbits[number]};
+        if (!std::ranges::all_of(trial.orbits[cell], &Observation::ok)) return std::nullopt;
+        return Followed{trial.seconds_per_cycle, trial.orbits[cell]};
     }
-    MethodMap map(cell.scene, run, static_cast<double>(expected.largest_displacement()));
+    MethodMap map(cells_[cell].scene, run, static_cast<double>(expected.largest_displacement()));
     const State<double> start = expected.points[0].cast<double>();
     State<double> x = start;
     double fastest = std::numeric_limits<double>::infinity();

@@ -274,11 +274,11 @@ TEST(SplitSteps, AreFewDifferentNumbers) {
         const int rounded = rounded_split_steps(steps);
         numbers.insert(rounded);
         EXPECT_GE(rounded, steps);
-        EXPECT_LE(rounded, steps <= 32 ? steps + 7 : steps * 5 / 4);
+        EXPECT_LE(rounded, steps <= 64 ? steps + 15 : steps * 3 / 2);
         EXPECT_EQ(rounded_split_steps(rounded), rounded);
     }
-    EXPECT_EQ(numbers.size(), 20U);
-    EXPECT_EQ(*numbers.begin(), 8);
+    EXPECT_EQ(numbers.size(), 10U);
+    EXPECT_EQ(*numbers.begin(), 16);
     EXPECT_EQ(*numbers.rbegin(), most_split_steps);
 }
 
