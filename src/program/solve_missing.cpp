@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "parallel/broadcast.hpp"
 #include "parallel/dealing.hpp"
+#include "program/known_attractors.hpp"
 #include "program/progress_style.hpp"
 #include "program/solve_tiles.hpp"
 #include "refine/region.hpp"
@@ -95,13 +97,17 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
         refines ? refine::regions_of(file.tiling().grid(), session.size()) : file.tiling();
     std::vector<parallel::TileRange> missing = find_missing_tiles(session, plan, file);
     if (refines) missing = refine::regions_with(missing, file.tiling(), tiling);
-    Progress progress(progress_style(session, plan), plan.job.cells(),
-                      plan.job.cells() - parallel::cells_in(missing, tiling));
+    std::int64_t cells_missing = parallel::cells_in(missing, tiling);
+    parallel::broadcast(session, cells_missing);
+    if (cells_missing == 0) return true;
+    Progress progress(progress_style(session, plan), plan.job.cells(), plan.job.cells() - cells_missing);
+    const auto known = find_known_attractors(session, scene, stop);
+    if (!known) return false;
     RefinedRegions regions(plan.job, file);
     const TileWork work = refines ? regions.work() : whole_tiles(file);
     return parallel::deal_tiles(
         session, tiling, std::move(missing),
-        {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, work, source); },
+        {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); },
          .stop_requested = [&] { return stop.requested(); },
          .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
 }

@@ -13,8 +13,9 @@ namespace {
 
 class TilesInHand {
   public:
-    TilesInHand(const scene::Scene& scene, const TileWork& work, parallel::TileSource& source)
-        : work_(work), source_(source), pool_(scene, [this](const auto& solved) { keep(solved); }) {}
+    TilesInHand(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+                parallel::TileSource& source)
+        : work_(work), source_(source), pool_(scene, known, [this](const auto& solved) { keep(solved); }) {}
 
     void solve() {
         while (source_.carry_on()) {
@@ -89,8 +90,9 @@ class TilesInHand {
 
 }  // namespace
 
-void solve_tiles(const scene::Scene& scene, const TileWork& work, parallel::TileSource& source) {
-    TilesInHand(scene, work, source).solve();
+void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+                 parallel::TileSource& source) {
+    TilesInHand(scene, known, work, source).solve();
 }
 
 }  // namespace peterka

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "parallel/dealing.hpp"
+#include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
 #include "scene/scene.hpp"
 
@@ -22,7 +23,8 @@ struct TileWork {
         go_on;
 };
 
-// For DealtWork::solve.
-void solve_tiles(const scene::Scene& scene, const TileWork& work, parallel::TileSource& source);
+// For DealtWork::solve. known: attractors whose neighbourhoods end a cell's search.
+void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+                 parallel::TileSource& source);
 
 }  // namespace peterka

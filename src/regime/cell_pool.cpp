@@ -20,11 +20,14 @@ constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
 }  // namespace
 
 struct CellPool::Cell {
-    Cell(const scene::Scene& scene, std::int64_t row, std::int64_t column, std::int64_t its_number)
-        : number(its_number), search(solve_cell(desk, scene, row, column)) {}
+    Cell(const CellPool& pool, std::int64_t row, std::int64_t column, std::int64_t its_number)
+        : number(its_number),
+          search(solve_cell(desk, pool.scene_, row, column,
+                            {&pool.known_, pool.findings_ == Findings::handed_on ? &found : nullptr})) {}
 
     std::int64_t number;
     CycleDesk desk;
+    std::vector<FoundAttractor> found;
     Task<CellResult> search;
     std::int64_t engine = 0;     // of desk.engines_used(): that for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
@@ -51,7 +54,8 @@ struct CellPool::Group {
     double last_step_seconds = 0;
 };
 
-CellPool::CellPool(const scene::Scene& scene, Take take) : scene_(scene), take_(std::move(take)) {}
+CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
+    : scene_(scene), known_(known), take_(std::move(take)), findings_(findings) {}
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
@@ -59,7 +63,7 @@ bool CellPool::has_room() const {
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
-    auto cell = std::make_unique<Cell>(scene_, row, column, number);
+    auto cell = std::make_unique<Cell>(*this, row, column, number);
     ++in_hand_;
     const Stopwatch stopwatch;
     cell->search.start();
@@ -198,7 +202,7 @@ void CellPool::serve_alone() {
 
 void CellPool::finish(const Cell& cell) {
     --in_hand_;
-    take_({cell.number, cell.search.result(), cell.seconds});
+    take_({cell.number, cell.search.result(), cell.seconds, cell.found});
 }
 
 }  // namespace peterka::regime

@@ -2,8 +2,8 @@
 // them order together are integrated by the batched engine.
 //
 // Searches that want another engine, or more of an impact than the batch gathers, are served one after the
-// other by a scalar one. A cell's result is that of the cell alone: it doesn't depend on what else is in the
-// pool.
+// other by a scalar one. A cell's result is that of the cell and the attractors known beforehand: it doesn't
+// depend on what else is in the pool.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,11 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "batch/batched_cycle_map.hpp"
+#include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
 #include "regime/scalar_engine.hpp"
@@ -26,16 +28,21 @@ namespace peterka::regime {
 
 class CellPool {
   public:
-    // The number under which a cell was added, its result, and the seconds of computing that were its share.
+    // The number under which a cell was added, its result, the seconds of computing that were its share, and
+    // what its searches found, for those who ask.
     struct Solved {
         std::int64_t number;
         CellResult result;
         double seconds;
+        std::span<const FoundAttractor> found;
     };
     using Take = std::function<void(const Solved&)>;
 
-    // `take` is called for each cell when it is solved. The scene must outlive the pool.
-    CellPool(const scene::Scene& scene, Take take);
+    enum class Findings { dropped, handed_on };
+
+    // `take` is called for each cell when it is solved. The scene and the table must outlive the pool.
+    CellPool(const scene::Scene& scene, const AttractorTable& known, Take take,
+             Findings findings = Findings::dropped);
     ~CellPool();
 
     // Room for more cells; the batch is best kept full.
@@ -72,7 +79,9 @@ class CellPool {
     void finish(const Cell& cell);
 
     const scene::Scene& scene_;
+    const AttractorTable& known_;
     Take take_;
+    Findings findings_;
     std::list<Group> groups_;
     std::vector<std::unique_ptr<Cell>> parked_;  // rare ones, whose batches would be too small for each alone
     std::deque<std::unique_ptr<Cell>> alone_;

@@ -86,18 +86,9 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
 
 ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)
     : orbit_(orbit),
-      contraction_((1 + orbit.multiplier) / 2),
+      norm_(orbit.jacobian, orbit.multiplier),
       at_rest_(std::max(1e-9, 100 * noise) * magnitude(orbit.point)),
-      error_(state - orbit.point) {
-    // The metric P = sum of (J/mu)^kT (J/mu)^k solves P - (J/mu)^T P (J/mu) = I, and in it ||J x|| <= mu ||x||.
-    const Eigen::Matrix2d j = orbit.jacobian / contraction_;
-    Eigen::Matrix3d system;
-    system << 1 - j(0, 0) * j(0, 0), -2 * j(0, 0) * j(1, 0), -j(1, 0) * j(1, 0),            //
-        -j(0, 0) * j(0, 1), 1 - j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0), -j(1, 0) * j(1, 1),  //
-        -j(0, 1) * j(0, 1), -2 * j(0, 1) * j(1, 1), 1 - j(1, 1) * j(1, 1);
-    const Eigen::Vector3d p = system.partialPivLu().solve(Eigen::Vector3d(1, 0, 1));
-    metric_ << p[0], p[1], p[1], p[2];
-}
+      error_(state - orbit.point) {}
 
 ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPattern pattern) {
     constexpr int needed_in_a_row = 2;
@@ -106,14 +97,14 @@ ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPatte
     const Point before = error_;
     error_ = state - orbit_.point;
     if (pattern != orbit_.pattern) return Verdict::refuted;
-    const double remainder = norm(error_ - orbit_.jacobian * before);
+    const double remainder = norm_(error_ - orbit_.jacobian * before);
     const bool at_rest =
         std::max(before.lpNorm<Eigen::Infinity>(), error_.lpNorm<Eigen::Infinity>()) < at_rest_;
-    if (at_rest || remainder <= (1 - contraction_) / 2 * norm(before)) {
+    if (at_rest || remainder <= (1 - norm_.contraction()) / 2 * norm_(before)) {
         return ++in_a_row_ >= needed_in_a_row ? Verdict::proved : Verdict::open;
     }
     in_a_row_ = 0;
-    const bool grows = norm(error_) > norm(before);
+    const bool grows = norm_(error_) > norm_(before);
     return grows || ++failures_ >= allowed_failures ? Verdict::refuted : Verdict::open;
 }
 

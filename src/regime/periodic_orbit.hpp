@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "regime/adapted_norm.hpp"
 #include "regime/recurrence.hpp"
 #include "regime/stroboscopic_map.hpp"
 #include "support/task.hpp"
@@ -48,11 +49,8 @@ class ConvergenceTest {
     Verdict advance(const Point& state, EventPattern pattern);
 
   private:
-    [[nodiscard]] double norm(const Point& x) const { return std::sqrt(x.dot(metric_ * x)); }
-
     PeriodicOrbit orbit_;
-    Eigen::Matrix2d metric_;
-    double contraction_;  // mu: the Jacobian shrinks every vector to mu of its norm or less
+    AdaptedNorm norm_;
     double at_rest_;  // below this distance the remainder is rounding, and both points lie on one smooth branch
     Point error_;
     int in_a_row_ = 0;

@@ -35,15 +35,17 @@ double change_without_cubic(const scene::Oscillator<double>& scene, const CellRe
 // Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, const job::Solver& solver,
-                                  const Budget& budget, double largest_displacement, Measures measures) {
+                                  const Budget& budget, double largest_displacement, Measures measures,
+                                  Attractors attractors) {
     constexpr int most_rounds = 3;
     constexpr double slack = 1.1;
     CellResult result;
     std::int64_t cycles = 0;
     for (int round = 0; round < most_rounds; ++round) {
         const Engine engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
-        result = co_await find_steady_state(desk, cell.oscillator, cell.start, budget,
-                                            {engine, solver.tolerance, largest_displacement}, measures);
+        result =
+            co_await find_steady_state(desk, cell.oscillator, cell.start, budget,
+                                       {engine, solver.tolerance, largest_displacement}, measures, attractors);
         cycles += result.cycles;
         result.cycles =
             static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
@@ -66,7 +68,8 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
                               .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
 }
 
-Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column) {
+Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                            Attractors attractors) {
     const job::Solver& solver = scene.job().solver;
     const Budget budget = budget_of(scene.job().steady_state);
     const Measures measures = measures_of(scene.job().output);
@@ -76,19 +79,20 @@ Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int
     const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);
     if (!automatic || keeps_all) {
         co_return co_await solve_with_cubic(desk, cell, solver, budget, EngineSettings{}.largest_displacement,
-                                            measures);
+                                            measures, attractors);
     }
 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
-    const CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, measures);
+    const CellResult without =
+        co_await find_steady_state(desk, linear, cell.start, budget, {}, measures, attractors);
     if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
         co_return without;
     }
     const bool known = std::isfinite(without.largest_displacement);
     CellResult with = co_await solve_with_cubic(
         desk, cell, solver, budget,
-        known ? without.largest_displacement : EngineSettings{}.largest_displacement, measures);
+        known ? without.largest_displacement : EngineSettings{}.largest_displacement, measures, attractors);
     with.cycles += without.cycles;
     co_return with;
 }

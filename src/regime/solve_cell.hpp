@@ -14,7 +14,8 @@ namespace peterka::regime {
 
 // With engines of its own, or as a task whose cycles others serve at the desk.
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
-Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column);
+Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                            Attractors attractors = {});
 
 // The same cell with every term of the model and by an integrator, another one than solved it the first time.
 // It shares nothing with the closed form but the decision procedure.

@@ -45,10 +45,11 @@ struct Touches {
 class Search {
   public:
     Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
-           const EngineSettings& engine, Measures measures, CycleDesk& desk)
+           const EngineSettings& engine, Measures measures, const AttractorTable* known, CycleDesk& desk)
         : scene_(scene),
           budget_(budget),
           map_(scene, engine, desk),
+          known_(known != nullptr ? known->of(scene, engine) : nullptr),
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
           state_(map_.scaled(start)),
@@ -60,6 +61,9 @@ class Search {
 
     Task<CellResult> run() {
         for (std::int64_t cycle = 0;; ++cycle) {
+            if (const CellResult* attractor = known_ != nullptr ? known_->reached_from(state_) : nullptr) {
+                co_return on_known(*attractor);
+            }
             const auto state = map_.unscaled(state_);
             if (const auto free = settling_.stays_free(state)) {
                 co_return co_await settled(*free, Regime::no_impact);
@@ -215,6 +219,15 @@ class Search {
         co_return result;
     }
 
+    // The values of an attractor that others found, and what this search spent on it.
+    CellResult on_known(const CellResult& attractor) {
+        const CellResult spent = counted();
+        CellResult result = attractor;
+        result.cycles = spent.cycles;
+        result.sensitivity = spent.sensitivity;
+        return result;
+    }
+
     CellResult unproved(Regime regime, Status status) {
         CellResult result = counted();
         result.regime = regime;
@@ -255,6 +268,7 @@ class Search {
     scene::Oscillator<double> scene_;
     Budget budget_;
     StroboscopicMap map_;
+    const AttractorTable::OfOneMap* known_;  // nullptr: none
     Settling settling_;
     Recurrence recurrence_;
     Growth growth_;
@@ -274,9 +288,12 @@ class Search {
 }  // namespace
 
 Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
-                                   Budget budget, EngineSettings engine, Measures measures) {
-    Search search(scene, start, budget, engine, measures, desk);
-    co_return co_await search.run();
+                                   Budget budget, EngineSettings engine, Measures measures,
+                                   Attractors attractors) {
+    Search search(scene, start, budget, engine, measures, attractors.known, desk);
+    const CellResult result = co_await search.run();
+    if (attractors.found != nullptr) attractors.found->push_back({scene.cubic, engine, result});
+    co_return result;
 }
 
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,

@@ -10,6 +10,9 @@
 //   repeats, be it after more than max_period cycles
 // - unresolved: the budget ran out, or nothing in the scene dissipates
 //
+// Where attractors are known beforehand, a state in the neighbourhood of one of them ends the search: it surely
+// leads there, and takes the attractor's values.
+//
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
 // the gap, or a contact that lasts), it may be a long transient. Where not, 0.3 of chaos_cycles are enough: of
 // 760 chaotic cells of the 170 mm rig 11 then turned out periodic within 20,000 cycles, with all of them 6.
@@ -19,6 +22,7 @@
 
 #include <cstdint>
 
+#include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
 #include "regime/engine.hpp"
@@ -45,6 +49,7 @@ struct Budget {
 CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
                              const Budget& budget, const EngineSettings& engine = {}, Measures measures = {});
 Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
-                                   Budget budget, EngineSettings engine, Measures measures);
+                                   Budget budget, EngineSettings engine, Measures measures,
+                                   Attractors attractors = {});
 
 }  // namespace peterka::regime

@@ -47,7 +47,8 @@ std::vector<std::int64_t> all_cells(const scene::Scene& scene) {
 // In the order of `cells`, added in that order.
 std::vector<CellResult> pooled(const scene::Scene& scene, const std::vector<std::int64_t>& cells) {
     std::vector<CellResult> results(cells.size());
-    CellPool pool(scene, [&](const CellPool::Solved& solved) {
+    const AttractorTable nothing_known;
+    CellPool pool(scene, nothing_known, [&](const CellPool::Solved& solved) {
         results[static_cast<std::size_t>(solved.number)] = solved.result;
     });
     for (std::size_t n = 0; n < cells.size(); ++n) {

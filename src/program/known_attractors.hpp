@@ -1,0 +1,20 @@
+// The attractors of a basin, found before its cells are solved: pilot starts on a coarse grid over the same
+// plane are run in full. The same attractors are known on every rank, in every run of the job.
+#pragma once
+
+#include <optional>
+
+#include "parallel/session.hpp"
+#include "regime/attractor_table.hpp"
+#include "scene/scene.hpp"
+#include "support/stop_request.hpp"
+
+namespace peterka {
+
+// Collective, inside failing_ends_all. Empty for a map, each of whose cells has attractors of its own. Nothing,
+// on every rank, if somebody asked to stop before the end.
+[[nodiscard]] std::optional<regime::AttractorTable> find_known_attractors(const parallel::Session& session,
+                                                                          const scene::Scene& scene,
+                                                                          const StopRequest& stop);
+
+}  // namespace peterka

@@ -1,0 +1,113 @@
+#include "regime/attractor_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "regime/scalar_engine.hpp"
+
+namespace peterka::regime {
+
+namespace {
+
+constexpr double same_point = 1e-6;          // relative; coexisting orbits lie much farther apart
+constexpr std::size_t most_attractors = 64;  // that are told apart; few scenes have ten
+constexpr std::int64_t most_places = 8;      // of one orbit
+constexpr double saved_cycles = 2;           // by a start that ends in a neighbourhood, at the very least
+
+struct Candidate {
+    FoundAttractor found;
+    std::int64_t times = 0;  // found
+};
+
+bool has_orbit(const CellResult& result) {
+    const bool settled = result.regime == Regime::periodic || result.regime == Regime::sustained_contact;
+    return settled && result.period > 0 && std::isfinite(result.orbit_displacement) &&
+           std::isfinite(result.orbit_velocity);
+}
+
+bool close(double a, double b) {
+    return std::abs(a - b) <= same_point * (1 + std::max(std::abs(a), std::abs(b)));
+}
+
+bool same_orbit(const CellResult& a, const CellResult& b) {
+    return a.regime == b.regime && a.period == b.period && a.impacts == b.impacts &&
+           close(a.orbit_displacement, b.orbit_displacement) && close(a.orbit_velocity, b.orbit_velocity);
+}
+
+scene::Oscillator<double> with_cubic(scene::Oscillator<double> scene, double cubic) {
+    scene.cubic = cubic;
+    return scene;
+}
+
+// Whether both settings make the same map.
+bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a, const EngineSettings& b) {
+    if (a.engine != b.engine) return false;
+    if (a.engine == Engine::exact) return true;
+    if (a.tolerance != b.tolerance) return false;
+    const auto steps = [&](const EngineSettings& settings) {
+        return trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
+    };
+    return a.engine != Engine::split || steps(a) == steps(b);
+}
+
+// The different ones, in the order in which they were found first.
+std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> all) {
+    std::vector<Candidate> candidates;
+    for (const FoundAttractor& found : all) {
+        if (!has_orbit(found.result)) continue;
+        const scene::Oscillator<double> scene = with_cubic(rig, found.cubic);
+        const auto known = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
+            return candidate.found.cubic == found.cubic &&
+                   same_map(scene, candidate.found.settings, found.settings) &&
+                   same_orbit(candidate.found.result, found.result);
+        });
+        if (known != candidates.end()) {
+            ++known->times;
+        } else if (candidates.size() < most_attractors) {
+            candidates.push_back({found, 1});
+        }
+    }
+    return candidates;
+}
+
+std::vector<Neighbourhood> neighbourhoods_of(const scene::Oscillator<double>& scene,
+                                             const FoundAttractor& found, std::int64_t count) {
+    CycleDesk desk;
+    StroboscopicMap map(scene, found.settings, desk);
+    const Point point = map.scaled(
+        scene::State<double>(found.result.orbit_displacement - scene.gap, found.result.orbit_velocity));
+    return complete(find_neighbourhoods(map, point, found.result.period, count), desk);
+}
+
+}  // namespace
+
+AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
+                               double cells_each) {
+    for (const Candidate& candidate : distinct(rig, found)) {
+        const EngineSettings& settings = candidate.found.settings;
+        const CellResult& result = candidate.found.result;
+        const double saved = saved_cycles * cells_each * static_cast<double>(candidate.times);
+        const auto affordable =
+            static_cast<std::int64_t>(saved / static_cast<double>(cycles_for_neighbourhood(result.period)));
+        const std::int64_t count = std::min({affordable, most_places, std::int64_t{result.period}});
+        const scene::Oscillator<double> scene = with_cubic(rig, candidate.found.cubic);
+        const std::vector<Neighbourhood> places = neighbourhoods_of(scene, candidate.found, count);
+        if (places.empty()) continue;
+        auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, settings); });
+        if (map == maps_.end()) map = maps_.insert(map, OfOneMap(scene.cubic, settings));
+        for (const Neighbourhood& place : places) map->places_.push_back({place, result});
+    }
+}
+
+bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& scene,
+                                     const EngineSettings& settings) const {
+    return cubic_ == scene.cubic && same_map(scene, settings_, settings);
+}
+
+const AttractorTable::OfOneMap* AttractorTable::of(const scene::Oscillator<double>& scene,
+                                                   const EngineSettings& settings) const {
+    const auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, settings); });
+    return map == maps_.end() ? nullptr : &*map;
+}
+
+}  // namespace peterka::regime

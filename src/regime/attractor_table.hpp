@@ -1,0 +1,75 @@
+// The attractors that are known before a basin is computed: any start that falls into the neighbourhood of one
+// of them takes its values.
+//
+// They are what some starts, run in full, ended on. Which of them a table keeps, and how far their
+// neighbourhoods reach, follows from these alone and their order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "regime/cell_result.hpp"
+#include "regime/engine.hpp"
+#include "regime/neighbourhood.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::regime {
+
+// What a search found, and on which map: with or without the cubic spring, by which engine.
+struct FoundAttractor {
+    double cubic;
+    EngineSettings settings;
+    CellResult result;
+};
+
+class AttractorTable {
+  public:
+    // Those of one map.
+    class OfOneMap {
+      public:
+        // The attractor to which a state at forcing phase 0 surely leads; nullptr where none is known.
+        [[nodiscard]] const CellResult* reached_from(const Point& state) const {
+            for (const Place& place : places_) {
+                if (place.neighbourhood.contains(state)) return &place.attractor;
+            }
+            return nullptr;
+        }
+
+      private:
+        friend class AttractorTable;
+        OfOneMap(double cubic, const EngineSettings& settings) : cubic_(cubic), settings_(settings) {}
+        [[nodiscard]] bool is_of(const scene::Oscillator<double>& scene, const EngineSettings& settings) const;
+
+        struct Place {
+            Neighbourhood neighbourhood;
+            CellResult attractor;
+        };
+        double cubic_;
+        EngineSettings settings_;
+        std::vector<Place> places_;
+    };
+
+    // None is known.
+    AttractorTable() = default;
+
+    // rig: the scene of all starts. cells_each: for how many starts one of `found` stands; where few take an
+    // attractor's values, proving a neighbourhood would cost more than it saves.
+    AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
+                   double cells_each);
+
+    // nullptr where none of this map is known.
+    [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& scene,
+                                     const EngineSettings& settings) const;
+
+  private:
+    std::vector<OfOneMap> maps_;
+};
+
+// For a search: which attractors it knows beforehand, and where it leaves what it finds.
+struct Attractors {
+    const AttractorTable* known = nullptr;         // nullptr: none
+    std::vector<FoundAttractor>* found = nullptr;  // nullptr: nobody asks
+};
+
+}  // namespace peterka::regime

@@ -1,0 +1,44 @@
+"""Basins: attractors known from pilot starts end the searches of others, and change only how long they take."""
+
+import h5py
+import numpy as np
+
+import jobs
+import launch
+import map_contents
+
+
+def test_starts_end_in_the_neighbourhood_of_a_known_attractor(small_basin_file):
+    """One that starts there needs no cycle; without such knowledge a periodic cell takes three at least."""
+    with h5py.File(small_basin_file) as basin:
+        periodic = basin["regime"][()] == 1
+        cycles = basin["cycles"][()]
+        forces = basin["peak_force_ratio"][()][periodic]
+        assert cycles[periodic].min() == 0
+        assert cycles[periodic].mean() < 12
+        values, cells = np.unique(forces, return_counts=True)
+        assert cells.max() > 0.9 * len(forces)  # the attractor's own value, to the last bit
+        assert np.ptp(values) < 1e-9 * values[0]
+
+
+def test_an_independent_engine_finds_the_same_attractors(tmp_path):
+    """It knows nothing of pilots. Around the motion without impact, where its basin borders on that of 1/1."""
+    jobs.write(tmp_path, jobs.small_basin() + "[audit]\ncells = 60\n")
+    window = [f"axes.{axis}.{end}={value}" for axis, ends in
+              {"displacement_ratio": (-0.5, 0.5), "velocity_ratio": (-1.5, 0.5)}.items()
+              for end, value in zip(["from", "to"], ends)]
+    settings = [word for key in window for word in ("--set", key)]
+    finished = launch.run("run", "job.toml", *settings, cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "job.h5") as basin:
+        assert set(basin["audit/regime"][()]) == {0, 1}
+    assert "60 of 60" in finished.stdout
+
+
+def test_a_basin_that_was_stopped_goes_on_to_the_same_end(tmp_path, small_basin_file):
+    jobs.write(tmp_path, jobs.small_basin())
+    stopped = launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path, ranks=2)
+    assert stopped.returncode == 5
+    assert map_contents.done_tiles(tmp_path / "job.h5") == 0
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=3).returncode == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", small_basin_file)

@@ -1,0 +1,116 @@
+// What is known of a basin's attractors beforehand, and what a search makes of it.
+#include "regime/attractor_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+#include <vector>
+
+#include "regime/scalar_engine.hpp"
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using testing::beam_150mm;
+using testing::paper_rig;
+
+constexpr double many = 1e4;  // starts for each that was run in full
+
+scene::Oscillator<double> coexisting() {
+    return paper_rig(beam_150mm, 1.8, 1.6);
+}
+
+std::vector<FoundAttractor> found_from(const scene::Oscillator<double>& scene, double displacement,
+                                       double velocity, const EngineSettings& settings = {}) {
+    std::vector<FoundAttractor> found;
+    CycleDesk desk;
+    std::ignore = complete(find_steady_state(desk, scene, testing::start_at(scene, displacement, velocity), {},
+                                             settings, Measures{}, {nullptr, &found}),
+                           desk);
+    return found;
+}
+
+CellResult solve_knowing(const AttractorTable& known, const scene::Oscillator<double>& scene,
+                         double displacement, double velocity) {
+    CycleDesk desk;
+    return complete(find_steady_state(desk, scene, testing::start_at(scene, displacement, velocity), {}, {},
+                                      Measures{}, {&known, nullptr}),
+                    desk);
+}
+
+TEST(AttractorTable, AStartThatFallsIntoANeighbourhoodTakesTheAttractorsValues) {
+    const auto scene = coexisting();
+    const auto found = found_from(scene, -1, 1);
+    ASSERT_EQ(found.size(), 1U);
+    ASSERT_EQ(found.front().result.regime, Regime::periodic);
+    const AttractorTable known(scene, found, many);
+    std::int64_t cycles = 0;
+    std::int64_t in_full = 0;
+    for (double velocity = -4; velocity <= 4; velocity += 0.25) {
+        SCOPED_TRACE(velocity);
+        const CellResult full = testing::solve(scene, -1, velocity);
+        const CellResult short_cut = solve_knowing(known, scene, -1, velocity);
+        EXPECT_EQ(short_cut.regime, full.regime);
+        EXPECT_EQ(short_cut.impacts, full.impacts);
+        EXPECT_EQ(short_cut.period, full.period);
+        EXPECT_EQ(short_cut.status, Status::proved);
+        EXPECT_LE(short_cut.cycles, full.cycles);
+        cycles += short_cut.cycles;
+        in_full += full.cycles;
+        if (full.regime != Regime::periodic) continue;
+        EXPECT_EQ(short_cut.peak_force, found.front().result.peak_force);  // to the last bit
+        EXPECT_EQ(short_cut.orbit_displacement, found.front().result.orbit_displacement);
+        EXPECT_NEAR(short_cut.peak_force / full.peak_force, 1, 1e-9);
+    }
+    EXPECT_LT(cycles, in_full * 2 / 3);
+}
+
+TEST(AttractorTable, AStartOnTheOrbitItselfTakesNoCycle) {
+    const auto scene = coexisting();
+    const auto found = found_from(scene, -1, 1);
+    const AttractorTable known(scene, found, many);
+    const CellResult& orbit = found.front().result;
+    EXPECT_EQ(
+        solve_knowing(known, scene, orbit.orbit_displacement, orbit.orbit_velocity + scene.frequency).cycles,
+        0);
+}
+
+TEST(AttractorTable, KnowsNothingOfAnotherMap) {
+    const auto scene = coexisting();
+    const AttractorTable known(scene, found_from(scene, -1, 1), many);
+    EXPECT_NE(known.of(scene, {}), nullptr);
+    EXPECT_EQ(known.of(scene, {.engine = Engine::arkode}), nullptr);
+    auto with_cubic = scene;
+    with_cubic.cubic = 7.9e-7;
+    EXPECT_EQ(known.of(with_cubic, {}), nullptr);
+    EXPECT_EQ(AttractorTable().of(scene, {}), nullptr);
+}
+
+TEST(AttractorTable, MapsWithAsManyKicksAreOne) {
+    auto scene = coexisting();
+    scene.cubic = 7.9e-7;
+    const EngineSettings settings{Engine::split, 1e-6, 5};
+    const AttractorTable known(scene, found_from(scene, -1, 1, settings), many);
+    EXPECT_NE(known.of(scene, settings), nullptr);
+    EXPECT_EQ(known.of(scene, {Engine::split, 1e-6, 5.0000001}), known.of(scene, settings));
+    EXPECT_EQ(known.of(scene, {Engine::split, 1e-9, 50}), nullptr);
+}
+
+TEST(AttractorTable, HoldsOnlyOrbitsThatAreWorthTheirNeighbourhood) {
+    const auto scene = coexisting();
+    const auto impacting = found_from(scene, -1, 1);
+    EXPECT_EQ(AttractorTable(scene, impacting, 1).of(scene, {}), nullptr);
+    std::vector<FoundAttractor> none{impacting.front()};
+    none.front().result.regime = Regime::no_impact;
+    EXPECT_EQ(AttractorTable(scene, none, many).of(scene, {}), nullptr);
+    none.front().result.regime = Regime::chaotic;
+    EXPECT_EQ(AttractorTable(scene, none, many).of(scene, {}), nullptr);
+    // one start found twice as often is worth twice as much
+    const std::vector<FoundAttractor> often(20, impacting.front());
+    EXPECT_NE(AttractorTable(scene, often, 10).of(scene, {}), nullptr);
+    EXPECT_EQ(AttractorTable(scene, impacting, 10).of(scene, {}), nullptr);
+}
+
+}  // namespace
+}  // namespace peterka::regime
