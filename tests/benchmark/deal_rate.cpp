@@ -60,7 +60,8 @@ double median(std::vector<double> values) {
 }
 
 ExitCode run(const Session& session, std::int64_t tiles) {
-    if (session.size() < 2) throw Failure(ExitCode::bad_job, "deal_rate needs 2 ranks or more: mpirun -n 2 ...");
+    if (session.size() < 2)
+        throw Failure(ExitCode::bad_job, "deal_rate needs 2 ranks or more: mpirun -n 2 ...");
     std::vector<parallel::TileRange> apart;
     for (std::int64_t n = 0; n < tiles; ++n) apart.push_back({2 * n, 2 * n + 1});
     const parallel::Tiling tiling({parallel::tile_extent.rows, 2 * tiles * parallel::tile_extent.columns});
