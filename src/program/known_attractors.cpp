@@ -7,6 +7,7 @@
 
 #include "output/collective.hpp"
 #include "parallel/dealing.hpp"
+#include "program/solve_tiles.hpp"
 #include "regime/cell_pool.hpp"
 
 namespace peterka {
@@ -42,20 +43,11 @@ void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, pa
             source.solved(tiling.tile(pilot.number));
         },
         regime::CellPool::Findings::handed_on);
-    while (source.carry_on()) {
-        while (pool.has_room()) {
-            const auto pilot = source.next();
-            if (!pilot) break;
-            pool.add(pilot->row, pilot->column, pilot->index);
-        }
-        if (!pool.empty()) {
-            pool.step();
-        } else if (source.ended()) {
-            return;
-        } else {
-            parallel::wait_for_tiles();
-        }
-    }
+    keep_solving(pool, source, [&] {
+        const auto pilot = source.next();
+        if (pilot) pool.add(pilot->row, pilot->column, pilot->index);
+        return pilot.has_value();
+    });
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "regime/cell_pool.hpp"
-
 namespace peterka {
 namespace {
 
@@ -18,17 +16,7 @@ class TilesInHand {
         : work_(work), source_(source), pool_(scene, known, [this](const auto& solved) { keep(solved); }) {}
 
     void solve() {
-        while (source_.carry_on()) {
-            while (pool_.has_room() && add_cell()) {
-            }
-            if (!pool_.empty()) {
-                pool_.step();
-            } else if (source_.ended()) {
-                return;
-            } else {
-                parallel::wait_for_tiles();
-            }
-        }
+        keep_solving(pool_, source_, [this] { return add_cell(); });
     }
 
   private:
@@ -89,6 +77,20 @@ class TilesInHand {
 };
 
 }  // namespace
+
+void keep_solving(regime::CellPool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell) {
+    while (source.carry_on()) {
+        while (pool.has_room() && add_cell()) {
+        }
+        if (!pool.empty()) {
+            pool.step();
+        } else if (source.ended()) {
+            return;
+        } else {
+            parallel::wait_for_tiles();
+        }
+    }
+}
 
 void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                  parallel::TileSource& source) {

@@ -8,6 +8,7 @@
 
 #include "parallel/dealing.hpp"
 #include "regime/attractor_table.hpp"
+#include "regime/cell_pool.hpp"
 #include "regime/cell_result.hpp"
 #include "scene/scene.hpp"
 
@@ -22,6 +23,10 @@ struct TileWork {
                                                std::span<const regime::CellResult> results, double seconds)>
         go_on;
 };
+
+// Keeps a pool full and steps it until the source has ended and all is solved, or it says not to carry on.
+// add_cell: adds one more cell to the pool; false where none is at hand.
+void keep_solving(regime::CellPool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell);
 
 // For DealtWork::solve. known: attractors whose neighbourhoods end a cell's search.
 void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,

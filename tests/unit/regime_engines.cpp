@@ -110,13 +110,7 @@ TEST(CubicSpring, NoImpactIsProvedWithIt) {
 }
 
 job::Job paper_job(double cubic_stiffness) {
-    job::Job job;
-    job.hammer.mass_kg = 0.298;
-    job.hammer.natural_frequency_hz = 4.5;
-    job.hammer.damping_ns_per_m = 0.06;
-    job.hammer.cubic_stiffness_n_per_m3 = cubic_stiffness;
-    job.cart.amplitude_m = 0.89e-3;
-    job.contact = job::KelvinVoigt{5.5e6, 1.2e3};
+    job::Job job = testing::job_170mm(cubic_stiffness);
     job.columns = {1.5, 2.5, 3};
     job.rows = {0.0, 1.0, 3};
     return job;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "job/job.hpp"
 #include "regime/steady_state.hpp"
 #include "scene/oscillator.hpp"
 
@@ -23,6 +24,18 @@ inline scene::Oscillator<double> paper_rig(BeamSpring beam, double frequency_rat
             .contact = scene::KelvinVoigt<double>{5.5e6 / (mass * omega * omega), 1.2e3 / (mass * omega)},
             .frequency = frequency_ratio,
             .gap = gap_ratio};
+}
+
+// The same hammer, 170 mm springs, as a job without axes. The paper's cubic stiffness is 238.2325 N/m^3.
+inline job::Job job_170mm(double cubic_stiffness_n_per_m3) {
+    job::Job job;
+    job.hammer.mass_kg = 0.298;
+    job.hammer.natural_frequency_hz = beam_170mm.natural_frequency_hz;
+    job.hammer.damping_ns_per_m = beam_170mm.damping_ns_per_m;
+    job.hammer.cubic_stiffness_n_per_m3 = cubic_stiffness_n_per_m3;
+    job.cart.amplitude_m = 0.89e-3;
+    job.contact = job::KelvinVoigt{5.5e6, 1.2e3};
+    return job;
 }
 
 // Relative state at phase 0 of a hammer that starts at x/A0, x'/(A0 omega).
