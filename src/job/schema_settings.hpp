@@ -1,0 +1,70 @@
+// The tables of a job that say how its cells are computed and what of them is stored.
+#pragma once
+
+#include <limits>
+
+#include "job/job.hpp"
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/rules.hpp"
+
+namespace peterka::job {
+
+template <typename Walker>
+void describe(Walker& table, SteadyState& steady_state) {
+    table.integer({"max_cycles", "budget of a cell [forcing cycles]"}, steady_state.max_cycles,
+                  from_to<std::int64_t>(1, 1'000'000'000, "a cell needs a budget that it can spend"));
+    table.integer(
+        {"max_period", "largest period q looked for [forcing cycles]"}, steady_state.max_period,
+        from_to<std::int64_t>(1, 1024, "every cycle of the longest period is remembered for each cell"));
+    table.integer({"chaos_cycles",
+                   "cycles before a cell may be called chaotic where the hammer may also come free for good; "
+                   "elsewhere 0.3 of them [forcing cycles]"},
+                  steady_state.chaos_cycles,
+                  from_to<std::int64_t>(1, 1'000'000'000, "chaos shows only in a run of some length"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Solver& solver) {
+    table.choice({"engine", "how a trajectory is computed"}, solver.engine);
+    table.number({"tolerance", "relative error asked for in peak force [1]"}, solver.tolerance,
+                 between(0.0, 1.0, "a relative error of 0 is never reached, and one of 1 says nothing"));
+    table.number({"omit_tolerance", "what leaving a term out may change in peak force, 0 keeps all [1]"},
+                 solver.omit_tolerance,
+                 from_to(0.0, 1.0, "a relative change is a share of the peak force; 0 keeps every term"));
+}
+
+template <typename Walker>
+void describe(Walker& table, Audit& audit) {
+    table.integer({"cells", "cells solved again by an independent engine with every term, 0 for none"},
+                  audit.cells,
+                  from_to<std::int64_t>(0, 1'000'000,
+                                        "an audited cell costs a thousand others, and a sample tells enough"));
+}
+
+// Of a map or a basin: how it is computed, and what is stored.
+template <typename Walker>
+void describe_settings(Walker& file, Job& job) {
+    file.table({"solver", "engine and tolerances"}, [&](auto& table) {
+        describe(table, job.solver);
+        table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.contact, job.solver); });
+    });
+    file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
+        table.choices(
+            {"fields",
+             "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
+             "contact_power_w, max_displacement, force_per_cycle"},
+            job.output.fields);
+    });
+    file.table({"audit", "an independent check of a random sample of cells"},
+               [&](auto& table) { describe(table, job.audit); });
+    file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
+               [&](auto& table) {
+                   table.integer(
+                       {"failed_cells", "more failed cells than this end the run with exit code 4"},
+                       job.limits.failed_cells,
+                       from_to<std::int64_t>(0, std::numeric_limits<std::int64_t>::max(), "it counts cells"));
+               });
+}
+
+}  // namespace peterka::job
