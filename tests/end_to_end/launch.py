@@ -41,6 +41,20 @@ def start(*arguments, cwd, ranks=None):
     )
 
 
+def computing(process):
+    """The process numbers of the program itself: of all ranks, where mpirun started them."""
+    found, ahead = [], [process.pid]
+    while ahead:
+        pid = ahead.pop()
+        try:
+            if os.readlink(f"/proc/{pid}/exe") == str(BINARY):
+                found.append(pid)
+            ahead += map(int, Path(f"/proc/{pid}/task/{pid}/children").read_text().split())
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it has ended meanwhile
+    return sorted(found)
+
+
 def messages(finished):
     """What the program itself said on stderr, without mpirun's own remarks."""
     return [line for line in finished.stderr.splitlines() if line.startswith("peterka: ")]

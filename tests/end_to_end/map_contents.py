@@ -1,6 +1,9 @@
 """What a map file holds, for comparing two of them."""
 
 import h5py
+import numpy as np
+
+TILE = 16  # rows and columns
 
 
 def datasets(path):
@@ -31,3 +34,18 @@ def done_tiles(path):
 def tile_count(path):
     with h5py.File(path, "r") as file:
         return file["tiles/done"].size
+
+
+def wrong_tiles(path, expected):
+    """Number of tiles that are marked as done and differ from those of the finished map `expected`."""
+    with h5py.File(path, "r") as file, h5py.File(expected, "r") as whole:
+        rows, columns = file["regime"].shape
+        across = -(-columns // TILE)
+        tile = np.arange(rows)[:, None] // TILE * across + np.arange(columns) // TILE
+        differs = np.zeros((rows, columns), dtype=bool)
+        for name in whole:
+            if isinstance(whole[name], h5py.Dataset) and whole[name].shape == (rows, columns):
+                one, other = (array[name][()][..., None].view(np.uint8) for array in (file, whole))
+                differs |= (one != other).any(axis=-1)
+        done = file["tiles/done"][()] == 1
+        return len(np.unique(tile[differs & done[tile]]))

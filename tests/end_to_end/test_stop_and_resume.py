@@ -2,15 +2,16 @@
 
 import fcntl
 import os
+import random
 import shutil
 import signal
 import subprocess
-from pathlib import Path
 
 import h5py
 import pytest
 
 import jobs
+import kills
 import launch
 import map_contents
 
@@ -81,20 +82,34 @@ def test_other_signals_stop_a_program_of_its_own(tmp_path, name):
     assert name in errors
 
 
-def processes_that_compute(process, ranks):
-    if ranks is None:
-        return [process.pid]
-    return [int(pid) for pid in Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
-
-
 @pytest.mark.parametrize("ranks", [None, 3])
 def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ranks):
     process = start_and_wait_for_work(tmp_path, ranks)
-    os.kill(processes_that_compute(process, ranks)[-1], signal.SIGKILL)
+    os.kill(launch.computing(process)[-1], signal.SIGKILL)
     process.communicate(timeout=launch.HANGING)
     assert process.returncode != 0
     assert run_to_the_end(tmp_path, "--quiet") == 0
     map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+def test_kills_at_random_moments_lose_nothing(tmp_path, larger_map_file):
+    """tests/endurance.sh kills some hundred more."""
+    jobs.write(tmp_path, jobs.larger_map())
+    toll = kills.campaign(tmp_path, larger_map_file, 10, random.Random(1))
+    assert toll.harm == 0, toll
+
+
+def test_a_wrong_tile_would_be_seen(tmp_path, small_map_file):
+    """Guards the test above."""
+    path = shutil.copy(small_map_file, tmp_path)
+    assert map_contents.wrong_tiles(path, small_map_file) == 0
+    with h5py.File(path, "r+") as file:
+        file["cycles"][20, 39] += 1
+        file["peak_force_ratio"][34, 0] = 1e9
+    assert map_contents.wrong_tiles(path, small_map_file) == 2
+    with h5py.File(path, "r+") as file:
+        file["tiles/done"][5] = 0
+    assert map_contents.wrong_tiles(path, small_map_file) == 1
 
 
 def test_more_or_fewer_ranks_may_go_on(tmp_path, larger_map_file):

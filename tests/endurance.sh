@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# What takes too long for every commit: faults by the hundred, two hosts, a scheduler, another MPI, memory checks.
+#   tests/endurance.sh             every part; writes what happened into the table in README.md
+#   tests/endurance.sh PART...     only these parts; the table keeps the rows of the others
+#   tests/endurance.sh --list      the parts
+#   PETERKA_BINARY=.../peterka tests/endurance.sh ...   with this program, instead of building one into build/
+#
+# A part is an executable file in tests/endurance/. It ends with 0 if all went as it should, and with 77 and a reason if
+# this machine lacks what it needs. For each fault it adds a line "fault | how often tried | what happened" to the file
+# $ENDURANCE_ROWS.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+parts=()
+for file in tests/endurance/*; do
+    [ ! -f "$file" ] || [ ! -x "$file" ] || parts+=("$(basename "${file%.*}")")
+done
+if [ "${1:-}" = --list ]; then printf '%s\n' "${parts[@]}"; exit; fi
+[ $# = 0 ] || parts=("$@")
+
+if [ -z "${PETERKA_BINARY:-}" ]; then
+    jobs/prepare.sh
+    PETERKA_BINARY=$PWD/build/peterka
+fi
+export PETERKA_BINARY PYTHONDONTWRITEBYTECODE=1
+. jobs/mpi_environment.sh
+
+failed=()
+for part in "${parts[@]}"; do
+    program=$(find tests/endurance -maxdepth 1 -name "$part.*" -perm -u+x)
+    [ -n "$program" ] || { echo "endurance.sh: there is no part $part; see --list" >&2; exit 2; }
+    echo "== $part"
+    ENDURANCE_ROWS=$(mktemp)
+    export ENDURANCE_ROWS
+    code=0
+    "$program" </dev/null || code=$?
+    [ $code = 0 ] || [ $code = 77 ] || failed+=("$part")
+    [ ! -s "$ENDURANCE_ROWS" ] || /usr/bin/python3 tests/endurance/table.py README.md "$part" "$ENDURANCE_ROWS"
+    rm -f "$ENDURANCE_ROWS"
+done
+[ ${#failed[@]} = 0 ] || { echo "endurance.sh: not as it should be: ${failed[*]}" >&2; exit 1; }

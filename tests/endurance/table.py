@@ -1,0 +1,34 @@
+"""Puts the rows of one part into the table of a page, in place of those that the part put there before.
+
+usage: table.py PAGE PART ROWS_FILE
+"""
+
+import sys
+from datetime import date
+from pathlib import Path
+
+BEGIN = "<!-- tests/endurance.sh writes this table -->\n"
+END = "<!-- end of the table -->\n"
+HEAD = "| part | fault | tried | what happened | on |\n|---|---|---|---|---|\n"
+
+
+def cells(row):
+    return [cell.strip() for cell in row.strip().strip("|").split("|")]
+
+
+def with_rows(page, part, rows):
+    before, rest = page.split(BEGIN)
+    table, after = rest.split(END)
+    kept = [cells(row) for row in table.splitlines()[2:]]
+    new = [[part, *cells(row), date.today().isoformat()] for row in rows]
+    table = sorted([row for row in kept if row[0] != part] + new, key=lambda row: row[0])
+    return before + BEGIN + HEAD + "".join(f"| {' | '.join(row)} |\n" for row in table) + END + after
+
+
+def main(page_file, part, rows_file):
+    page = Path(page_file)
+    page.write_text(with_rows(page.read_text(), part, Path(rows_file).read_text().splitlines()))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
