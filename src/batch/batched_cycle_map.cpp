@@ -325,8 +325,9 @@ trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {
     cycle.touched = lanes_.touched[slot] != 0;
     cycle.separated = lanes_.separated[slot] != 0;
     if (last_.jacobian) {
-        cycle.jacobian << lanes_.jacobian[0][slot], lanes_.jacobian[1][slot], lanes_.jacobian[2][slot],
-            lanes_.jacobian[3][slot];
+        // column by column: what is stored in pairs can be loaded in pairs without waiting
+        cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian[0][slot], lanes_.jacobian[2][slot]);
+        cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian[1][slot], lanes_.jacobian[3][slot]);
     }
     return cycle;
 }

@@ -40,7 +40,7 @@ class CycleDesk {
                 desk->searching_ = searching;
             }
             [[nodiscard]] const trajectory::Cycle<double>& await_resume() const noexcept {
-                return desk->answer_;
+                return *desk->answer_;
             }
         };
         order_ = order;
@@ -54,7 +54,7 @@ class CycleDesk {
     [[nodiscard]] const CycleOrder& order() const { return order_; }
     // The search goes on up to its next order, or to its end.
     void serve(const trajectory::Cycle<double>& answer) {
-        answer_ = answer;
+        answer_ = &answer;
         std::exchange(searching_, {}).resume();
     }
 
@@ -63,7 +63,7 @@ class CycleDesk {
     EngineSettings settings_;
     std::int64_t engines_used_ = 0;
     CycleOrder order_;
-    trajectory::Cycle<double> answer_;
+    const trajectory::Cycle<double>* answer_ = nullptr;  // while a search is being served
     std::coroutine_handle<> searching_;
 };
 

@@ -63,8 +63,10 @@ Engine cheaper_integrator(const scene::Oscillator<double>& scene) {
     return contact_is_stiff(scene) ? Engine::cvode : Engine::arkode;
 }
 
-Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
-                         double largest_displacement) {
+namespace {
+
+Engine fit_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                      double largest_displacement) {
     switch (solver.engine) {
         case job::EngineChoice::split:
             return Engine::split;
@@ -80,6 +82,17 @@ Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solv
     const bool splits = !has_nonlinear_contact(scene) &&
                         trajectory::split_steps(scene, largest_displacement, solver.tolerance) > 0;
     return splits ? Engine::split : cheaper_integrator(scene);
+}
+
+}  // namespace
+
+EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                                 double largest_displacement) {
+    return {fit_with_cubic(scene, solver, largest_displacement), solver.tolerance, largest_displacement};
+}
+
+bool goes_too_far(const EngineSettings& chosen, double displacement) {
+    return chosen.engine == Engine::split && displacement > 1.1 * chosen.largest_displacement;
 }
 
 }  // namespace peterka::regime

@@ -40,7 +40,10 @@ bool has_nonlinear_contact(const scene::Oscillator<double>& scene);
 Engine cheaper_integrator(const scene::Oscillator<double>& scene);
 
 // The engine that keeps the cubic term: what the job names, or the cheapest that is fit for its strength.
-Engine engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
-                         double largest_displacement);
+EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                                 double largest_displacement);
+
+// Whether a motion went further than its engine was chosen for: the kicks of `split` hang on that.
+bool goes_too_far(const EngineSettings& chosen, double displacement);
 
 }  // namespace peterka::regime

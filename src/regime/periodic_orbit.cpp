@@ -17,7 +17,26 @@ constexpr double same_orbit = 1e-3;  // a divisor's orbit must lie this close to
 // A residual below this falls to rounding with one more step.
 constexpr double nearly_there = 1e-8;
 
+bool lie_together(const Point& there, const Point& here) {
+    return (there - here).lpNorm<Eigen::Infinity>() <= same_orbit * magnitude(here);
+}
+
+bool returns_after(const PeriodicOrbit& orbit, std::int64_t cycles) {
+    return lie_together(orbit.points[static_cast<std::size_t>(cycles)], orbit.point);
+}
+
 }  // namespace
+
+bool is_stable(const PeriodicOrbit& orbit) {
+    return orbit.multiplier < largest_stable;
+}
+
+bool has_smaller_period(const PeriodicOrbit& orbit) {
+    for (std::int64_t divisor = 1; divisor < orbit.period; ++divisor) {
+        if (orbit.period % divisor == 0 && returns_after(orbit, divisor)) return true;
+    }
+    return false;
+}
 
 std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian) {
     const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - jacobian;
@@ -71,16 +90,12 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
     if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
-        if (q % divisor != 0) continue;
-        const double tolerance = same_orbit * magnitude(found->point);
-        const Point& there = found->points[static_cast<std::size_t>(divisor)];
-        if ((there - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
+        if (q % divisor != 0 || !returns_after(*found, divisor)) continue;
         auto smaller = co_await find_orbit(map, found->point, divisor);
-        if (!smaller || (smaller->point - found->point).lpNorm<Eigen::Infinity>() > tolerance) continue;
-        if (smaller->multiplier < largest_stable && smaller->pattern == trajectory.pattern(divisor))
-            co_return smaller;
+        if (!smaller || !lie_together(smaller->point, found->point)) continue;
+        if (is_stable(*smaller) && smaller->pattern == trajectory.pattern(divisor)) co_return smaller;
     }
-    if (!(found->multiplier < largest_stable)) co_return std::nullopt;
+    if (!is_stable(*found)) co_return std::nullopt;
     co_return found;
 }
 

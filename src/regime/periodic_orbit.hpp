@@ -26,6 +26,11 @@ struct PeriodicOrbit {
 // The orbit of period q, stable or not, that Newton's method reaches from a guess.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
 
+// Surely inside the unit circle, as far as rounding lets tell.
+bool is_stable(const PeriodicOrbit& orbit);
+// Whether the orbit returns to its point, or nearly, after a divisor of its period.
+bool has_smaller_period(const PeriodicOrbit& orbit);
+
 // Newton's step towards the orbit, from where the q cycles of a passage began; none where it leads nowhere.
 std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian);
 

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <optional>
 #include <vector>
 
 #include "regime/stroboscopic_map.hpp"
@@ -56,9 +55,10 @@ class Recurrence {
     }
 
     // The smallest q for which the state is close to that of q cycles ago, the last q patterns equal the q
-    // before, and the distance fell well below that of the last try at this q. Asking counts as trying.
-    [[nodiscard]] std::optional<std::int64_t> candidate() {
-        if (recorded_ % interval() != 0) return std::nullopt;
+    // before, and the distance fell well below that of the last try at this q; 0 if there is none. Asking
+    // counts as trying.
+    [[nodiscard]] std::int64_t candidate() {
+        if ((recorded_ & (interval() - 1)) != 0) return 0;
         const bool late = recorded_ > early_cycles;
         const Entry& now = entry(recorded_);
         const std::uint16_t* ago = &marks_[newest_];
@@ -82,7 +82,7 @@ class Recurrence {
             }
             return q;
         }
-        return std::nullopt;
+        return 0;
     }
 
   private:
@@ -96,7 +96,7 @@ class Recurrence {
     // even where q is smaller.
     static constexpr std::int64_t early_cycles = 40;
     static constexpr std::int64_t late_repeats = 4;
-    [[nodiscard]] std::int64_t interval() const {
+    [[nodiscard]] std::int64_t interval() const {  // a power of two
         return static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(recorded_ / 32) | 1U));
     }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "regime/cubic_shift.hpp"
 #include "regime/scalar_engine.hpp"
 
 namespace peterka::regime {
@@ -26,7 +27,7 @@ Measures measures_of(const job::Output& output) {
 }
 
 // What leaving the cubic term out may have changed in the peak force. Next to a bifurcation an orbit moves by
-// about 1/(1 - |multiplier|) times as much as elsewhere.
+// about 1/(1 - |multiplier|) times as much as elsewhere; where this bound says too much, shift_by_cubic tells.
 double change_without_cubic(const scene::Oscillator<double>& scene, const CellResult& without) {
     const double effect = effect_of_cubic(scene, without.largest_displacement);
     return without.regime == Regime::periodic ? effect / (1 - without.multiplier) : effect;
@@ -38,18 +39,16 @@ Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, cons
                                   const Budget& budget, double largest_displacement, Measures measures,
                                   Attractors attractors) {
     constexpr int most_rounds = 3;
-    constexpr double slack = 1.1;
     CellResult result;
     std::int64_t cycles = 0;
     for (int round = 0; round < most_rounds; ++round) {
-        const Engine engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
+        const EngineSettings engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
         result =
-            co_await find_steady_state(desk, cell.oscillator, cell.start, budget,
-                                       {engine, solver.tolerance, largest_displacement}, measures, attractors);
+            co_await find_steady_state(desk, cell.oscillator, cell.start, budget, engine, measures, attractors);
         cycles += result.cycles;
         result.cycles =
             static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
-        if (engine != Engine::split || !(result.largest_displacement > slack * largest_displacement)) break;
+        if (!goes_too_far(engine, result.largest_displacement)) break;
         largest_displacement = result.largest_displacement;
     }
     co_return result;
@@ -84,15 +83,21 @@ Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int
 
     scene::Oscillator<double> linear = cell.oscillator;
     linear.cubic = 0;
-    const CellResult without =
-        co_await find_steady_state(desk, linear, cell.start, budget, {}, measures, attractors);
+    CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, measures, attractors);
     if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
         co_return without;
     }
-    const bool known = std::isfinite(without.largest_displacement);
-    CellResult with = co_await solve_with_cubic(
-        desk, cell, solver, budget,
-        known ? without.largest_displacement : EngineSettings{}.largest_displacement, measures, attractors);
+    const double largest_displacement = std::isfinite(without.largest_displacement)
+                                            ? without.largest_displacement
+                                            : EngineSettings{}.largest_displacement;
+    if (without.regime == Regime::periodic) {
+        const CubicShift shift = co_await shift_by_cubic(
+            desk, cell.oscillator, engine_with_cubic(cell.oscillator, solver, largest_displacement), without);
+        without.cycles += static_cast<std::int32_t>(shift.cycles);
+        if (shift.of_peak_force && *shift.of_peak_force <= solver.omit_tolerance) co_return without;
+    }
+    CellResult with =
+        co_await solve_with_cubic(desk, cell, solver, budget, largest_displacement, measures, attractors);
     with.cycles += without.cycles;
     co_return with;
 }

@@ -88,8 +88,8 @@ class Search {
             recurrence_.record(passage);
             if (test_) {
                 if (converges(passage)) co_return co_await periodic(test_->orbit());
-            } else if (const auto q = recurrence_.candidate()) {
-                const auto orbit = co_await find_stable_orbit(map_, recurrence_, *q);
+            } else if (const std::int64_t q = recurrence_.candidate(); q > 0) {
+                const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
                 if (orbit && converged(*orbit)) co_return co_await periodic(*orbit);
             }
             const bool repeats =

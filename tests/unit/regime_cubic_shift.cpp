@@ -1,0 +1,79 @@
+// What the cubic term changes on an orbit, found from the orbit without it, against runs from the start with
+// it.
+#include "regime/cubic_shift.hpp"
+
+#include <gtest/gtest.h>
+
+#include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using testing::beam_170mm;
+using testing::paper_rig;
+using testing::start_at;
+
+constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // k3 A0^2/k of k (x + x^3), x in metres
+
+struct Place {
+    double frequency_ratio;
+    double gap_ratio;
+};
+
+CubicShift shift_at(scene::Oscillator<double> scene, double cubic) {
+    const CellResult without = find_steady_state(scene, start_at(scene), {});
+    EXPECT_EQ(without.regime, Regime::periodic);
+    scene.cubic = cubic;
+    CycleDesk desk;
+    return complete(shift_by_cubic(desk, scene, {Engine::split, 1e-9, without.largest_displacement}, without),
+                    desk);
+}
+
+// Close to period doublings and folds, where the bound 3 k3 u^2/k over 1 - |multiplier| fails.
+TEST(CubicShift, IsWhatARunFromTheStartShows) {
+    for (const Place place : {Place{0.94110275689223057, 2.6190476190476191},
+                              {3.7380952380952381, 1.3157894736842104},
+                              {0.95112781954887216, 2.907268170426065}}) {
+        auto scene = paper_rig(beam_170mm, place.frequency_ratio, place.gap_ratio);
+        const CubicShift shift = shift_at(scene, paper_cubic);
+        ASSERT_TRUE(shift.of_peak_force) << place.frequency_ratio;
+
+        const CellResult without = find_steady_state(scene, start_at(scene), {});
+        scene.cubic = paper_cubic;
+        const CellResult independent = find_steady_state(scene, start_at(scene), {}, {Engine::arkode, 1e-10});
+        EXPECT_EQ(independent.impacts, without.impacts);
+        EXPECT_EQ(independent.period, without.period);
+        EXPECT_NEAR(*shift.of_peak_force, std::abs(independent.peak_force / without.peak_force - 1), 1e-7);
+        EXPECT_GT(*shift.of_peak_force, 1e-5);
+        EXPECT_LT(shift.cycles, without.cycles);
+    }
+}
+
+// A softening spring moves the fold of 1/1 past the cell, a hardening one away from it.
+TEST(CubicShift, IsNoneWhereTheOrbitIsLost) {
+    const auto at_fold = paper_rig(beam_170mm, 1.8463796477495107, 1.5362035225048922);
+    EXPECT_TRUE(shift_at(at_fold, 30 * paper_cubic).of_peak_force);
+    EXPECT_FALSE(shift_at(at_fold, -30 * paper_cubic).of_peak_force);
+}
+
+// Forces on it have no bound.
+TEST(CubicShift, IsNoneOnARigidStop) {
+    auto scene = paper_rig(beam_170mm, 2.0, 0.5);
+    scene.contact = scene::Restitution<double>{0.6};
+    EXPECT_FALSE(shift_at(scene, paper_cubic).of_peak_force);
+}
+
+TEST(CubicShift, SparesASecondRunWhereItIsSmall) {
+    job::Job job = testing::job_170mm(238.2325);
+    job.columns = {0.94110275689223057, 2.0, 2};
+    job.rows = {2.6190476190476191, 3.0, 2};
+    const CellResult cell = solve_cell(scene::Scene(job), 0, 0);
+    EXPECT_EQ(cell.engine, Engine::exact);
+    job.solver.omit_tolerance = 5e-4;  // the term changes the peak force by 8.8e-4
+    EXPECT_EQ(solve_cell(scene::Scene(job), 0, 0).engine, Engine::split);
+}
+
+}  // namespace
+}  // namespace peterka::regime
