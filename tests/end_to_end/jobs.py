@@ -33,8 +33,8 @@ def map_of_steps(columns, rows):
 
 
 def larger_map():
-    """64 tiles: long enough to be stopped on the way."""
-    return small_map(columns=128, rows=128, title="larger map")
+    """400 tiles: a signal meets the run at work."""
+    return small_map(columns=320, rows=320, title="larger map")
 
 
 def small_basin(points=24):

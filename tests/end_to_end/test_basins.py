@@ -42,3 +42,17 @@ def test_a_basin_that_was_stopped_goes_on_to_the_same_end(tmp_path, small_basin_
     assert map_contents.done_tiles(tmp_path / "job.h5") == 0
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=3).returncode == 0
     map_contents.assert_same_map(tmp_path / "job.h5", small_basin_file)
+
+
+def test_a_half_done_basin_is_completed(tmp_path, small_basin_file):
+    """The pilots run anew; what they find must be what the stored tiles were solved with."""
+    jobs.write(tmp_path, jobs.small_basin())
+    (tmp_path / "job.h5").write_bytes(small_basin_file.read_bytes())
+    with h5py.File(tmp_path / "job.h5", "r+") as basin:
+        basin["tiles/done"][1:3] = 0
+        basin["regime"][:16, 16:] = -128
+        basin["regime"][16:, :16] = -128
+        basin["summary/finished"][()] = 0
+    finished = launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=3)
+    assert finished.returncode == 0, finished.stderr
+    map_contents.assert_same_map(tmp_path / "job.h5", small_basin_file)

@@ -11,13 +11,23 @@ import pytest
 import jobs
 import launch
 import map_contents
+from conftest import compute
 
 LABELS = ("regime", "impacts", "period")
 RANDOM = random.Random(4)
 
 
+def full_map():
+    return jobs.small_map(columns=128, rows=128, title="full map")
+
+
 def refined_map(levels=2):
-    return jobs.larger_map().replace("larger map", "refined map") + f"\n[refine]\nlevels = {levels}\n"
+    return full_map() + f"\n[refine]\nlevels = {levels}\n"
+
+
+@pytest.fixture(scope="module")
+def full_map_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("full_map"), full_map())
 
 
 @pytest.fixture(scope="module")
@@ -35,8 +45,8 @@ def contents(path):
         return {name: file[name][()] for name in file if isinstance(file[name], h5py.Dataset)}
 
 
-def test_computed_cells_are_those_of_the_full_map_and_filled_ones_agree(refined_map_file, larger_map_file):
-    refined, full = contents(refined_map_file), contents(larger_map_file)
+def test_computed_cells_are_those_of_the_full_map_and_filled_ones_agree(refined_map_file, full_map_file):
+    refined, full = contents(refined_map_file), contents(full_map_file)
     computed = refined["computed"] == 1
     assert set(np.unique(refined["computed"])) == {0, 1}
     assert 0.2 < computed.mean() < 0.7
