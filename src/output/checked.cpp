@@ -1,9 +1,13 @@
 #include "output/checked.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "support/errors.hpp"
@@ -27,6 +31,19 @@ std::string system_text(const std::string& reason) {
     return reason.substr(begin, reason.find('\'', begin) - begin);
 }
 
+// Why a file can't be written, in the system's words; HDF5 1.10 and MPI-IO don't pass them on. Asking for the
+// room that the file has already fails where a write does, and changes nothing else.
+std::string why_unwritable(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    int error = errno;
+    if (descriptor >= 0) {
+        error = ::posix_fallocate(descriptor, 0, ::lseek(descriptor, 0, SEEK_END));
+        ::close(descriptor);
+    }
+    if (error == 0 || error == EINVAL || error == EOPNOTSUPP) return "";
+    return fmt::format(" ({})", std::generic_category().message(error));
+}
+
 }  // namespace
 
 std::string hdf5_reason() {
@@ -40,7 +57,15 @@ Checked::Checked(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 void Checked::fail(const char* call) const {
-    throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}", path_.string(), call, hdf5_reason()));
+    const std::string reason = hdf5_reason();
+    if (call != std::string_view("H5Dwrite")) {
+        throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}", path_.string(), call, reason));
+    }
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: {} failed: {}{}. Finished tiles are kept: run the same command again when the "
+                    "file can be written.",
+                    path_.string(), call, reason, why_unwritable(path_)));
 }
 
 }  // namespace peterka::output

@@ -70,6 +70,16 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::Cel
     tiles_.write(tile, stored, {seconds, rank_});
 }
 
+void MapFile::require_presence() const {
+    std::error_code error;
+    if (std::filesystem::exists(check_.path(), error) || error) return;
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: has vanished while the run was writing it: somebody removed or renamed it or its "
+                    "folder. Put it back, or let the same command start over.",
+                    check_.path().string()));
+}
+
 RemainingTiles MapFile::remaining_tiles() {
     const Share share = share_of(tiles_.tiling().count(), communicator_);
     std::vector<parallel::TileRange> missing;
@@ -108,7 +118,10 @@ Statistics MapFile::statistics() {
 }
 
 void MapFile::record(const RunFacts& facts) {
-    on_first_rank(communicator_, [&] { write_facts(check_, file_.id(), facts); });
+    on_first_rank(communicator_, [&] {
+        require_presence();
+        write_facts(check_, file_.id(), facts);
+    });
 }
 
 void MapFile::finish(const Statistics& statistics, std::span<const std::string> omitted,
@@ -126,6 +139,7 @@ void MapFile::finish(const Statistics& statistics, std::span<const std::string> 
     });
     file_.settle();
     on_first_rank(communicator_, [&] {
+        require_presence();
         write_number(check_, file_.id(), path::finished, 1);
         std::error_code ignored;
         std::filesystem::remove(previous_name(check_.path()), ignored);

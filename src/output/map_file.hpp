@@ -59,6 +59,10 @@ class MapFile {
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
     void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
 
+    // Independent. Throws if the file's name is gone: the system goes on taking what is written to a removed
+    // file, and drops it at the end.
+    void require_presence() const;
+
     // Collective. Checks the tiles marked done against their checksums, each rank a share of them.
     [[nodiscard]] RemainingTiles remaining_tiles();
 

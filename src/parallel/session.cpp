@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "parallel/checked.hpp"
+#include "support/stopwatch.hpp"
 #include "support/tell.hpp"
 
 namespace peterka::parallel {
@@ -25,17 +26,41 @@ void say(const std::string& message) {
     std::fflush(stderr);
 }
 
-// Where several ranks fail for the same reason, one should say so. Rank 0 speaks at once; the others give the
-// ranks before them the time to speak and to end everybody, which takes MPI_Abort some milliseconds.
-void wait_for_lower_ranks(int rank) {
-    constexpr int most_ranks_waited_for = 100;
-    if (rank == 0) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(300 + 20 * std::min(rank, most_ranks_waited_for)));
+constexpr int speaking_tag = 3;
+constexpr int most_ranks_told = 100;
+
+// Sent without waiting for anybody, and received only by ranks that fail, too.
+void tell_ranks_after(const Session& session) {
+    for (int rank = session.rank() + 1; rank < session.size() && rank <= session.rank() + most_ranks_told;
+         ++rank) {
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Isend(nullptr, 0, MPI_BYTE, rank, speaking_tag, session.communicator(), &request);
+        if (request != MPI_REQUEST_NULL) MPI_Request_free(&request);
+    }
+}
+
+// Waits whether a rank before this one speaks. Where several ranks fail for the same reason, one should say so:
+// rank 0 at once, the others after giving those before them the time.
+bool somebody_speaks(const Session& session) {
+    if (session.is_root()) return false;
+    const Stopwatch since_failure;
+    const double patience = 0.3 + 0.02 * std::min(session.rank(), most_ranks_told);
+    int arrived = 0;
+    while (arrived == 0 && since_failure.seconds() < patience) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        MPI_Iprobe(MPI_ANY_SOURCE, speaking_tag, session.communicator(), &arrived, MPI_STATUS_IGNORE);
+    }
+    return arrived != 0;
 }
 
 [[noreturn]] void end_all(const Session& session, ExitCode code, const std::string& message) {
-    wait_for_lower_ranks(session.rank());
-    say(message);
+    if (somebody_speaks(session)) {
+        std::this_thread::sleep_for(
+            std::chrono::seconds(5));  // that rank ends all, and its message comes first
+    } else {
+        tell_ranks_after(session);
+        say(message);
+    }
     MPI_Abort(session.communicator(), static_cast<int>(code));
     std::_Exit(static_cast<int>(code));
 }

@@ -109,7 +109,11 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
         session, tiling, std::move(missing),
         {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); },
          .stop_requested = [&] { return stop.requested(); },
-         .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
+         .on_progress =
+             [&](std::int64_t solved) {
+                 file.require_presence();
+                 progress.add(solved);
+             }});
 }
 
 }  // namespace peterka

@@ -1,0 +1,97 @@
+"""Disks that are full, files that vanish: the run says where and why, and loses nothing that can be kept."""
+
+import resource
+import subprocess
+
+import h5py
+import pytest
+
+import jobs
+import launch
+import map_contents
+
+RANKS = [None, 3]
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """Makes a file system of so many KiB in memory."""
+    folder = tmp_path / "disk"
+
+    def mounted(kibibytes):
+        folder.mkdir()
+        mount = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kibibytes}k", "none", folder],
+                               capture_output=True, text=True)
+        if mount.returncode != 0:
+            pytest.skip(f"a small disk needs the right to mount one: {mount.stderr.strip()}")
+        return folder
+
+    yield mounted
+    subprocess.run(["umount", folder], stderr=subprocess.DEVNULL)
+
+
+def said(finished):
+    """What the program said of the failure: once."""
+    told = [line for line in launch.messages(finished) if "cells to compute" not in line]
+    assert len(told) == 1, finished.stderr
+    return told[0]
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_a_disk_too_small_for_the_map(tmp_path, small_disk, ranks):
+    jobs.write(tmp_path, jobs.larger_map())
+    disk = small_disk(400)
+    finished = launch.run("run", "job.toml", "--output", "disk/job.h5", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 3
+    assert "disk/job.h5: the map needs 548." in said(finished)
+    assert list(disk.iterdir()) == []
+
+
+def punch_a_hole(path):
+    """Takes back most of the room that the file has for forces, as a file system that copies on write may."""
+    with h5py.File(path) as file:
+        forces = file["peak_force_ratio"].id
+        first, size = forces.get_chunk_info(0).byte_offset, forces.get_storage_size()
+    subprocess.run(["fallocate", "--punch-hole", "-o", str(first + size // 4), "-l", str(size // 2), path], check=True)
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_a_disk_that_fills_up_on_the_way(tmp_path, small_disk, larger_map_file, ranks):
+    jobs.write(tmp_path, jobs.larger_map())
+    disk = small_disk(700)
+    run = ["run", "job.toml", "--output", "disk/job.h5"]
+    launch.run(*run, "--max-wall", "1e-9", cwd=tmp_path)
+    punch_a_hole(disk / "job.h5")
+    with open(disk / "ballast", "wb", buffering=0) as ballast, pytest.raises(OSError):
+        while True:
+            ballast.write(bytes(4096))
+    finished = launch.run(*run, cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 3
+    assert "disk/job.h5: H5Dwrite failed" in said(finished) and "No space left on device" in said(finished)
+    assert 0 < map_contents.done_tiles(disk / "job.h5") < map_contents.tile_count(disk / "job.h5")
+    assert map_contents.wrong_tiles(disk / "job.h5", larger_map_file) == 0
+    (disk / "ballast").unlink()
+    assert launch.run(*run, cwd=tmp_path, ranks=ranks).returncode == 0
+    map_contents.assert_same_map(disk / "job.h5", larger_map_file)
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_a_file_that_vanishes(tmp_path, ranks):
+    jobs.write(tmp_path, jobs.larger_map())
+    process = launch.start("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    process.stderr.readline()  # "... cells to compute"
+    (tmp_path / "job.h5").unlink()
+    output, errors = process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 3
+    assert "job.h5: has vanished" in said(subprocess.CompletedProcess([], 3, output, errors))
+    assert output == ""
+
+
+def test_a_limit_of_file_sizes(tmp_path):
+    """As batch systems set it; a signal would end the program without a word. PMIx has large files of its own."""
+    jobs.write(tmp_path, jobs.larger_map())
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
+    finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT | {"PMIX_MCA_gds": "hash"},
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=limit)
+    assert finished.returncode == 3, finished.stderr
+    assert "job.h5" in said(finished) and "File too large" in said(finished)
