@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing and builds peterka into build/. Safe to repeat. Used by quickstart.sh and tests/run.sh.
-#   jobs/prepare.sh [EXTRA_PACKAGE...]      on Debian 12, Ubuntu 24.04 or later; as root or with sudo
+#   [BUILD_TESTING=OFF] jobs/prepare.sh [EXTRA_PACKAGE...]      on Debian 12, Ubuntu 24.04 or later; as root or with sudo
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -29,7 +29,7 @@ if [ ${#missing[@]} -gt 0 ]; then
         -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
 fi
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 ||
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" >build.log 2>&1 ||
     { cat build.log; exit 1; }
 cmake --build build
 rm -f build.log

@@ -36,16 +36,36 @@ def tile_count(path):
         return file["tiles/done"].size
 
 
+def tile_of_cells(file):
+    """The number of the tile in which each cell lies."""
+    rows, columns = file["regime"].shape
+    across = -(-columns // TILE)
+    return np.arange(rows)[:, None] // TILE * across + np.arange(columns) // TILE
+
+
+def cell_fields(file):
+    return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape == file["regime"].shape]
+
+
 def wrong_tiles(path, expected):
     """Number of tiles that are marked as done and differ from those of the finished map `expected`."""
     with h5py.File(path, "r") as file, h5py.File(expected, "r") as whole:
-        rows, columns = file["regime"].shape
-        across = -(-columns // TILE)
-        tile = np.arange(rows)[:, None] // TILE * across + np.arange(columns) // TILE
-        differs = np.zeros((rows, columns), dtype=bool)
-        for name in whole:
-            if isinstance(whole[name], h5py.Dataset) and whole[name].shape == (rows, columns):
-                one, other = (array[name][()][..., None].view(np.uint8) for array in (file, whole))
-                differs |= (one != other).any(axis=-1)
+        tile = tile_of_cells(file)
+        differs = np.zeros(tile.shape, dtype=bool)
+        for name in cell_fields(whole):
+            one, other = (array[name][()][..., None].view(np.uint8) for array in (file, whole))
+            differs |= (one != other).any(axis=-1)
         done = file["tiles/done"][()] == 1
         return len(np.unique(tile[differs & done[tile]]))
+
+
+def take_out(path, tiles):
+    """Puts the map back to a state in which these tiles are not yet computed."""
+    with h5py.File(path, "r+") as file:
+        cells = np.isin(tile_of_cells(file), tiles)
+        for name in cell_fields(file):
+            values = file[name][()]
+            values[cells] = 77
+            file[name][...] = values
+        file["tiles/done"][sorted(tiles)] = 0
+        file["summary/finished"][()] = 0

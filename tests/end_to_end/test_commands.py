@@ -24,6 +24,13 @@ def test_help_and_version_are_printed_once(tmp_path, ranks):
     assert "commit " in version.stdout
 
 
+def test_the_installed_program_runs(tmp_path):
+    build = launch.BINARY.parent
+    subprocess.run(["cmake", "--install", build, "--prefix", tmp_path], check=True, capture_output=True)
+    shown = launch.run("--version", cwd=tmp_path, binary=tmp_path / "bin" / "peterka")
+    assert shown.returncode == 0 and shown.stdout.startswith("peterka "), shown.stderr
+
+
 @pytest.mark.parametrize("ranks", RANKS)
 def test_check_prints_the_job_and_its_cost_and_computes_nothing(tmp_path, ranks):
     jobs.write(tmp_path, jobs.small_map())

@@ -1,0 +1,55 @@
+#!/usr/bin/python3
+"""The faults that the tests of each commit try, too: so that the table has them all."""
+
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+import parts
+
+TESTS = Path(__file__).parents[1] / "end_to_end"
+WHAT_IS_TRIED = {  # the test: the fault, and what happens where it passes
+    "test_kills_at_random_moments_lose_nothing": ("ten kills at random moments", "no loss, the same bytes"),
+    "test_a_run_with_a_killed_rank_ends_and_goes_on": ("one rank killed", "all end, the same command goes on"),
+    "test_a_damaged_tile_is_computed_again": ("a tile that fails its checksum", "computed again, the same bytes"),
+    "test_a_damaged_finished_map_is_not_shown": ("a finished map is damaged", "exit 3, nothing shown"),
+    "test_a_file_that_another_run_writes_is_not_entered": ("a file that another run writes", "exit 3, untouched"),
+    "test_output_of_another_job": ("a file of another job", "exit 3, names the keys that differ, untouched"),
+    "test_output_that_is_another_kind_of_file": ("a file that is no map", "exit 3, untouched"),
+    "test_output_that_is_cut_short": ("a file cut short", "exit 3, untouched"),
+    "test_a_disk_too_small_for_the_map": ("a disk too small for the map", "exit 3 before anything is created"),
+    "test_a_disk_that_fills_up_on_the_way": (
+        "a disk that fills up on the way", "exit 3, path and cause; with room again, the same bytes"),
+    "test_a_file_that_vanishes": ("the file is removed during the run", "exit 3, path and cause"),
+    "test_a_limit_of_file_sizes": ("a limit of file sizes (ulimit -f)", "exit 3, path and cause"),
+    "test_a_folder_that_cannot_be_written_is_named": ("a folder that can't be written", "exit 3, path and cause"),
+    "test_more_failed_cells_than_allowed": ("cells that fail", "counted with their reason, exit 4"),
+    "test_one_rank_that_fails_ends_all": ("an exception on one rank", "all end, its message once"),
+    "test_a_failure_of_all_is_told_once": ("an exception on all ranks", "all end, one message"),
+    "test_a_map_is_the_same_at_any_number_of_ranks": ("1, 2, 3, 4, 7 ranks", "the same bytes"),
+}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        report = Path(name) / "report.xml"
+        pytest.main(["-q", "-p", "no:cacheprovider", str(TESTS), "-k", " or ".join(WHAT_IS_TRIED),
+                     f"--junitxml={report}"])
+        cases = list(xml.parse(report).iter("testcase"))
+    tried, passed = Counter(), Counter()
+    for case in cases:
+        test = case.get("name").split("[")[0]
+        tried[test] += case.find("skipped") is None
+        passed[test] += len(case) == 0
+    for test, (fault, what_happens) in WHAT_IS_TRIED.items():
+        wrong = tried[test] - passed[test]
+        parts.row(fault, tried[test], what_happens if wrong == 0 else f"**{wrong} times not as it should be**")
+    return 1 if tried != passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

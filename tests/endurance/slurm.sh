@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# jobs/slurm/map.sbatch on a real Slurm of two nodes: submitted, signalled before its time limit, requeued by itself, requeued
+# by an administrator, requeued because a node fails, finished.
+set -euo pipefail
+. tests/endurance/cluster.sh
+
+for program in slurmctld slurmd munged; do
+    command -v $program >/dev/null || { echo "skipped: $program is missing (Debian: slurm-wlm, munge)"; exit 77; }
+done
+[ "$(id -u)" = 0 ] || { echo "skipped: the daemons of a Slurm of its own need root"; exit 77; }
+folder=$(mktemp -d)
+chmod 755 "$folder"
+trap 'stop_cluster "$folder"; wait; rm -rf "$folder"' EXIT
+start_cluster "$folder"
+
+field() { scontrol show job "$id" | grep -o "$1=[^ ]*" | cut -d= -f2; }
+until_log_has() { until [ "$(grep -c "$2" "$folder/log" 2>/dev/null)" = "$1" ]; do sleep 0.2; done; }
+until_restarted() { until [ "$(field Restarts)" = "$1" ] && [ "$(field JobState)" = PENDING ]; do sleep 0.2; done; }
+start_now() { scontrol update JobId="$id" StartTime=now; }
+
+job=("$PWD/jobs/smoke.toml" --set axes.frequency_ratio.points=400 --set axes.gap_ratio.points=400)
+export PETERKA=$PETERKA_BINARY
+export OMPI_MCA_btl=tcp,self # two nodes on one machine share no memory as far as Open MPI knows
+id=$(sbatch --parsable --ntasks=4 --nodes=2 --time=1 --signal=USR1@30 --output="$folder/log" \
+    jobs/slurm/map.sbatch "${job[@]}" --output "$folder/map.h5")
+
+until_restarted 1
+grep "stopped early (signal SIGUSR1)" "$folder/log"
+scontrol update JobId="$id" TimeLimit=60
+start_now
+
+until_log_has 2 "cells to compute"
+scontrol requeue "$id"
+until_restarted 2
+start_now
+
+until_log_has 3 "cells to compute"
+scontrol update NodeName=n2 State=DOWN Reason="it fails"
+until_restarted 3
+scontrol update NodeName=n2 State=RESUME
+start_now
+
+until [ "$(field JobState)" = COMPLETED ]; do sleep 0.2; done
+cat "$folder/log"
+mpirun -n 2 "$PETERKA_BINARY" run "${job[@]}" --quiet --output "$folder/whole.h5"
+/usr/bin/python3 tests/endurance/same_map.py "$folder/map.h5" "$folder/whole.h5"
+for row in "USR1 before a time limit" "\`scontrol requeue\` of a running job" "a node going down"; do
+    echo "Slurm $(sinfo --version | cut -d' ' -f2), 2 nodes: $row | 1 | requeued, goes on, finishes with the same bytes" \
+        >>"$ENDURANCE_ROWS"
+done
