@@ -24,5 +24,10 @@ def small_basin_file(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def medium_map_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("medium_map"), jobs.medium_map())
+
+
+@pytest.fixture(scope="session")
 def larger_map_file(tmp_path_factory):
     return compute(tmp_path_factory.mktemp("larger_map"), jobs.larger_map())

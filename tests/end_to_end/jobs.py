@@ -37,6 +37,11 @@ def larger_map():
     return small_map(columns=320, rows=320, title="larger map")
 
 
+def medium_map():
+    """64 tiles, 548 kB: to be broken and repaired many times."""
+    return small_map(columns=128, rows=128, title="medium map")
+
+
 def small_basin(points=24):
     """Gap/A0 1.60 at 1.8 times the natural frequency, where impacts and no impact both survive."""
     return (RIG.format(kind="basin", title="small basin")

@@ -39,7 +39,7 @@ def said(finished):
 
 @pytest.mark.parametrize("ranks", RANKS)
 def test_a_disk_too_small_for_the_map(tmp_path, small_disk, ranks):
-    jobs.write(tmp_path, jobs.larger_map())
+    jobs.write(tmp_path, jobs.medium_map())
     disk = small_disk(400)
     finished = launch.run("run", "job.toml", "--output", "disk/job.h5", cwd=tmp_path, ranks=ranks)
     assert finished.returncode == 3
@@ -56,8 +56,8 @@ def punch_a_hole(path):
 
 
 @pytest.mark.parametrize("ranks", RANKS)
-def test_a_disk_that_fills_up_on_the_way(tmp_path, small_disk, larger_map_file, ranks):
-    jobs.write(tmp_path, jobs.larger_map())
+def test_a_disk_that_fills_up_on_the_way(tmp_path, small_disk, medium_map_file, ranks):
+    jobs.write(tmp_path, jobs.medium_map())
     disk = small_disk(700)
     run = ["run", "job.toml", "--output", "disk/job.h5"]
     launch.run(*run, "--max-wall", "1e-9", cwd=tmp_path)
@@ -69,10 +69,10 @@ def test_a_disk_that_fills_up_on_the_way(tmp_path, small_disk, larger_map_file, 
     assert finished.returncode == 3
     assert "disk/job.h5: H5Dwrite failed" in said(finished) and "No space left on device" in said(finished)
     assert 0 < map_contents.done_tiles(disk / "job.h5") < map_contents.tile_count(disk / "job.h5")
-    assert map_contents.wrong_tiles(disk / "job.h5", larger_map_file) == 0
+    assert map_contents.wrong_tiles(disk / "job.h5", medium_map_file) == 0
     (disk / "ballast").unlink()
     assert launch.run(*run, cwd=tmp_path, ranks=ranks).returncode == 0
-    map_contents.assert_same_map(disk / "job.h5", larger_map_file)
+    map_contents.assert_same_map(disk / "job.h5", medium_map_file)
 
 
 @pytest.mark.parametrize("ranks", RANKS)
@@ -89,7 +89,7 @@ def test_a_file_that_vanishes(tmp_path, ranks):
 
 def test_a_limit_of_file_sizes(tmp_path):
     """As batch systems set it; a signal would end the program without a word. PMIx has large files of its own."""
-    jobs.write(tmp_path, jobs.larger_map())
+    jobs.write(tmp_path, jobs.medium_map())
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
     finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT | {"PMIX_MCA_gds": "hash"},
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=limit)

@@ -28,16 +28,16 @@ def test_a_basin_is_the_same_at_any_number_of_ranks(tmp_path, small_basin_file, 
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-def test_tiles_are_the_same_in_any_order_and_company(tmp_path, larger_map_file, seed):
+def test_tiles_are_the_same_in_any_order_and_company(tmp_path, medium_map_file, seed):
     """Tiles drawn at random are taken out of a map, and others of these in each of three runs are put back."""
-    jobs.write(tmp_path, jobs.larger_map())
-    path = shutil.copy(larger_map_file, tmp_path / "job.h5")
+    jobs.write(tmp_path, jobs.medium_map())
+    path = shutil.copy(medium_map_file, tmp_path / "job.h5")
     shuffled = np.random.default_rng(seed).permutation(map_contents.tile_count(path))
     for part in np.array_split(shuffled, 3):
         map_contents.take_out(path, part)
         finished = launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=2)
         assert finished.returncode == 0, finished.stderr
-    map_contents.assert_same_map(path, larger_map_file)
+    map_contents.assert_same_map(path, medium_map_file)
 
 
 def test_a_cell_is_the_same_in_a_coarser_map(tmp_path):

@@ -92,10 +92,10 @@ def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ra
     map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
 
 
-def test_kills_at_random_moments_lose_nothing(tmp_path, larger_map_file):
+def test_kills_at_random_moments_lose_nothing(tmp_path, medium_map_file):
     """tests/endurance.sh kills some hundred more."""
-    jobs.write(tmp_path, jobs.larger_map())
-    toll = kills.campaign(tmp_path, larger_map_file, 10, random.Random(1))
+    jobs.write(tmp_path, jobs.medium_map())
+    toll = kills.campaign(tmp_path, medium_map_file, 10, random.Random(1))
     assert toll.harm == 0, toll
 
 
