@@ -114,6 +114,7 @@ enum class OptionalField {
     contact_power,     // mean power that the impacts take from the hammer
     max_displacement,  // largest |x - y|
     force_per_cycle,   // of the largest forces of each cycle: mean, 95 % quantile, number of cycles
+    last_impact,       // forcing cycles until the last impact, where impacts end
 };
 
 struct Output {

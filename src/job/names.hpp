@@ -82,7 +82,8 @@ struct Names<OptionalField> {
                                     Named{OptionalField::contact_time, "contact_time"},
                                     Named{OptionalField::contact_power, "contact_power_w"},
                                     Named{OptionalField::max_displacement, "max_displacement"},
-                                    Named{OptionalField::force_per_cycle, "force_per_cycle"}};
+                                    Named{OptionalField::force_per_cycle, "force_per_cycle"},
+                                    Named{OptionalField::last_impact, "last_impact"}};
     static LaterNames later() { return {}; }
 };
 

@@ -37,6 +37,7 @@ void add_cell(Statistics& statistics, const StoredCell& cell, std::int64_t row, 
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.regime == Regime::failed) count(counts.failed_by_status, static_cast<std::int8_t>(cell.status));
 
+    statistics.transients.add(cell);
     const LargestForce force{cell.peak_force, row, column};
     statistics.largest.any_regime.take(force);
     if (cell.regime != Regime::periodic) return;

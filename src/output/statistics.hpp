@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "output/fields.hpp"
+#include "output/transients.hpp"
 #include "parallel/tiles.hpp"
 
 namespace peterka::output {
@@ -58,6 +59,7 @@ struct Statistics {
     Counts counts;
     Extremes largest;
     std::map<ImpactClass, std::int64_t> periodic_cells;  // per class
+    Transients transients;                               // of cells that store their last impact
     double tile_seconds = 0;                             // computing time of all tiles of the file [s]
 
     [[nodiscard]] std::int64_t cells_of(regime::Regime regime) const {

@@ -13,6 +13,7 @@ namespace {
 struct Totals {
     Counts counts;
     Extremes largest;
+    Transients transients;
     double tile_seconds = 0;
 };
 
@@ -37,7 +38,7 @@ Statistics survey_share(const TileStore& tiles, Share share) {
 Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     Statistics mine;
     together(communicator, [&] { mine = survey_share(tiles, share_of(tiles.tiling().count(), communicator)); });
-    const Totals totals{mine.counts, mine.largest, mine.tile_seconds};
+    const Totals totals{mine.counts, mine.largest, mine.transients, mine.tile_seconds};
     std::vector<ClassCount> classes;
     for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
 
@@ -45,6 +46,7 @@ Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     for (const Totals& share : gather<Totals>(std::span(&totals, 1), communicator)) {
         all.counts.add(share.counts);
         all.largest.take(share.largest);
+        all.transients.add(share.transients);
         all.tile_seconds += share.tile_seconds;
     }
     for (const ClassCount& share : gather<ClassCount>(classes, communicator)) {

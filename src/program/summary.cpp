@@ -87,6 +87,27 @@ std::string most_frequent_classes(const Statistics& statistics) {
     return text + "\n";
 }
 
+// How long impacts last that end, and who sees them in a run of so many cycles.
+std::string transients(const SummaryInput& input) {
+    const output::Transients& ends = input.findings.statistics.transients;
+    if (!input.job.output.has(job::OptionalField::last_impact)) return "";
+    if (ends.ended == 0) return "\nNo cell strikes the stop first and ends without impact.\n";
+    const double mean = static_cast<double>(ends.cycles) / static_cast<double>(ends.ended);
+    std::string text = fmt::format(
+        "\nImpacts that end\n  {} end without impact after {:.4g} cycles with impacts on "
+        "average, {} at most\n  still impacting after",
+        ends.ended == 1 ? "1 cell" : readable_count(ends.ended) + " cells", mean, readable_count(ends.longest));
+    const char* separator = " ";
+    for (std::size_t n = 0; n < output::Transients::looks.size(); ++n) {
+        const std::int64_t look = output::Transients::looks[n];
+        if (look >= input.job.steady_state.max_cycles) break;
+        text += fmt::format("{}{} cycles: {}", separator, readable_count(look),
+                            readable_share(ends.impacting[n], input.findings.statistics.counts.cells));
+        separator = ", ";
+    }
+    return text + "\n";
+}
+
 std::string place(const SummaryInput& input, const LargestForce& force) {
     const job::Job& job = input.job;
     const double x = job::axis_value(job.columns, force.column);
@@ -173,8 +194,8 @@ std::string omitted(const SummaryInput& input) {
 
 std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
-    return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) + forces(input) +
-           effort(input) + audit(input) + omitted(input) +
+    return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
+           transients(input) + forces(input) + effort(input) + audit(input) + omitted(input) +
            fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, shell_word(file));
 }
 

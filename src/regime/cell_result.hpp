@@ -36,6 +36,7 @@ enum class Engine : std::int8_t {
 };
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is proved
 
 struct CellResult {
     Regime regime = Regime::failed;
@@ -70,6 +71,8 @@ struct CellResult {
     double peak_force_mean = unknown;
     double peak_force_q95 = unknown;
     std::int32_t window_cycles = 0;
+    // On request: the last forcing cycle in which the stop pressed, counted from the start; 0 if it never did.
+    std::int32_t last_impact = goes_on;
 };
 
 }  // namespace peterka::regime

@@ -78,6 +78,7 @@ class Search {
             const Passage passage = co_await map_.cycle(state_, counts ? &window_ : nullptr);
             if (!passage.ok) co_return failed(passage.outcome);
             state_ = passage.end;
+            if (passage.touched) last_touched_ = cycle + 1;
             growth_.advance(passage.jacobian);
             if (counts) {
                 ++window_cycles_;
@@ -205,6 +206,7 @@ class Search {
         }
         CellResult result = on_orbit(motion.jacobian, 1, motion.point);
         result.regime = regime;
+        if (regime == Regime::no_impact) result.last_impact = static_cast<std::int32_t>(last_touched_);
         result.period = 1;
         measured(result, recorder.totals(), 1);
         result.peak_force = motion.peak_force;
@@ -279,6 +281,7 @@ class Search {
     std::int64_t window_cycles_ = 0;
     EventPattern pattern_ = 0;
     std::int64_t tested_cycles_ = 0;
+    std::int64_t last_touched_ = 0;  // cycle of the trajectory, the first being 1; 0: none
     std::int64_t measure_from_;
     std::int64_t chaos_from_;
     Measures measures_;

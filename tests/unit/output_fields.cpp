@@ -97,7 +97,8 @@ regime::CellResult distinct_cell() {
             .max_displacement = 13.5,
             .peak_force_mean = 14.5,
             .peak_force_q95 = 15.5,
-            .window_cycles = 16};
+            .window_cycles = 16,
+            .last_impact = 17};
 }
 
 TEST(OutputFields, EachFieldStoresItsOwnMember) {
@@ -105,7 +106,7 @@ TEST(OutputFields, EachFieldStoresItsOwnMember) {
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
     EXPECT_EQ(values, (std::vector<double>{2,   1,   0,   3,   11,   12,   1.5,  1,    2.5,  13,   3.5, 4.5,
-                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16}));
+                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16,  17}));
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {

@@ -48,6 +48,27 @@ TEST(OutputStatistics, CountsRegimesReasonsCyclesAndClasses) {
     EXPECT_EQ(statistics.periodic_cells, (std::map<ImpactClass, std::int64_t>{{{1, 1}, 1}, {{2, 2}, 2}}));
 }
 
+TEST(OutputStatistics, LivesOfImpactsThatEnd) {
+    const auto ends_after = [](std::int32_t cycles) {
+        StoredCell cell = cell_of(Regime::no_impact, 0, 0, 1);
+        cell.last_impact = cycles;
+        return cell;
+    };
+    StoredCell filled = cell_of(Regime::no_impact, 0, 0, 1);  // has no run, hence no last impact
+    Statistics statistics = statistics_of({ends_after(0), ends_after(30), ends_after(301), filled,
+                                           cell_of(Regime::periodic, 1, 1, 1), cell_of(Regime::chaotic, 1),
+                                           cell_of(Regime::unresolved, 1), cell_of(Regime::failed, 1)});
+    EXPECT_EQ(statistics.transients.ended, 2);
+    EXPECT_EQ(statistics.transients.cycles, 331);
+    EXPECT_EQ(statistics.transients.longest, 301);
+    EXPECT_EQ(statistics.transients.impacting, (std::array<std::int64_t, 6>{3, 3, 3, 2, 2, 2}));
+    Transients twice = statistics.transients;
+    twice.add(statistics.transients);
+    EXPECT_EQ(twice.cycles, 662);
+    EXPECT_EQ(twice.longest, 301);
+    EXPECT_EQ(twice.impacting[0], 6);
+}
+
 TEST(OutputStatistics, LargestForcesAndWhere) {
     const Statistics statistics = statistics_of(
         {cell_of(Regime::failed, regime::unknown), cell_of(Regime::periodic, 7, 1, 2),

@@ -90,6 +90,23 @@ TEST(Summary, ABasinNamesItsPointAndItsStarts) {
     EXPECT_TRUE(contains(line_with(text, "of all"), "x/A0 2.5, x'/(A0 omega) 1")) << text;
 }
 
+TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
+    job::Job job = job_of(job::Kind::basin);
+    job.steady_state.max_cycles = 900;
+    output::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.transients = {20, 5000, 801, {50, 40, 25, 0, 0, 0}};
+    const auto text = [&] { return summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}); };
+    EXPECT_FALSE(contains(text(), "Impacts that end"));
+    job.output.fields = {job::OptionalField::last_impact};
+    EXPECT_TRUE(
+        contains(text(), "20 cells end without impact after 250 cycles with impacts on average, 801 at most"))
+        << text();
+    EXPECT_TRUE(contains(text(), "after 30 cycles: 50.0 %, 100 cycles: 40.0 %, 300 cycles: 25.0 %\n"))
+        << text();
+    statistics.transients = {};
+    EXPECT_TRUE(contains(text(), "No cell strikes the stop first and ends without impact")) << text();
+}
+
 TEST(Summary, NoForceIsSaidInWords) {
     output::Statistics statistics;
     statistics.counts.by_regime = {10, 0, 0, 0, 0, 0};

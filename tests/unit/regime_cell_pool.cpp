@@ -92,7 +92,8 @@ std::vector<double> numbers(const CellResult& c) {
             c.max_displacement,
             c.peak_force_mean,
             c.peak_force_q95,
-            static_cast<double>(c.window_cycles)};
+            static_cast<double>(c.window_cycles),
+            static_cast<double>(c.last_impact)};
 }
 
 bool same_bytes(const CellResult& a, const CellResult& b) {
@@ -108,17 +109,22 @@ TEST(CellPool, LabelsAWholeMapAsTheScalarEngineDoes) {
     const auto together = pooled(scene);
     const auto alone = one_by_one(scene);
     int different = 0;
+    int struck = 0;
     for (std::size_t n = 0; n < alone.size(); ++n) {
         const bool fractal = std::max(together[n].sensitivity, alone[n].sensitivity) > 20;
         if (!same_label(together[n], alone[n])) {
             ++different;
             EXPECT_TRUE(fractal) << n;
+        } else if (alone[n].regime == Regime::no_impact && !fractal) {
+            EXPECT_EQ(together[n].last_impact, alone[n].last_impact) << n;
+            struck += alone[n].last_impact > 1 ? 1 : 0;
         } else if (alone[n].regime == Regime::periodic && !fractal) {
             EXPECT_NEAR(together[n].peak_force, alone[n].peak_force, 1e-9 * alone[n].peak_force) << n;
             EXPECT_NEAR(together[n].multiplier, alone[n].multiplier, 1e-6) << n;
         }
     }
     EXPECT_LT(different, 15);  // of 3000
+    EXPECT_GT(struck, 100);    // end without impact after some
 }
 
 TEST(CellPool, ACellDoesNotDependOnItsCompany) {

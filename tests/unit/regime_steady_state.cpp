@@ -5,9 +5,11 @@
 
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 
 #include "rig.hpp"
+#include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::regime {
 namespace {
@@ -48,6 +50,30 @@ TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
     EXPECT_GT(found[Regime::no_impact], 0);
     EXPECT_GT(found[Regime::periodic], 0);
     EXPECT_EQ(found[Regime::no_impact] + found[Regime::periodic], 11);
+}
+
+// Followed by hand, far beyond the cycle that proves that no impact comes any more.
+TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
+    const auto scene = paper_rig(beam_150mm, 1.80, 2.2);
+    const trajectory::ExactCycleMap<double> map(scene);
+    std::set<std::int32_t> found;
+    for (double velocity = -6; velocity <= 6; velocity += 0.5) {
+        const CellResult cell = solve(scene, -1, velocity);
+        ASSERT_EQ(cell.regime, Regime::no_impact);
+        std::int32_t last = 0;
+        scene::State<double> x = testing::start_at(scene, -1, velocity);
+        for (std::int32_t cycle = 1; cycle <= 2000; ++cycle) {
+            const auto passage = map(x);
+            if (passage.touched) last = cycle;
+            x = passage.end;
+        }
+        if (cell.sensitivity > 15) continue;  // chaos on the way: the cycle hangs on rounding
+        EXPECT_EQ(cell.last_impact, last) << velocity;
+        found.insert(last);
+    }
+    EXPECT_GT(found.size(), 5);
+    EXPECT_EQ(solve(paper_rig(beam_150mm, 1.80, 5)).last_impact, 0);
+    EXPECT_EQ(solve(paper_rig(beam_170mm, 2, 0)).last_impact, goes_on);
 }
 
 TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
