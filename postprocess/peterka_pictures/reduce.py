@@ -63,7 +63,7 @@ def class_picture(file, names, classify, class_count, limit=LIMIT):
         labels = classify(*(band[name] for name in names))
         counts += np.bincount(labels.ravel(), minlength=class_count)
         pieces.append(majority(labels, block, class_count))
-    return _with_edges(file, np.concatenate(pieces), block), counts
+    return with_edges(file, np.concatenate(pieces), block), counts
 
 
 def field_picture(file, name, carries, limit=LIMIT):
@@ -83,9 +83,9 @@ def field_picture(file, name, carries, limit=LIMIT):
             if best is None or values[row, column] > best.value:
                 best = Largest(float(values[row, column]), file.rows.values[first + row], file.columns.values[column])
         pieces.append(largest(values, block))
-    return _with_edges(file, np.concatenate(pieces), block), best, lacking
+    return with_edges(file, np.concatenate(pieces), block), best, lacking
 
 
-def _with_edges(file, image, block):
+def with_edges(file, image, block):
     rows, columns = (np.append(axis.edges[:-1:block], axis.edges[-1]) for axis in (file.rows, file.columns))
     return Reduced(image, rows, columns)

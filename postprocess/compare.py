@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Compares two map files, or two basins, cell by cell: where regime, z = p/q or peak force differ.
+
+    compare.py A.h5 B.h5 [--output-dir DIR] [--formats png,pdf]
+
+Prints counts, the labels that differ, and quantiles of the difference in peak force; draws A_against_B. The files must
+have the same axes; their rigs may differ, and forces are then compared after the median factor between them, too.
+Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or their axes differ; 3 a picture cannot be
+written.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from draw import BAD_INPUT, BAD_OUTPUT, DONE, FORMATS, OneLineParser, read_formats, tell  # noqa: E402
+from peterka_pictures import axes, comparison, comparison_map  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.read import PeterkaFile  # noqa: E402
+
+
+def main():
+    arguments = read_arguments()
+    try:
+        with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second:
+            found = comparison.compare(first, second)
+            tell(comparison.text(first, second, found))
+            figure = comparison_map.draw(first, second, found)
+    except NotDrawable as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    try:
+        arguments.output_dir.mkdir(parents=True, exist_ok=True)
+        for suffix in arguments.formats:
+            picture = arguments.output_dir / f"{arguments.first.stem}_against_{arguments.second.stem}.{suffix}"
+            axes.save(figure, picture)
+            tell(picture)
+    except OSError as error:
+        complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+        return BAD_OUTPUT
+    return DONE
+
+
+def read_arguments():
+    parser = OneLineParser(prog="compare.py", description=__doc__,
+                           formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("first", metavar="A.h5", type=Path)
+    parser.add_argument("second", metavar="B.h5", type=Path)
+    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
+    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    return parser.parse_args()
+
+
+def complain(message):
+    print(f"compare.py: {' '.join(str(message).split())}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
