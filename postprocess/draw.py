@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Draws the pictures of peterka's files.
 
-    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf]
+    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf] [--after CYCLES]
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they
-hold. A study gives STEM_work_precision, STEM_labels or STEM_stability. An unfinished file is drawn as far as it is
-computed, and says so.
+hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
+300 cycles, or --after, would see. A study gives STEM_work_precision, STEM_labels or STEM_stability. An unfinished file
+is drawn as far as it is computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """
 
@@ -40,7 +41,7 @@ def main():
     outcome = DONE
     for path in arguments.files:
         try:
-            draw_file(path, arguments.output_dir, arguments.formats)
+            draw_file(path, arguments.output_dir, arguments.formats, arguments.after)
         except NotDrawable as refusal:
             complain(refusal)
             outcome = outcome or BAD_INPUT
@@ -55,6 +56,7 @@ def read_arguments():
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
     parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
     arguments = parser.parse_args()
     stems = [path.stem for path in arguments.files]
     if len(set(stems)) < len(stems):
@@ -69,12 +71,18 @@ def read_formats(text):
     return formats
 
 
-def draw_file(path, output_dir, formats):
+def read_cycles(text):
+    if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of forcing cycles")
+    return int(text)
+
+
+def draw_file(path, output_dir, formats, after):
     with open_file(path) as file:
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         output_dir.mkdir(parents=True, exist_ok=True)
-        for name, draw in pictures_of(file).items():
+        for name, draw in pictures_of(file, after).items():
             figure = draw(file)
             if figure is None:
                 tell(f"{path}: no value to draw, {name} is left out")

@@ -3,7 +3,8 @@
 By attractor: each has the colour of its class of z; a second, third, ... attractor of the same class has a paler or
 darker one. A dot marks the attractor itself where it lies inside the picture: its point at forcing phase 0, where the
 cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') is the start (u, u' + Omega/omega).
-By impact: the paper's two colours, impact and no impact; chaos is impact, whatever is not decided stays apart.
+By impact: the paper's two colours, impact and no impact; chaos is impact, whatever is not decided stays apart. Where
+the file knows when the last impact came, also as a run of so many cycles would see it.
 """
 
 from collections import Counter
@@ -50,6 +51,20 @@ def draw_impact(file):
         return np.where(hits, len(CLASSES), classify(regime, impacts, period))
 
     figure, _ = _draw(file, ["regime", "impacts", "period"], label, entries, 2)
+    return figure
+
+
+def draw_impact_after(file, cycles):
+    """The starts that still impact after so many forcing cycles and those that do not, as a Figure: what a run that ends
+    then takes for two attractors, where impacts are only a long transient."""
+    entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]
+    entries[INDEX["no impact"]] = ("no impact any more", NO_IMPACT_COLOUR)
+
+    def label(regime, impacts, period, last_impact):
+        hits = (regime == PERIODIC) | (regime == CHAOTIC) | ((regime == NO_IMPACT) & (last_impact > cycles))
+        return np.where(hits, len(CLASSES), classify(regime, impacts, period))
+
+    figure, _ = _draw(file, ["regime", "impacts", "period", "last_impact"], label, entries, 1)
     return figure
 
 

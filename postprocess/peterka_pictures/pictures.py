@@ -2,7 +2,9 @@
 
 from functools import partial
 
-from . import audit_map, basin_map, computed_map, force_map, labels, peterka_map, quantity_map, stability, work_precision
+from . import (
+    audit_map, basin_map, computed_map, force_map, labels, last_impact, peterka_map, quantity_map, stability, work_precision,
+)
 from .opened import OpenedFile
 from .read import PeterkaFile
 from .study import StudyFile
@@ -32,11 +34,16 @@ def picture_name(file, name):
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
 
-def pictures_of(file):
-    """{name: function that takes the file and returns a Figure, or None without anything to draw}."""
+def pictures_of(file, after=300):
+    """{name: function that takes the file and returns a Figure, or None without anything to draw}. `after`: the forcing
+    cycles of a short run, whose view of a basin is drawn."""
     if file.kind == "study":
         return {file.topic: STUDIES[file.topic]}
     pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
+    if file.has_last_impact:
+        pictures["last_impact"] = last_impact.draw
+        if file.kind == "basin":
+            pictures[f"impact_after_{after}"] = partial(basin_map.draw_impact_after, cycles=after)
     if file.is_refined:
         pictures["computed"] = computed_map.draw
     if file.audit is not None:

@@ -5,7 +5,7 @@ Layout version 1: two coordinate vectors and the data on [rows][columns],
     basin  rows velocity_ratio, columns displacement_ratio
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
 `attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
-maps), and the group `audit`. What cannot be drawn raises NotDrawable.
+maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises NotDrawable.
 """
 
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` (those of QUANTITIES that
-    it holds), has_chatter, is_refined, attractors, audit."""
+    it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
 
     @cached_property
     def computed(self):
@@ -76,12 +76,13 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.has_chatter = self._has_flag("chatter")
-        self.is_refined = self._has_flag("computed")
+        self.has_chatter = self._has_integers("chatter")
+        self.has_last_impact = self._has_integers("last_impact")
+        self.is_refined = self._has_integers("computed")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
 
-    def _has_flag(self, name):
+    def _has_integers(self, name):
         if self.data.has(name):
             self.data.dataset(name, self.shape, INTEGER)
         return self.data.has(name)

@@ -139,7 +139,7 @@ std::string forces(const SummaryInput& input) {
     }
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
-    if (lines.empty()) return "\nNo cell ever strikes the stop.\n";
+    if (lines.empty()) return "\nNo cell strikes the stop for ever.\n";
     return fmt::format("\nLargest peak force (the hammer weighs {:.3g} N)\n{}", input.scales.weight_n, lines);
 }
 

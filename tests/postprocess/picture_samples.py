@@ -30,11 +30,12 @@ PLAIN = [
 
 
 UNITS = {"impact_speed": "m/s", "impulse": "N s", "contact_time": "s", "contact_power_w": "W", "max_displacement": "m"}
+INTEGER_FIELDS = {"chatter": "i1", "computed": "i1", "last_impact": "i4"}
 
 
 def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=None, fields=None, **attributes):
     """`cells[row][column]` is (regime, impacts, period); forces default to 10 + row + column/10. `fields`: optional
-    datasets, those of UNITS, chatter and computed."""
+    datasets, those of UNITS, chatter, computed and last_impact."""
     rows, columns = np.shape(cells)[:2]
     coordinates = {
         "gap_ratio": np.linspace(0, 3, rows) if gap_ratio is None else gap_ratio,
@@ -110,7 +111,8 @@ def _write_common(file, kind, coordinates, cells, forces, attributes):
 
 def _write_fields(file, fields, coordinates):
     for name, values in fields.items():
-        _write_data(file, name, np.array(values).astype("i1" if name in ("chatter", "computed") else "f8"), coordinates)
+        kind = INTEGER_FIELDS.get(name, "f8")
+        _write_data(file, name, np.array(values).astype(kind), coordinates)
         if name in UNITS:
             file[name].attrs["units"] = UNITS[name]
 

@@ -113,7 +113,7 @@ TEST(Summary, NoForceIsSaidInWords) {
     statistics.counts.cells = 10;
     statistics.largest.any_regime = {0.0, 0, 0};
     const std::string text = summary(statistics);
-    EXPECT_TRUE(contains(text, "No cell ever strikes the stop")) << text;
+    EXPECT_TRUE(contains(text, "No cell strikes the stop for ever")) << text;
     EXPECT_FALSE(contains(text, "inf")) << text;
 }
 
@@ -124,10 +124,10 @@ TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
     statistics.largest = {};
     const std::string text = summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}});
     EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
-    EXPECT_FALSE(contains(text, "No cell ever strikes")) << text;
+    EXPECT_FALSE(contains(text, "No cell strikes the stop for ever")) << text;
     statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
     EXPECT_TRUE(
-        contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}), "No cell ever strikes"));
+        contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}), "No cell strikes the stop for ever"));
 }
 
 TEST(Summary, EffortFileAndCommand) {
