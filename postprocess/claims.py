@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Writes the claims report of the paper, claims.md and claims.html, from a folder that jobs/paper.sh filled.
+
+    claims.py FOLDER [--page DIR]
+
+Reads FOLDER/*.h5 and FOLDER/pictures, and writes into DIR (default: FOLDER) the page as claims.md, with its pictures in
+pictures/, and as claims.html in one file. A claim whose file is missing is listed as not computed.
+Exit codes: 0 done, whatever the verdicts; 2 a file cannot be read; 3 the page cannot be written.
+"""
+
+import argparse
+import os
+import shutil
+import sys
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from draw import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser  # noqa: E402
+from peterka_claims import starts_picture  # noqa: E402
+from peterka_claims.claims import all_claims  # noqa: E402
+from peterka_claims.folder import Folder  # noqa: E402
+from peterka_claims.html import html  # noqa: E402
+from peterka_claims.markdown import markdown  # noqa: E402
+from peterka_claims.page import Pictures, blocks  # noqa: E402
+from peterka_claims.sensitivity import rows  # noqa: E402
+from peterka_pictures import axes  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.read import PeterkaFile  # noqa: E402
+
+
+def main():
+    arguments = read_arguments()
+    folder = Folder(arguments.folder)
+    page = arguments.page or arguments.folder
+    try:
+        draw_starts(folder)
+        groups = all_claims(folder)
+        text = blocks(groups, rows(folder), folder.picture)
+        write(text, folder.path / "pictures", page)
+    except NotDrawable as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    except OSError as error:
+        complain(f"cannot write the page: {error.filename}: {error.strerror or error}")
+        return BAD_OUTPUT
+    for title, claims in groups:
+        print(title)
+        for claim in claims:
+            print(f"  {claim.verdict:<12}  {claim.key}")
+    print(f"{page / 'claims.md'}\n{page / 'claims.html'}")
+    return DONE
+
+
+def read_arguments():
+    parser = OneLineParser(prog="claims.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", metavar="FOLDER", type=Path)
+    parser.add_argument("--page", metavar="DIR", type=Path)
+    arguments = parser.parse_args()
+    if not arguments.folder.is_dir():
+        parser.error(f"{arguments.folder} is no folder")
+    return arguments
+
+
+def draw_starts(folder):
+    planes = folder.planes("starts/start_")
+    if len(planes) > 1:
+        (folder.path / "pictures").mkdir(exist_ok=True)
+        with PeterkaFile(planes[0].path) as file:
+            axes.save(starts_picture.draw(file, planes), folder.path / "pictures" / "starts_170mm.png")
+
+
+def write(text, pictures, page):
+    (page / "pictures").mkdir(parents=True, exist_ok=True)
+    for block in text:
+        for name in block.names if isinstance(block, Pictures) else ():
+            if (page / "pictures").resolve() != pictures.resolve():
+                shutil.copyfile(pictures / f"{name}.png", page / "pictures" / f"{name}.png")
+    (page / "claims.md").write_text(markdown(text, "pictures"), encoding="utf-8")
+    (page / "claims.html").write_text(html(text, pictures), encoding="utf-8")
+
+
+def complain(message):
+    print(f"claims.py: {' '.join(str(message).split())}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,16 @@
+"""All groups of claims, in the order of the page."""
+
+from . import force_map, gap_zero, robust, starts, stiffness
+
+GROUPS = [
+    ("Bands and forces at gap 0", gap_zero),
+    ("Forces over frequency and gap", force_map),
+    ("Gap 0 against other gaps", robust),
+    ("Three beam springs", stiffness),
+    ("What the start decides", starts),
+]
+
+
+def all_claims(folder):
+    """[(title of the group, its Claims)]"""
+    return [(title, group.claims(folder)) for title, group in GROUPS]

@@ -1,0 +1,28 @@
+"""The page in Markdown; pictures are files in a folder beside it."""
+
+from html import escape
+
+from .page import Fields, Heading, Paragraph, Pictures, Table
+
+
+def markdown(blocks, picture_folder):
+    return "\n\n".join(_block(block, picture_folder) for block in blocks) + "\n"
+
+
+def _block(block, folder):
+    match block:
+        case Heading(level, text):
+            return f"{'#' * level} {_text(text)}"
+        case Paragraph(text):
+            return _text(text)
+        case Fields(lines):
+            return "\n".join(f"- {name}: {_text(text)}" for name, text in lines)
+        case Table(header, rows):
+            lines = [header, ["---"] * len(header), *rows]
+            return "\n".join("| " + " | ".join(_text(cell).replace("|", "\\|") for cell in line) + " |" for line in lines)
+        case Pictures(names):
+            return "\n".join(f"![{name.replace('_', ' ')}]({folder}/{name}.png)" for name in names)
+
+
+def _text(text):
+    return escape(text, quote=False)

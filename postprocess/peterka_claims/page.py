@@ -1,0 +1,108 @@
+"""The page as blocks, which markdown.py and html.py write out."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+from .record import AGREES, ALL, DIFFERS, FREQUENCY, OPEN, SHARE
+from .sensitivity import PARAMETERS
+
+SHOWN_FACTORS = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)  # of the sensitivity table
+
+
+@dataclass(frozen=True)
+class Heading:
+    level: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    text: str
+
+
+@dataclass(frozen=True)
+class Fields:
+    """Lines with a name each."""
+
+    lines: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Table:
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Pictures:
+    names: tuple[str, ...]
+
+
+def blocks(groups, sensitivity_rows, has_picture):
+    """Of groups of claims, rows of the sensitivity, and a function that tells whether a picture is there."""
+    claims = [claim for _, group in groups for claim in group]
+    out = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), _overview(claims)]
+    shown = set()
+    for title, group in groups:
+        out.append(Heading(2, title))
+        for claim in group:
+            out += [Heading(3, claim.says), _fields(claim)]
+        names = [name for claim in group for name in claim.pictures if has_picture(name)]
+        names = tuple(name for name in dict.fromkeys(names) if name not in shown)
+        shown.update(names)
+        if names:
+            out.append(Pictures(names))
+    return out + _sensitivity(sensitivity_rows)
+
+
+def _introduction(claims):
+    counts = Counter(claim.verdict for claim in claims)
+    text = (f"Written by `jobs/paper.sh` from the files that the program computes: {len(claims)} claims of Aguiar and "
+            f"Weber, in our words; {counts[AGREES]} agree, {counts[DIFFERS]} differ")
+    text += f", {counts[OPEN]} not computed" if counts[OPEN] else ""
+    return (text + f". A frequency agrees within {FREQUENCY} Hz, the step of the printed ones; a force or a ratio within "
+            f"{100 * SHARE:.0f} %, the largest error that the paper calls satisfactory; `all`, `identical` and `robust` are "
+            f"{100 * ALL:.0f} %. These limits were set before the numbers were seen, and nothing is tuned: the model has the "
+            "printed parameters.")
+
+
+def _overview(claims):
+    return Table(("claim", "place", "verdict"), tuple((claim.says, claim.place, _strong(claim.verdict)) for claim in claims))
+
+
+def _strong(verdict):
+    return verdict if verdict == AGREES else f"**{verdict}**"
+
+
+def _fields(claim):
+    lines = [("Place", claim.place), ("Computed", claim.computed), ("Verdict", _strong(claim.verdict)),
+             ("By how much", claim.difference), ("Likely why", claim.why)]
+    return Fields(tuple((name, text) for name, text in lines if text))
+
+
+def _sensitivity(rows):
+    if not rows:
+        return []
+    factors = [factor for factor in SHOWN_FACTORS if any(factor in row.factors for row in rows)]
+    header = ("number", "printed", "parameter", "would remove the difference", *(f"{factor:g} times" for factor in factors))
+    table = Table(header, tuple(_sensitivity_row(row, factors) for row in rows))
+    return [
+        Heading(2, "Which parameter would remove a difference"),
+        Paragraph("One parameter at a time is multiplied by a factor, everything else stays as printed, gaps in mm too. "
+                  "The column in the middle says which factor, nearest to 1, brings the number to the paper's; the others "
+                  "give the number itself."),
+        table,
+    ]
+
+
+def _sensitivity_row(row, factors):
+    values = dict(zip(row.factors.tolist(), row.values.tolist()))
+    printed = "some" if row.printed is None else f"{row.printed:g} {row.unit}"
+    return (row.what, printed, PARAMETERS[row.parameter][2], row.answer,
+            *(_value(values.get(factor), row.unit) for factor in factors))
+
+
+def _value(value, unit):
+    if value is None:
+        return ""
+    return f"{value:.4g} {unit}" if value == value else "no band"

@@ -1,0 +1,127 @@
+"""Which parameter, moved how far, would remove what differs: ci, ki, A0 and zeta, one at a time.
+
+Gaps stay what they are in mm while A0 moves, as shims set them. Each file's own job says what was moved.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, force_at, limits_hz
+from .record import percent
+
+PARAMETERS = {
+    "ci": ("contact", "damping_ns_per_m", "stop's damping ci"),
+    "ki": ("contact", "stiffness_n_per_m", "stop's stiffness ki"),
+    "A0": ("cart", "amplitude_m", "cart's amplitude A0"),
+    "zeta": ("hammer", "damping_ns_per_m", "hammer's damping ζ"),
+}
+NOTABLE = 10  # % of the starts
+
+
+@dataclass(frozen=True)
+class Row:
+    """How one number moves with one parameter. `values` at `factors` times the parameter, 1 among them."""
+
+    what: str
+    unit: str
+    printed: float | None  # None: the paper has a notable share
+    parameter: str
+    factors: np.ndarray
+    values: np.ndarray
+
+    @property
+    def answer(self):
+        """The factor, nearest to 1, at which the number is the paper's; in words."""
+        factor = self.needed
+        if factor is None:
+            return f"no factor from {self.factors[0]:g} to {self.factors[-1]:g}"
+        return f"{factor:.3g} times"
+
+    @property
+    def needed(self):
+        if self.printed is None:
+            carried = self.factors[self.values >= NOTABLE]
+            return None if not len(carried) else float(min(carried, key=lambda factor: abs(np.log(factor))))
+        return _crossing(self.factors, self.values - self.printed)
+
+
+def rows(folder):
+    """All Rows, those of one number together; empty without the files."""
+    found = []
+    gap_0 = folder.plane("gaps_170mm")
+    if gap_0 is not None:
+        for what, unit, printed, number in _NUMBERS:
+            found += _rows_of(folder, "sensitivity/gap_0_", gap_0, what, unit, printed, number)
+    for rig, figure in (("150mm", "24a"), ("135mm", "24b")):
+        base = folder.plane(f"basin_{rig}")
+        if base is not None:
+            found += _rows_of(folder, f"sensitivity/{rig}_", base, f"starts that end in impacts, Fig. {figure}", "%", None,
+                              lambda plane: 100 * plane.share(plane.strikes))
+    return found
+
+
+def contact_damping_that_carries(folder, prefix):
+    """Words on the contact damping at which impacts last at the place of a basin; '' where none was found."""
+    base = folder.plane(f"basin_{prefix.split('/')[1].rstrip('_')}")
+    if base is None:
+        return ""
+    moved = sorted((plane for plane in folder.planes(prefix) if _moved(plane, base) == "ci"),
+                   key=lambda plane: abs(np.log(_factor(plane, base, "ci"))))
+    for plane in moved:
+        if 100 * plane.share(plane.strikes) >= NOTABLE:
+            return (f"with ci = {plane.job['contact']['damping_ns_per_m']:.4g} Ns/m instead of "
+                    f"{base.job['contact']['damping_ns_per_m']:.4g} impacts last there, from "
+                    f"{percent(plane.share(plane.strikes))} of the starts")
+    return ""
+
+
+def _limit(number, z, inside, end):
+    """Limit 0 or 1 of a band; NaN without the band."""
+    def value(plane):
+        found = limits_hz(plane, *z, inside)
+        return np.nan if found is None else found[end]
+    return (f"{('lower', 'upper')[end]} limit of z = {z[0]}/{z[1]} at gap 0", "Hz", number, value)
+
+
+_NUMBERS = [
+    ("force at 9.00 Hz, gap 0", "N", PEAK_N, lambda plane: force_at(plane, PEAK_HZ)),
+    _limit(BAND_ONE[0], (1, 1), PEAK_HZ, 0),
+    _limit(BAND_ONE[1], (1, 1), PEAK_HZ, 1),
+    _limit(BAND_HALF[0], (1, 2), HALF_HZ, 0),
+]
+
+
+def _rows_of(folder, prefix, base, what, unit, printed, number):
+    by_parameter = {name: {1.0: number(base)} for name in PARAMETERS}
+    for plane in folder.planes(prefix):
+        name = _moved(plane, base)
+        if name:
+            by_parameter[name][_factor(plane, base, name)] = number(plane)
+    return [Row(what, unit, printed, name, np.array(sorted(values)), np.array([values[key] for key in sorted(values)]))
+            for name, values in by_parameter.items() if len(values) > 1]
+
+
+def _parameter(plane, name):
+    table, key, _ = PARAMETERS[name]
+    return plane.job[table][key]
+
+
+def _factor(plane, base, name):
+    return round(_parameter(plane, name) / _parameter(base, name), 9)
+
+
+def _moved(plane, base):
+    """The one parameter that differs; None where none or several do."""
+    moved = [name for name in PARAMETERS if _factor(plane, base, name) != 1]
+    return moved[0] if len(moved) == 1 else None
+
+
+def _crossing(factors, off):
+    """The factor nearest to 1 at which `off` passes 0, between two neighbours that have numbers."""
+    found = []
+    for n in range(len(factors) - 1):
+        a, b = off[n], off[n + 1]
+        if np.isfinite([a, b]).all() and a * b <= 0 and a != b:
+            found.append(factors[n] + (factors[n + 1] - factors[n]) * a / (a - b))
+    return float(min(found, key=lambda factor: abs(np.log(factor)))) if found else None
