@@ -126,8 +126,8 @@ TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
     EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
     EXPECT_FALSE(contains(text, "No cell strikes the stop for ever")) << text;
     statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
-    EXPECT_TRUE(
-        contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}), "No cell strikes the stop for ever"));
+    EXPECT_TRUE(contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}),
+                         "No cell strikes the stop for ever"));
 }
 
 TEST(Summary, EffortFileAndCommand) {
