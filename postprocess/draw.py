@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Draws the pictures of peterka's files.
 
-    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf] [--after CYCLES]
+    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf] [--after CYCLES] [--measured POINTS.csv]
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
 or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they
 hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
-300 cycles, or --after, would see. A study gives STEM_work_precision, STEM_labels or STEM_stability. An unfinished file
-is drawn as far as it is computed, and says so.
+300 cycles, or --after, would see. A sweep gives STEM_response (peak force), STEM_bifurcation and
+STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the points of --measured over
+them. A study gives STEM_work_precision, STEM_labels or STEM_stability. An unfinished file is drawn as far as it is
+computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """
 
@@ -23,6 +25,7 @@ from pathlib import Path
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from peterka_pictures import axes  # noqa: E402
+from peterka_pictures.measured import Measurements, read_measurements  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.pictures import open_file, picture_name, pictures_of  # noqa: E402
 
@@ -41,7 +44,7 @@ def main():
     outcome = DONE
     for path in arguments.files:
         try:
-            draw_file(path, arguments.output_dir, arguments.formats, arguments.after)
+            draw_file(path, arguments)
         except NotDrawable as refusal:
             complain(refusal)
             outcome = outcome or BAD_INPUT
@@ -57,6 +60,8 @@ def read_arguments():
     parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
     parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
     parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
+    parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
+                        help="points to draw over a sweep; peterka_pictures/measured.py names the columns")
     arguments = parser.parse_args()
     stems = [path.stem for path in arguments.files]
     if len(set(stems)) < len(stems):
@@ -77,12 +82,18 @@ def read_cycles(text):
     return int(text)
 
 
-def draw_file(path, output_dir, formats, after):
+def draw_file(path, arguments):
+    output_dir, formats = arguments.output_dir, arguments.formats
     with open_file(path) as file:
+        measured = Measurements([], [])
+        if arguments.measured:
+            measured = read_measurements(arguments.measured, file)
+        for sentence in measured.left_out:
+            tell(sentence)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         output_dir.mkdir(parents=True, exist_ok=True)
-        for name, draw in pictures_of(file, after).items():
+        for name, draw in pictures_of(file, arguments.after, measured).items():
             figure = draw(file)
             if figure is None:
                 tell(f"{path}: no value to draw, {name} is left out")

@@ -67,11 +67,11 @@ def label_axes(ax, file, second_scales=True):
         _set_ticks(ticks, axis.log)
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if second_scales and hertz:
-        top = ax.secondary_xaxis("top", functions=_scale(hertz))
+        top = ax.secondary_xaxis("top", functions=scale_functions(hertz))
         top.set_xlabel("excitation frequency (Hz)", fontsize=8)
         _set_ticks(top.xaxis, file.columns.log)
     if second_scales and metres:
-        right = ax.secondary_yaxis("right", functions=_scale(1000 * metres))
+        right = ax.secondary_yaxis("right", functions=scale_functions(1000 * metres))
         right.set_ylabel("gap (mm)", fontsize=8)
         _set_ticks(right.yaxis, file.rows.log)
 
@@ -86,7 +86,8 @@ def _set_ticks(ticks, log):
         ticks.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))
 
 
-def _scale(factor):
+def scale_functions(factor):
+    """Of a second scale: from ratios to so many units each, and back."""
     return (lambda ratio: ratio * factor), (lambda value: value / factor)
 
 

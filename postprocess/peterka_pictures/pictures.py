@@ -3,13 +3,16 @@
 from functools import partial
 
 from . import (
-    audit_map, basin_map, computed_map, force_map, labels, last_impact, peterka_map, quantity_map, stability, work_precision,
+    audit_map, basin_map, bifurcation, computed_map, force_map, labels, last_impact, peterka_map, quantity_map, response,
+    stability, work_precision,
 )
+from .measured import Measurements
 from .opened import OpenedFile
 from .read import PeterkaFile
 from .study import StudyFile
+from .sweep import SweepFile
 
-READERS = {"map": PeterkaFile, "basin": PeterkaFile, "study": StudyFile}
+READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "study": StudyFile}
 STUDIES = {"work_precision": work_precision.draw, "labels": labels.draw, "stability": stability.draw}
 PLANES = {
     "map": {
@@ -34,11 +37,17 @@ def picture_name(file, name):
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
 
-def pictures_of(file, after=300):
+def pictures_of(file, after=300, measured=Measurements([], [])):
     """{name: function that takes the file and returns a Figure, or None without anything to draw}. `after`: the forcing
-    cycles of a short run, whose view of a basin is drawn."""
+    cycles of a short run, whose view of a basin is drawn. Measured points are drawn over the pictures of a sweep."""
     if file.kind == "study":
         return {file.topic: STUDIES[file.topic]}
+    if file.kind == "sweep":
+        return {
+            "response": partial(response.draw, measured=measured),
+            "bifurcation": partial(bifurcation.draw, measured=measured, name="stroboscopic_displacement"),
+            "bifurcation_impact": partial(bifurcation.draw, measured=measured, name="impact_displacement"),
+        }
     pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
     if file.has_last_impact:
         pictures["last_impact"] = last_impact.draw

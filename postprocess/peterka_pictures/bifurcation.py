@@ -1,0 +1,44 @@
+"""Bifurcation diagram of a sweep: hammer displacement against the excitation frequency, a panel for each gap (the paper's
+Figs. 17 to 19), at forcing phase 0 or at first touch."""
+
+from matplotlib.lines import Line2D
+
+from . import sweep_panels
+from .sweep_panels import LOOKS
+
+WHERE = {
+    "stroboscopic_displacement": ("$x/A_0$ at phase 0", "x at phase 0 (mm)"),
+    "impact_displacement": ("$x/A_0$ at first touch", "x at first touch (mm)"),
+}
+# The falling branch lies below in larger, paler dots: where both agree a dark dot has a pale ring.
+DOTS = {"up": ("#00304F", 0.9, 3), "down": ("#F5A742", 2.6, 2), "independent": ("#00304F", 0.9, 3)}
+
+
+def draw(file, measured, name):
+    """The diagram of one of WHERE as a Figure; None where nothing is sampled."""
+    samples = {branch.row: file.samples(name, branch) for branch in file.branches}
+    if not any(len(points) for points, _ in samples.values()):
+        return None
+    label, second_label = WHERE[name]
+    metres = file.positive("cart_amplitude_m")
+    second = (second_label, 1000 * metres) if metres else None
+    has_measured = any(point.displacement is not None for point in measured.points)
+    figure, panels = sweep_panels.panels(file, _handles(file), label, second, has_measured)
+    size = max(1.0, min(2.5, (500 / len(file.frequency_ratio)) ** 0.5))
+    for gap, ax in panels.items():
+        for branch in file.at_gap(gap):
+            points, values = samples[branch.row]
+            colour, width, zorder = DOTS[branch.direction]
+            ax.plot(file.frequency_ratio[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
+                    markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
+        ax.margins(y=0.08)
+        sweep_panels.draw_measured(ax, measured.at_gap(gap), lambda point: point.displacement)
+    return figure
+
+
+def _handles(file):
+    return [
+        Line2D([], [], label=LOOKS[name].label, marker="o", markeredgewidth=0, linestyle="none",
+               color=DOTS[name][0], markersize=2 * DOTS[name][1])
+        for name in sweep_panels.directions(file)
+    ]

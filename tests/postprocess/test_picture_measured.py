@@ -1,0 +1,89 @@
+"""Measured points from a CSV file: units, gaps, rigs, and one clear line for what is wrong with it."""
+
+import pytest
+from conftest import POSTPROCESS
+from peterka_pictures.measured import read_measurements
+from peterka_pictures.sweep import SweepFile
+from picture_samples import write_map
+from sweep_samples import WEIGHT, write_sweep
+
+
+def points(tmp_path, text, **sample):
+    path = tmp_path / "points.csv"
+    path.write_text(text)
+    with SweepFile(write_sweep(tmp_path / "a.h5", **sample)) as file:
+        return read_measurements(path, file)
+
+
+def test_units_become_ratios(tmp_path):
+    found = points(tmp_path, "frequency_hz,force_n,displacement_mm,gap_mm,label\n9.0,204,-1.78,1.335,one\n")
+    (point,) = found.points
+    assert point.frequency == pytest.approx(2.0) and point.force == pytest.approx(204 / WEIGHT)
+    assert point.displacement == pytest.approx(-2.0) and point.gap == 1.5 and point.label == "one"
+    assert found.at_gap(1.5) == [point] and found.at_gap(0.0) == [] and found.left_out == []
+
+
+def test_ratios_stay_and_cells_may_be_empty(tmp_path):
+    found = points(tmp_path, "# mine\nlabel, gap_ratio ,force_ratio,frequency_ratio\n\n,0,70.5,2\nedge,0,,2.5\n")
+    assert [(point.frequency, point.force, point.label) for point in found.points] == [(2, 70.5, ""), (2.5, None, "edge")]
+
+
+def test_points_of_one_gap_need_none(tmp_path):
+    (point,) = points(tmp_path, "frequency_ratio\n2\n", gaps=(1.5,)).points
+    assert point.gap is None
+
+
+def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
+    found = points(tmp_path, "natural_frequency_hz,gap_ratio,frequency_ratio\n4.5,0,2\n5.25,0,2\n4.5,3.37,2\n")
+    assert len(found.points) == 1
+    assert "1 points of rigs with another natural frequency" in found.left_out[0]
+    assert "1 points at gap/A0 3.37 are left out" in found.left_out[1]
+
+
+def test_the_papers_numbers_lie_over_its_rig(tmp_path, draw):
+    sweep = write_sweep(tmp_path / "a.h5")
+    outcome = draw(sweep, "--measured", POSTPROCESS / "paper_measurements.csv", "--formats", "png")
+    assert (outcome.code, outcome.stderr) == (0, "") and len(outcome.pictures) == 3
+    with SweepFile(sweep) as file:
+        found = read_measurements(POSTPROCESS / "paper_measurements.csv", file)
+    assert [(point.frequency * 4.5, point.force * WEIGHT) for point in found.points if point.force] == [
+        (pytest.approx(9.0), pytest.approx(204))]
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("", "has no points"),
+    ("frequency_hz\n", "has no points"),
+    ("frequency_hz,colour\n1,red\n", "unknown column 'colour'"),
+    ("frequency_hz,frequency_ratio\n9,2\n", "frequency_ratio and frequency_hz"),
+    ("frequency_hz,gap_mm,gap_mm\n9,0,0\n", "gap_mm twice"),
+    ("force_n,gap_mm\n9,0\n", "no column frequency_hz or frequency_ratio"),
+    ("frequency_hz,gap_mm\n9,0,3\n", ":2 has 3 cells"),
+    ("frequency_hz,gap_mm\n9,wide\n", ":2 has 'wide' as gap_mm"),
+    ("frequency_hz,gap_mm\nnan,0\n", ":2 has 'nan' as frequency_hz"),
+    ("# a\nfrequency_hz,gap_mm\n,0\n", ":3 has no frequency above 0"),
+    ("frequency_hz\n9\n", ":2 has no gap, and the sweep has 2"),
+])
+def test_what_is_wrong_is_said_in_one_line(tmp_path, draw, text, reason):
+    (tmp_path / "points.csv").write_text(text)
+    outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")
+    assert outcome.code == 2 and reason in outcome.stderr and outcome.stderr.count("\n") == 1
+    assert outcome.pictures == []
+
+
+def test_a_file_that_is_no_text_or_not_there(tmp_path, draw):
+    sweep = write_sweep(tmp_path / "a.h5")
+    assert "cannot be read" in draw(sweep, "--measured", tmp_path / "none.csv").stderr
+    (tmp_path / "points.csv").write_bytes(b"\xff\xfe\x00")
+    assert "UTF-8" in draw(sweep, "--measured", tmp_path / "points.csv").stderr
+
+
+def test_a_map_takes_no_points(tmp_path, draw):
+    (tmp_path / "points.csv").write_text("frequency_hz,gap_mm\n9,0\n")
+    outcome = draw(write_map(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")
+    assert outcome.code == 2 and "drawn over a sweep" in outcome.stderr
+
+
+def test_a_unit_needs_the_rig(tmp_path, draw):
+    (tmp_path / "points.csv").write_text("frequency_ratio,force_n,gap_ratio\n2,204,0\n")
+    outcome = draw(write_sweep(tmp_path / "a.h5", hammer_mass_kg="heavy"), "--measured", tmp_path / "points.csv")
+    assert outcome.code == 2 and "what a ratio of 1 is" in outcome.stderr

@@ -1,0 +1,137 @@
+"""Pictures of a sweep: panels, directions, jumps and resonances with their numbers, bifurcation diagrams."""
+
+import h5py
+import numpy as np
+import pytest
+from peterka_pictures import bifurcation, response
+from peterka_pictures.measured import Measurements, Point
+from peterka_pictures.opened import NotDrawable
+from peterka_pictures.sweep import SweepFile
+from sweep_samples import WEIGHT, write_sweep
+
+NOTHING = Measurements([], [])
+
+
+def panels_of(figure, gaps=2):
+    return figure.axes[:gaps]
+
+
+def texts(ax):
+    return [text.get_text() for text in ax.texts if text.get_text()]
+
+
+def lines_of(ax, colour):
+    return [line for line in ax.lines if line.get_color() == colour and len(line.get_xdata()) > 2]
+
+
+def legend_texts(figure):
+    return [text.get_text() for ax in figure.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+
+
+def test_a_panel_for_each_gap_with_hertz_newtons_and_millimetres(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = response.draw(file, NOTHING)
+    panels = panels_of(figure)
+    assert [texts(ax)[0] for ax in panels] == ["gap/A₀ = 0 (0 mm)", "gap/A₀ = 1.5 (1.33 mm)"]
+    assert panels[1].get_xlabel() == r"$\Omega/\omega$"
+    labels = [child.get_xlabel() or child.get_ylabel() for ax in panels for child in ax.child_axes]
+    assert [label for label in labels if label] == ["excitation frequency (Hz)", "peak force (N)", "peak force (N)"]
+
+
+def test_directions_differ_in_line_and_brightness(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = response.draw(file, NOTHING)
+    up, down = (lines_of(panels_of(figure)[0], response.LOOKS[name].colour)[0] for name in ("up", "down"))
+    assert up.get_linestyle() == "-" and down.get_linestyle() != "-"
+    assert legend_texts(figure)[:5] == ["frequency rising", "up: no period", "frequency falling", "down: no period",
+                                        "impact resonance ($z = 1/1$)"]
+
+
+def test_lines_end_at_jumps_and_motions_without_a_period_are_marks(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = response.draw(file, NOTHING)
+    ax = panels_of(figure)[1]
+    line = lines_of(ax, response.LOOKS["up"].colour)[0]
+    x, y = line.get_data()
+    cut = np.flatnonzero(np.isnan(x))
+    assert cut.tolist() == [7] and x[6] == 1.75 and x[8] == 1.875
+    assert np.isnan(y[-2:]).all()
+    marks = [line for line in ax.lines if line.get_linestyle() == "None" and len(line.get_xdata()) == 2]
+    assert marks and marks[0].get_ydata().tolist() == [25, 25]
+
+
+def test_jumps_and_resonance_carry_their_numbers(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = response.draw(file, NOTHING)
+    first, second = panels_of(figure)
+    assert texts(first)[1:] == [f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]
+    # up jumps between 1.75 and 1.875, down between 1.625 and 1.5
+    assert sorted(texts(second)[1:]) == [
+        "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"★ 50 = {50 * WEIGHT:.3g} N at 1.5 (6.75 Hz)",
+        f"★ 60 = {60 * WEIGHT:.3g} N at 1.75 (7.875 Hz)"]
+
+
+def test_without_rig_there_are_ratios_alone(tmp_path):
+    path = write_sweep(tmp_path / "a.h5")
+    with h5py.File(path, "r+") as file:
+        for name in ("natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg"):
+            del file.attrs[name]
+    with SweepFile(path) as file:
+        figure = response.draw(file, NOTHING)
+    assert texts(panels_of(figure)[0]) == ["gap/A₀ = 0", "★ 40 at 2"]
+
+
+def test_bifurcation_diagrams_show_every_sample(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        figure = bifurcation.draw(file, NOTHING, "stroboscopic_displacement")
+        impacts = bifurcation.draw(file, NOTHING, "impact_displacement")
+    up = panels_of(figure)[1].lines[0]
+    assert len(up.get_xdata()) == 11 + 2 * 4
+    assert sorted(up.get_ydata()[np.isclose(up.get_xdata(), 2.5)]) == [-4, -3, -2, -1]
+    assert len(panels_of(impacts)[1].lines[0].get_xdata()) == 9
+    assert legend_texts(figure)[:2] == ["frequency rising", "frequency falling"]
+
+
+def test_branches_with_their_own_starts_at_one_gap(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5", gaps=(1.5,), directions=(2,))) as file:
+        figure = response.draw(file, NOTHING)
+        assert file.branches[0].direction == "independent"
+    assert legend_texts(figure)[0] == "each from the start"
+
+
+def test_measured_points_lie_over_both_pictures(tmp_path):
+    measured = Measurements([Point(2.0, 38.0, None, 0.0, "measured"), Point(1.5, None, None, None, "edge"),
+                             Point(1.25, None, -3.0, 1.5, "")], [])
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        first, second = panels_of(response.draw(file, measured))
+        below = panels_of(bifurcation.draw(file, measured, "stroboscopic_displacement"))[1]
+    assert "measured" in texts(first) and "edge" in texts(first) and "edge" in texts(second)
+    assert "measured" not in texts(second)
+    assert [-3.0] in [line.get_ydata().tolist() if hasattr(line.get_ydata(), "tolist") else list(line.get_ydata())
+                      for line in below.lines]
+
+
+def test_an_unfinished_sweep_says_so(tmp_path, draw):
+    path = write_sweep(tmp_path / "a.h5")
+    with h5py.File(path, "r+") as file:
+        file["regime"][3] = -128
+        file["jump"][3] = -128
+        file["peak_force_ratio"][3] = np.nan
+    outcome = draw(path, "--formats", "png")
+    assert (outcome.code, outcome.pictures) == (0, ["a_bifurcation.png", "a_bifurcation_impact.png", "a_response.png"])
+    assert "incomplete: 75.0 % computed" in outcome.stdout
+
+
+@pytest.mark.parametrize("name, values", [
+    ("frequency_ratio", np.linspace(2, 1, 13)), ("direction", np.array([0, 1, 2, 7], dtype="i1")),
+    ("regime", np.full((4, 13), 9, dtype="i1")), ("jump", np.full((4, 13), 5, dtype="i1")),
+    ("peak_force_ratio", np.zeros((4, 12))), ("stroboscopic_displacement", np.zeros((4, 13))),
+    ("gap_ratio", np.full(4, np.nan)),
+])
+def test_damaged_content_is_refused(tmp_path, name, values):
+    path = write_sweep(tmp_path / "a.h5")
+    with h5py.File(path, "r+") as file:
+        del file[name]
+        file[name] = values
+    with pytest.raises(NotDrawable, match=name if name != "stroboscopic_displacement" else "shape"):
+        SweepFile(path)
