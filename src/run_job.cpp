@@ -36,6 +36,16 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
     return MapFile::open(plan.file, plan.job, scene.scales(), session.communicator(), access);
 }
 
+// Rank 0 alone, once every rank's branches are in the file.
+std::vector<BranchFindings> find_in_branches(const Session& session, const RunPlan& plan, const MapFile& file) {
+    std::vector<BranchFindings> found;
+    if (plan.job.kind != job::Kind::sweep || plan.quiet || !session.is_root()) return found;
+    for (std::int64_t i = 0; i < plan.job.sweep.branches(); ++i) {
+        found.push_back(find_in_branch(plan.job.sweep.branch(i), file.read_tile(i)));
+    }
+    return found;
+}
+
 // A finished map is shown as it is, so it must be what was computed.
 void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining) {
     if (remaining.ranges.empty()) return;
@@ -94,7 +104,8 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
             const output::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts);
-            summarise(session, plan, scene, {statistics, file.audit_report(), omitted}, wall);
+            summarise(session, plan, scene,
+                      {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)}, wall);
             code = judge(session, plan, statistics);
         } else {
             file.record(facts);

@@ -13,10 +13,11 @@
 
 namespace peterka::job {
 
-enum class Kind { map, basin, study };
+enum class Kind { map, basin, sweep, study };
 enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
 enum class StudyTopic { work_precision, labels, stability };
 enum class Spacing { linear, log };
+enum class Direction { up, down, independent, both };  // the first three are part of the file format
 enum class EngineChoice { automatic, exact, split, cvode, arkode };
 
 // The hammer on its beam springs: m x'' + c (x' - y') + k (x - y) + k3 (x - y)^3 = -F.
@@ -134,6 +135,23 @@ struct Refine {
     friend bool operator==(const Refine&, const Refine&) = default;
 };
 
+// One line of a sweep: a gap, and the order in which the frequencies are visited (never `both`).
+struct Branch {
+    double gap_ratio = 0;
+    Direction direction = Direction::up;
+    friend bool operator==(const Branch&, const Branch&) = default;
+};
+
+// Of a sweep: each branch goes through all frequencies of the axis, from state to state or from start to start.
+struct Sweep {
+    std::vector<double> gap_ratio;
+    Direction direction = Direction::both;
+    std::int64_t samples = 64;  // of the steady motion stored for each point, at most
+    [[nodiscard]] std::int64_t branches() const;
+    [[nodiscard]] Branch branch(std::int64_t i) const;  // gap by gap, up before down
+    friend bool operator==(const Sweep&, const Sweep&) = default;
+};
+
 // What a study compares: engines and common practice, on cells, on a map, or on a battery of extreme scenes.
 struct Study {
     StudyTopic topic = StudyTopic::work_precision;
@@ -160,18 +178,22 @@ struct Job {
     Hammer hammer;
     Cart cart;
     Contact contact;
-    Axis columns;                    // map: frequency_ratio; basin: displacement_ratio
-    Axis rows;                       // map: gap_ratio; basin: velocity_ratio
+    Axis columns;                    // map and sweep: frequency_ratio; basin: displacement_ratio
+    Axis rows;                       // map: gap_ratio; basin: velocity_ratio; a sweep has branches instead
     OperatingPoint operating_point;  // basin only
-    Start start;                     // map only
+    Start start;                     // map and sweep
     SteadyState steady_state;
     Solver solver;
     Output output;
     Audit audit;
     Refine refine;  // map only
+    Sweep sweep;    // sweep only
     Study study;    // study only
     Limits limits;
-    [[nodiscard]] std::int64_t cells() const { return columns.points * rows.points; }
+    [[nodiscard]] std::int64_t row_count() const {
+        return kind == Kind::sweep ? sweep.branches() : rows.points;
+    }
+    [[nodiscard]] std::int64_t cells() const { return columns.points * row_count(); }
     friend bool operator==(const Job&, const Job&) = default;
 };
 

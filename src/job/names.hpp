@@ -30,8 +30,8 @@ struct Names;
 template <>
 struct Names<Kind> {
     static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
-                                    Named{Kind::study, "study"}};
-    static LaterNames later() { return {"sweep", "trace"}; }
+                                    Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"}};
+    static LaterNames later() { return {"trace"}; }
 };
 
 template <>
@@ -68,6 +68,14 @@ struct Names<CubicForm> {
 template <>
 struct Names<Spacing> {
     static constexpr std::array all{Named{Spacing::linear, "linear"}, Named{Spacing::log, "log"}};
+    static LaterNames later() { return {}; }
+};
+
+template <>
+struct Names<Direction> {
+    static constexpr std::array all{Named{Direction::up, "up"}, Named{Direction::down, "down"},
+                                    Named{Direction::both, "both"},
+                                    Named{Direction::independent, "independent"}};
     static LaterNames later() { return {}; }
 };
 
@@ -114,6 +122,7 @@ struct AxisNames {
 
 [[nodiscard]] constexpr AxisNames axis_names(Kind kind) {
     if (kind == Kind::basin) return {"displacement_ratio", "velocity_ratio"};
+    if (kind == Kind::sweep) return {"frequency_ratio", "branch"};
     return {"frequency_ratio", "gap_ratio"};
 }
 

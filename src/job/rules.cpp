@@ -1,6 +1,7 @@
 #include "job/rules.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -74,6 +75,24 @@ std::string reason_for_other_law(ContactLaw law) {
         "belongs to law = \"{}\"; the stop of this job has another law, to which it means nothing; "
         "remove it",
         name(law));
+}
+
+std::string rule_of_gaps(const Sweep& sweep) {
+    std::vector<double> gaps = sweep.gap_ratio;
+    std::ranges::sort(gaps);
+    const auto twice = std::ranges::adjacent_find(gaps);
+    if (twice == gaps.end()) return {};
+    return fmt::format("sweep.gap_ratio has {} twice; both branches would be the same; remove one of them",
+                       toml_text(*twice));
+}
+
+std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
+    constexpr std::int64_t most = 16'000'000;  // half a gigabyte
+    if (frequencies.points <= most / std::max<std::int64_t>(sweep.samples, 1)) return {};
+    return fmt::format(
+        "a branch has {} points with up to {} samples each; a rank keeps a branch in memory until it is whole, "
+        "so their product is at most {}; give fewer points or sweep.samples",
+        frequencies.points, sweep.samples, most);
 }
 
 std::string rule_of_cells(const Study& study) {

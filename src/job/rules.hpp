@@ -20,6 +20,8 @@ namespace peterka::job {
                                              std::string_view gap_name, double gap);
 // What to say of a key of [contact] that belongs to this law, where the job's stop has another.
 [[nodiscard]] std::string reason_for_other_law(ContactLaw law);
+[[nodiscard]] std::string rule_of_gaps(const Sweep& sweep);
+[[nodiscard]] std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep);
 [[nodiscard]] std::string rule_of_cells(const Study& study);
 [[nodiscard]] std::string rule_of_study(const Contact& contact);
 [[nodiscard]] std::string rule_of_title(std::string_view title);

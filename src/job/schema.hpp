@@ -14,6 +14,7 @@
 #include "job/schema_rig.hpp"
 #include "job/schema_settings.hpp"
 #include "job/schema_study.hpp"
+#include "job/schema_sweep.hpp"
 
 namespace peterka::job {
 
@@ -22,9 +23,8 @@ inline constexpr std::int64_t schema_version = 1;
 // Tables of kinds that are named already; saying so helps more than "unknown table".
 template <typename Walker>
 void refuse_later_tables(Walker& file) {
-    for (const auto* name : {"sweep", "trace"}) {
-        file.refuse(name, "is not in this version; it computes maps, basins and studies; remove this table");
-    }
+    file.refuse("trace",
+                "is not in this version; it computes maps, basins, sweeps and studies; remove this table");
 }
 
 template <typename Walker>
@@ -33,7 +33,7 @@ void describe(Walker& file, Job& job) {
     file.integer({"schema", "version of the job file's own format", "1"}, schema,
                  from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
     const bool kind_is_known =
-        file.choice({"kind", "kind of the job: map, basin or study", "\"map\""}, job.kind);
+        file.choice({"kind", "kind of the job: map, basin, sweep or study", "\"map\""}, job.kind);
     file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
     file.rule({"title"}, [&] { return rule_of_title(job.title); });
 
@@ -45,9 +45,13 @@ void describe(Walker& file, Job& job) {
                [&](auto& table) { describe(table, job.contact); });
     file.note([&] { return derived_numbers_in_words(job); });
 
-    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "refine", "study"});
+    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "refine", "sweep", "study"});
     if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
+    if (kind_is_known && job.kind == Kind::sweep) describe_sweep(file, job);
+    if (kind_is_known && job.kind != Kind::sweep) {
+        file.refuse("sweep", "belongs to kind = \"sweep\"; other jobs have no branches; remove this table");
+    }
     file.table({"steady_state", "when a regime counts as proved"},
                [&](auto& table) { describe(table, job.steady_state); });
     if (kind_is_known && job.kind == Kind::study) {
@@ -55,9 +59,10 @@ void describe(Walker& file, Job& job) {
     } else {
         describe_settings(file, job);
         if (kind_is_known)
-            file.refuse("study",
-                        "belongs to kind = \"study\"; a map or basin has one engine and compares none; remove "
-                        "this table");
+            file.refuse(
+                "study",
+                "belongs to kind = \"study\"; a map, basin or sweep has one engine and compares none; remove "
+                "this table");
     }
     refuse_later_tables(file);
 }

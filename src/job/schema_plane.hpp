@@ -56,6 +56,17 @@ void describe_axes(Walker& axes, Job& job, const Quantity& columns, const Quanti
                [&](auto& table) { describe(table, job.rows, rows); });
 }
 
+template <typename Walker>
+void describe_start(Walker& file, Job& job) {
+    file.table({"start", "start of the hammer at t = 0, absolute (not relative to the cart)"},
+               [&](auto& table) {
+                   table.number({displacement_ratio.name, displacement_ratio.meaning},
+                                job.start.displacement_ratio, displacement_ratio.range);
+                   table.number({velocity_ratio.name, velocity_ratio.meaning}, job.start.velocity_ratio,
+                                velocity_ratio.range);
+               });
+}
+
 // The plane of a map and the start of its cells.
 template <typename Walker>
 void describe_plane(Walker& file, Job& job) {
@@ -66,13 +77,7 @@ void describe_plane(Walker& file, Job& job) {
         axes.refuse(displacement_ratio.name, why);
         axes.refuse(velocity_ratio.name, why);
     });
-    file.table({"start", "start of the hammer at t = 0, absolute (not relative to the cart)"},
-               [&](auto& table) {
-                   table.number({displacement_ratio.name, displacement_ratio.meaning},
-                                job.start.displacement_ratio, displacement_ratio.range);
-                   table.number({velocity_ratio.name, velocity_ratio.meaning}, job.start.velocity_ratio,
-                                velocity_ratio.range);
-               });
+    describe_start(file, job);
 }
 
 template <typename Walker>

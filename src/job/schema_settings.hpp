@@ -42,7 +42,7 @@ void describe(Walker& table, Audit& audit) {
                                         "an audited cell costs a thousand others, and a sample tells enough"));
 }
 
-// Of a map or a basin: how it is computed, and what is stored.
+// Of a map, a basin or a sweep: how it is computed, and what is stored.
 template <typename Walker>
 void describe_settings(Walker& file, Job& job) {
     file.table({"solver", "engine and tolerances"}, [&](auto& table) {
@@ -53,11 +53,17 @@ void describe_settings(Walker& file, Job& job) {
         table.choices(
             {"fields",
              "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
-             "contact_power_w, max_displacement, force_per_cycle"},
+             "contact_power_w, max_displacement, force_per_cycle, last_impact"},
             job.output.fields);
     });
-    file.table({"audit", "an independent check of a random sample of cells"},
-               [&](auto& table) { describe(table, job.audit); });
+    if (job.kind == Kind::sweep) {
+        file.refuse("audit",
+                    "is for maps and basins; a point of a sweep starts from the one before it; audit a map of "
+                    "the same window; remove this table");
+    } else {
+        file.table({"audit", "an independent check of a random sample of cells"},
+                   [&](auto& table) { describe(table, job.audit); });
+    }
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
                [&](auto& table) {
                    table.integer(

@@ -47,19 +47,19 @@ void TableReader::read_list(const Key& key, std::vector<Number>& values, ReadEle
     constexpr std::size_t most = 100;
     const Value* given = ask(key);
     if (given == nullptr) return;
+    const Number standard = values.empty() ? Number{} : values.front();
     const auto* list = given->as<Array>();
-    if (list == nullptr)
-        return wrong_type(key, *given, "a list", fmt::format("[{}]", toml_text(values.front())));
+    if (list == nullptr) return wrong_type(key, *given, "a list", fmt::format("[{}]", toml_text(standard)));
     const std::size_t size = list->values.size();
     if (size == 0 || size > most) {
         return fault(
             key.name, given->where,
-            fmt::format("{} has {} values; a study takes from 1 to {} of them ({}); {}", full_name(key.name),
-                        size, most, key.meaning, size == 0 ? "add one" : "remove some"));
+            fmt::format("{} has {} values; it takes from 1 to {} of them ({}); {}", full_name(key.name), size,
+                        most, key.meaning, size == 0 ? "add one" : "remove some"));
     }
     std::vector<Number> read;
     for (const Value& element : list->values) {
-        Number number = values.front();
+        Number number = standard;
         read_element(element, number);
         read.push_back(number);
     }

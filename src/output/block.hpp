@@ -17,10 +17,11 @@
 
 namespace peterka::output {
 
-// A rectangle of cells, or a run of entries of a list.
+// A rectangle of cells, a box on it, or a run of entries of a list.
 class Block {
   public:
     explicit Block(const parallel::Tile& tile);
+    Block(const parallel::Tile& tile, std::int64_t depth);  // with so many values for each cell
     Block(std::int64_t first, std::int64_t count);
 
     // Cut out of the dataset's own space.
@@ -30,8 +31,8 @@ class Block {
 
   private:
     int rank_;
-    std::array<hsize_t, 2> offset_{};
-    std::array<hsize_t, 2> count_{};
+    std::array<hsize_t, 3> offset_{};
+    std::array<hsize_t, 3> count_{};
 };
 
 void write_block(const Checked& check, hid_t dataset, Number number, const Block& block, const void* values);

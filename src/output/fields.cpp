@@ -26,6 +26,7 @@ constexpr Field fields[] = {
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
     {{"period", Number::int32, -1, "1", "period q of z = p/q in forcing cycles"}, always, member<&CellResult::period>, table_too},
     {{"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight, F/(m g0)"}, always, member<&CellResult::peak_force>, table_too},
+    {{"jump", Number::int8, not_computed, "", "whether the peak force jumps on the way to this point from the one before it in the branch", jump_names}, Swept{}, member<&CellResult::jump>},
     {{"chatter", Number::int8, not_computed, "", "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", chatter_names}, ContactLaw::restitution, member<&CellResult::chatter>},
     {{"impact_rate", Number::float64, nan, "1", "impacts per forcing cycle"}, always, member<&CellResult::impact_rate>},
     {{"cycles", Number::int32, -1, "1", "forcing cycles spent"}, always, member<&CellResult::cycles>},
@@ -49,6 +50,7 @@ constexpr Field fields[] = {
 bool stores(const job::Job& job, const Field& field) {
     if (const auto* law = std::get_if<ContactLaw>(&field.stored)) return law_of(job.contact) == *law;
     if (std::holds_alternative<Refined>(field.stored)) return job.refine.levels > 0;
+    if (std::holds_alternative<Swept>(field.stored)) return job.kind == job::Kind::sweep;
     const auto* asked = std::get_if<OptionalField>(&field.stored);
     if (asked == nullptr) return true;
     return job.output.has(*asked) || (job.kind == job::Kind::basin && *asked == OptionalField::orbit);

@@ -26,6 +26,7 @@ inline constexpr std::array<const char*, 6> status_names{"proved",          "bud
                                                          "too_many_events", "not_finite", "solver_failed"};
 inline constexpr std::array<const char*, 2> chatter_names{"no_chatter", "chatter"};
 inline constexpr std::array<const char*, 2> computed_names{"filled", "computed"};
+inline constexpr std::array<const char*, 2> jump_names{"no_jump", "jump"};
 inline constexpr std::array<const char*, 4> engine_names{"exact", "split", "cvode", "arkode"};
 
 // The member of a cell that a field stores, as a double (each number type used fits one exactly).
@@ -45,11 +46,12 @@ enum class InAttractorTable { no, yes };
 
 struct Always {};
 struct Refined {};
+struct Swept {};
 
 struct Field {
     Variable variable;
-    // always, in a refined map, on request, or for this law only
-    std::variant<Always, Refined, job::OptionalField, job::ContactLaw> stored;
+    // always, in a refined map, in a sweep, on request, or for this law only
+    std::variant<Always, Refined, Swept, job::OptionalField, job::ContactLaw> stored;
     Member member;
     InAttractorTable in_attractor_table = InAttractorTable::no;
 };

@@ -1,15 +1,21 @@
 #include "output/layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "output/audit_table.hpp"
 #include "output/fields.hpp"
+#include "output/samples.hpp"
 
 namespace peterka::output {
 
 namespace {
+
+// In the order of job::Direction.
+constexpr std::array<const char*, 3> direction_names{"up", "down", "independent"};
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -18,6 +24,9 @@ constexpr Variable frequency_ratio{"frequency_ratio", Number::float64, nan, "1",
 constexpr Variable gap_ratio{"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude, gap/A0"};
 constexpr Variable displacement_ratio{"displacement_ratio", Number::float64, nan, "1", "hammer displacement at the start over cart amplitude, x(0)/A0"};
 constexpr Variable velocity_ratio{"velocity_ratio", Number::float64, nan, "1", "hammer velocity at the start over A0 omega, x'(0)/(A0 omega)"};
+constexpr Variable branch{"branch", Number::int32, -1, "1", "branch: a gap and a direction of the sweep"};
+constexpr Variable sample{"sample", Number::int32, -1, "1", "sample of the steady motion"};
+constexpr Variable direction{"direction", Number::int8, regime::regime_not_computed, "", "order of the frequencies: each point starts from the last one's motion, or all alike", direction_names};
 constexpr Variable attractor_of_cell{"attractor", Number::int32, -1, "1", "row of the table in group attractors; -1 for none"};
 
 constexpr Variable tile{"tile", Number::int64, 0, "1", "tile number, row by row"};
@@ -45,6 +54,36 @@ constexpr Variable attractor_cells{"cells", Number::int64, 0, "1", "cells that l
 constexpr Variable attractor_count{"count", Number::int32, 0, "1", "rows in use"};
 // clang-format on
 
+parallel::Extent largest_tile(const job::Job& job) {
+    return job.kind == job::Kind::sweep ? parallel::Extent{1, job.columns.points} : parallel::tile_extent;
+}
+
+// On the plane of cells, and of so many samples in each.
+DatasetPlan on_cells(const job::Job& job, const Variable& variable, std::vector<Dimension> dimensions) {
+    const parallel::Extent largest = largest_tile(job);
+    std::vector<std::int64_t> chunk{std::min(largest.rows, dimensions[0].size),
+                                    std::min(largest.columns, dimensions[1].size)};
+    if (dimensions.size() > 2) chunk.push_back(dimensions[2].size);
+    return {"/", variable, std::move(dimensions), std::move(chunk)};
+}
+
+void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const Dimension branches{branch.name, job.row_count()};
+    const Dimension frequencies{frequency_ratio.name, job.columns.points};
+    const Dimension samples{sample.name, job.sweep.samples};
+    plans.push_back({"/", branch, {branches}});
+    plans.push_back({"/", frequency_ratio, {frequencies}});
+    plans.push_back({"/", sample, {samples}});
+    plans.push_back({"/", gap_ratio, {branches}});
+    plans.push_back({"/", direction, {branches}});
+    for (const Field& field : stored_fields(job)) {
+        plans.push_back(on_cells(job, field.variable, {branches, frequencies}));
+    }
+    for (const Variable& variable : sample_variables) {
+        plans.push_back(on_cells(job, variable, {branches, frequencies, samples}));
+    }
+}
+
 void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const bool is_map = job.kind == job::Kind::map;
     const Variable& columns = is_map ? frequency_ratio : displacement_ratio;
@@ -54,9 +93,9 @@ void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     plans.push_back({"/", columns, {column_dimension}});
     plans.push_back({"/", rows, {row_dimension}});
     for (const Field& field : stored_fields(job)) {
-        plans.push_back({"/", field.variable, {row_dimension, column_dimension}});
+        plans.push_back(on_cells(job, field.variable, {row_dimension, column_dimension}));
     }
-    if (!is_map) plans.push_back({"/", attractor_of_cell, {row_dimension, column_dimension}});
+    if (!is_map) plans.push_back(on_cells(job, attractor_of_cell, {row_dimension, column_dimension}));
 }
 
 void add_attractors(std::vector<DatasetPlan>& plans) {
@@ -92,20 +131,12 @@ bool DatasetPlan::is_scale() const {
     return dimensions.size() == 1 && dimensions[0].name == variable.name;
 }
 
-bool DatasetPlan::is_tiled() const {
-    return dimensions.size() == 2;
-}
-
-parallel::Extent DatasetPlan::chunk() const {
-    return {std::min(parallel::tile_extent.rows, dimensions[0].size),
-            std::min(parallel::tile_extent.columns, dimensions[1].size)};
-}
-
 std::int64_t DatasetPlan::bytes() const {
     auto size = static_cast<std::int64_t>(bytes_of(variable.number));
     if (is_tiled()) {
-        const parallel::Tiling tiles({dimensions[0].size, dimensions[1].size});
-        size *= chunk().rows * chunk().columns;  // tiles at the edge take the room of a whole one
+        const parallel::Tiling tiles({dimensions[0].size, dimensions[1].size}, {chunk[0], chunk[1]});
+        // tiles at the edge take the room of a whole one
+        for (const std::int64_t side : chunk) size = capped_product(size, side);
         return capped_product(size, tiles.count());
     }
     for (const Dimension& dimension : dimensions) size = capped_product(size, dimension.size);
@@ -114,7 +145,7 @@ std::int64_t DatasetPlan::bytes() const {
 
 std::vector<DatasetPlan> layout(const job::Job& job) {
     std::vector<DatasetPlan> plans;
-    add_plane(plans, job);
+    job.kind == job::Kind::sweep ? add_branches(plans, job) : add_plane(plans, job);
     if (job.kind == job::Kind::basin) add_attractors(plans);
     add_tiles_and_run(plans, job);
     std::ranges::move(audit_plans(job), std::back_inserter(plans));
@@ -123,7 +154,7 @@ std::vector<DatasetPlan> layout(const job::Job& job) {
 }
 
 parallel::Tiling tiling(const job::Job& job) {
-    return parallel::Tiling({job.rows.points, job.columns.points});
+    return parallel::Tiling({job.row_count(), job.columns.points}, largest_tile(job));
 }
 
 }  // namespace peterka::output

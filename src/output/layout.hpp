@@ -27,17 +27,19 @@ struct DatasetPlan {
     std::string group;  // "/", "/tiles", ...
     Variable variable;
     std::vector<Dimension> dimensions;  // none for a scalar
+    std::vector<std::int64_t> chunk =
+        {};  // on the plane of cells: what one tile has, or the whole of a smaller plane
 
     [[nodiscard]] std::string path() const;
-    [[nodiscard]] bool is_scale() const;           // a dimension's own dataset: its coordinates
-    [[nodiscard]] bool is_tiled() const;           // on the plane of cells: one chunk is one tile
-    [[nodiscard]] parallel::Extent chunk() const;  // of a tiled one: a tile, or the whole of a smaller plane
+    [[nodiscard]] bool is_scale() const;  // a dimension's own dataset: its coordinates
+    [[nodiscard]] bool is_tiled() const { return !chunk.empty(); }
     [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest number there is where it does not fit
 };
 
 // Scales come before the datasets that they belong to.
 [[nodiscard]] std::vector<DatasetPlan> layout(const job::Job& job);
 
+// A branch of a sweep is one tile.
 [[nodiscard]] parallel::Tiling tiling(const job::Job& job);
 
 // Paths that the program itself reads or writes by name.

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "job/axis.hpp"
@@ -47,9 +48,8 @@ PropertiesId creation_of(const Checked& check, const DatasetPlan& plan) {
         check(H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &plan.variable.fill), "H5Pset_fill_value");
     }
     if (plan.is_tiled()) {
-        const parallel::Extent chunk = plan.chunk();
-        const hsize_t sizes[] = {static_cast<hsize_t>(chunk.rows), static_cast<hsize_t>(chunk.columns)};
-        check(H5Pset_chunk(properties.id(), 2, sizes), "H5Pset_chunk");
+        const std::vector<hsize_t> sizes(plan.chunk.begin(), plan.chunk.end());
+        check(H5Pset_chunk(properties.id(), static_cast<int>(sizes.size()), sizes.data()), "H5Pset_chunk");
     }
     return properties;
 }
@@ -88,16 +88,21 @@ void make_group(const Checked& check, hid_t file, const std::string& path) {
         check(H5Gcreate2(file, path.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), "H5Gcreate2"));
 }
 
-// Part of a scale: the values of an axis, or the numbers of tiles and of rows in a table.
-std::vector<double> coordinates(const DatasetPlan& plan, const job::Job& job, std::int64_t first,
-                                std::int64_t count) {
-    const job::Axis& axis =
-        plan.dimensions[0].name == job::axis_names(job.kind).columns ? job.columns : job.rows;
-    std::vector<double> values;
-    for (std::int64_t i = first; i < first + count; ++i) {
-        values.push_back(plan.group == "/" ? job::axis_value(axis, i) : static_cast<double>(i));
-    }
-    return values;
+// Known beforehand: scales, and what the branches of a sweep are.
+bool is_coordinate(const DatasetPlan& plan) {
+    return plan.is_scale() || (plan.group == "/" && plan.dimensions.size() == 1);
+}
+
+// One value of it: of an axis or a branch, or the number of a tile, a sample or a row in a table.
+double coordinate(const DatasetPlan& plan, const job::Job& job, std::int64_t i) {
+    const auto axes = job::axis_names(job.kind);
+    const std::string_view name = plan.variable.name;
+    if (plan.group != "/") return static_cast<double>(i);
+    if (name == axes.columns) return job::axis_value(job.columns, i);
+    if (job.kind != job::Kind::sweep) return job::axis_value(job.rows, i);
+    if (plan.is_scale()) return static_cast<double>(i);
+    const job::Branch branch = job.sweep.branch(i);
+    return name == "gap_ratio" ? branch.gap_ratio : static_cast<double>(branch.direction);
 }
 
 }  // namespace
@@ -147,12 +152,14 @@ void make_datasets(const Checked& check, hid_t file, std::span<const DatasetPlan
 void write_coordinates(const Checked& check, hid_t file, std::span<const DatasetPlan> plans,
                        const job::Job& job) {
     for (const DatasetPlan& plan : plans) {
-        if (!plan.is_scale()) continue;
+        if (!is_coordinate(plan)) continue;
         const DatasetId dataset(check(H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT), "H5Dopen2"));
         const std::int64_t size = plan.dimensions[0].size;
         for (std::int64_t first = 0; first < size; first += values_at_once) {
-            const std::vector<double> values =
-                coordinates(plan, job, first, std::min(values_at_once, size - first));
+            std::vector<double> values;
+            for (std::int64_t i = first; i < std::min(first + values_at_once, size); ++i) {
+                values.push_back(coordinate(plan, job, i));
+            }
             write_block(check, dataset.id(), Number::float64, Block(first, std::ssize(values)), values.data());
         }
     }

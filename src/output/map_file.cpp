@@ -10,6 +10,7 @@
 #include "output/collective.hpp"
 #include "output/layout.hpp"
 #include "output/number_attractors.hpp"
+#include "output/samples.hpp"
 #include "output/survey.hpp"
 #include "support/readable.hpp"
 
@@ -44,7 +45,7 @@ void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
 MapFile::MapFile(Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
                  Access access)
     : check_(std::move(check)),
-      kind_(job.kind),
+      job_(job),
       audit_rows_(output::audit_rows(job)),
       scales_(scales),
       communicator_(communicator),
@@ -80,6 +81,14 @@ void MapFile::require_presence() const {
                     check_.path().string()));
 }
 
+void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
+                           double seconds) {
+    std::vector<StoredCell> stored;
+    for (const regime::BranchPoint& point : points) stored.push_back(in_file_units(point.cell, scales_));
+    tiles_.write(tile, stored, {seconds, rank_},
+                 sample_values(points, job_.sweep.branch(tile.row).gap_ratio, job_.sweep.samples));
+}
+
 RemainingTiles MapFile::remaining_tiles() {
     const Share share = share_of(tiles_.tiling().count(), communicator_);
     std::vector<parallel::TileRange> missing;
@@ -102,6 +111,10 @@ RemainingTiles MapFile::remaining_tiles() {
 
 StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column) const {
     return tiles_.read({.row = row, .column = column, .extent = {1, 1}}).front();
+}
+
+std::vector<StoredCell> MapFile::read_tile(std::int64_t index) const {
+    return tiles_.read(tiling().tile(index));
 }
 
 std::optional<AuditReport> MapFile::audit_report() {
@@ -127,7 +140,7 @@ void MapFile::record(const RunFacts& facts) {
 void MapFile::finish(const Statistics& statistics, std::span<const std::string> omitted,
                      const RunFacts& facts) {
     std::string failures = failure_text(statistics.counts);
-    if (kind_ == job::Kind::basin) {
+    if (job_.kind == job::Kind::basin) {
         failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));
     }
     const std::optional<AuditReport> audited = audit_report();

@@ -30,6 +30,7 @@
 #include "output/tile_store.hpp"
 #include "parallel/tile_pool.hpp"
 #include "parallel/tiles.hpp"
+#include "regime/branch.hpp"
 #include "regime/cell_result.hpp"
 #include "support/errors.hpp"
 
@@ -58,6 +59,8 @@ class MapFile {
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
     void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
+    // The same for a branch of a sweep.
+    void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
 
     // Independent. Throws if the file's name is gone: the system goes on taking what is written to a removed
     // file, and drops it at the end.
@@ -71,6 +74,7 @@ class MapFile {
 
     // Independent, for cells that are there; those of other ranks after settle().
     [[nodiscard]] StoredCell read_cell(std::int64_t row, std::int64_t column) const;
+    [[nodiscard]] std::vector<StoredCell> read_tile(std::int64_t index) const;
     [[nodiscard]] AuditTable audit() const { return {check_, file_.id()}; }
 
     // Collective. What the audit says, on every rank; nothing where the job wants none.
@@ -95,7 +99,7 @@ class MapFile {
             Access access);
 
     Checked check_;
-    job::Kind kind_;
+    job::Job job_;
     std::int64_t audit_rows_;
     scene::Scales scales_;
     MPI_Comm communicator_;

@@ -1,7 +1,6 @@
 #include "output/matches_plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "output/hdf5.hpp"
@@ -36,10 +35,9 @@ bool is_allocated(const Checked& check, const DatasetId& dataset, const DatasetP
     const H5D_layout_t wanted = plan.is_tiled() ? H5D_CHUNKED : H5D_CONTIGUOUS;
     if (H5Pget_layout(properties.id()) != wanted) return false;
     if (plan.is_tiled()) {
-        std::array<hsize_t, 2> sizes{};
-        check(H5Pget_chunk(properties.id(), 2, sizes.data()), "H5Pget_chunk");
-        const parallel::Extent chunk{static_cast<std::int64_t>(sizes[0]), static_cast<std::int64_t>(sizes[1])};
-        if (chunk != plan.chunk()) return false;
+        std::vector<hsize_t> sizes(plan.chunk.size());
+        check(H5Pget_chunk(properties.id(), static_cast<int>(sizes.size()), sizes.data()), "H5Pget_chunk");
+        if (sizes != std::vector<hsize_t>(plan.chunk.begin(), plan.chunk.end())) return false;
     }
     return H5Dget_storage_size(dataset.id()) == static_cast<hsize_t>(plan.bytes());
 }

@@ -4,6 +4,7 @@
 
 #include "output/block.hpp"
 #include "output/layout.hpp"
+#include "output/samples.hpp"
 #include "output/tile_bytes.hpp"
 
 namespace peterka::output {
@@ -20,20 +21,38 @@ TileStore::TileStore(Checked check, hid_t file, const job::Job& job)
     : check_(std::move(check)),
       tiling_(output::tiling(job)),
       fields_(stored_fields(job)),
+      samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
       checksum_(open(check_, file, path::checksum)),
       done_(open(check_, file, path::done)),
       seconds_(open(check_, file, path::tile_seconds)),
       rank_(open(check_, file, path::tile_rank)) {
     for (const Field& field : fields_) datasets_.push_back(open(check_, file, field.variable.name));
+    if (samples_ == 0) return;
+    for (const Variable& variable : sample_variables) datasets_.push_back(open(check_, file, variable.name));
 }
 
-void TileStore::write(const parallel::Tile& tile, std::span<const StoredCell> cells, const TileOrigin& origin) {
-    const std::vector<std::byte> bytes = encode(fields_, cells);
+std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
+    const auto cells = static_cast<std::size_t>(tile.size());
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < datasets_.size(); ++i) {
+        const bool sampled = i >= fields_.size();
+        const Number number = sampled ? Number::float64 : fields_[i].variable.number;
+        const std::size_t values = sampled ? cells * static_cast<std::size_t>(samples_) : cells;
+        parts.push_back({datasets_[i].id(), number, sampled ? Block(tile, samples_) : Block(tile),
+                         values * bytes_of(number)});
+    }
+    return parts;
+}
+
+void TileStore::write(const parallel::Tile& tile, std::span<const StoredCell> cells, const TileOrigin& origin,
+                      std::span<const double> samples) {
+    std::vector<std::byte> bytes = encode(fields_, cells);
+    const auto sampled = std::as_bytes(samples);
+    bytes.insert(bytes.end(), sampled.begin(), sampled.end());
     const std::byte* next = bytes.data();
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        const Number number = fields_[i].variable.number;
-        write_block(check_, datasets_[i].id(), number, Block(tile), next);
-        next += cells.size() * bytes_of(number);
+    for (const Part& part : parts(tile)) {
+        write_block(check_, part.dataset, part.number, part.block, next);
+        next += part.bytes;
     }
     const Block entry(tile.index, 1);
     write_block(check_, seconds_.id(), Number::float64, entry, &origin.seconds);
@@ -64,13 +83,14 @@ double TileStore::seconds(const parallel::Tile& tile) const {
 }
 
 std::vector<std::byte> TileStore::read_bytes(const parallel::Tile& tile) const {
-    const auto cells = static_cast<std::size_t>(tile.size());
-    std::vector<std::byte> bytes(cells * bytes_per_cell(fields_));
+    const std::vector<Part> parts = this->parts(tile);
+    std::size_t size = 0;
+    for (const Part& part : parts) size += part.bytes;
+    std::vector<std::byte> bytes(size);
     std::byte* next = bytes.data();
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-        const Number number = fields_[i].variable.number;
-        read_block(check_, datasets_[i].id(), number, Block(tile), next);
-        next += cells * bytes_of(number);
+    for (const Part& part : parts) {
+        read_block(check_, part.dataset, part.number, part.block, next);
+        next += part.bytes;
     }
     return bytes;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "job/job.hpp"
+#include "output/block.hpp"
 #include "output/checked.hpp"
 #include "output/fields.hpp"
 #include "output/hdf5.hpp"
@@ -33,8 +34,10 @@ class TileStore {
   public:
     TileStore(Checked check, hid_t file, const job::Job& job);
 
-    // First the cells, then their checksum, then the done mark: a kill in between leaves no mark that lies.
-    void write(const parallel::Tile& tile, std::span<const StoredCell> cells, const TileOrigin& origin);
+    // Of a sweep with its samples (samples.hpp). First the cells, then their checksum, then the done mark: a
+    // kill in between leaves no mark that lies.
+    void write(const parallel::Tile& tile, std::span<const StoredCell> cells, const TileOrigin& origin,
+               std::span<const double> samples = {});
     [[nodiscard]] std::vector<StoredCell> read(const parallel::Tile& tile) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
     [[nodiscard]] double seconds(const parallel::Tile& tile) const;  // NaN for a tile that was never written
@@ -42,12 +45,21 @@ class TileStore {
     [[nodiscard]] const parallel::Tiling& tiling() const { return tiling_; }
 
   private:
+    // A part of a tile's bytes, and the dataset and block in which it lies.
+    struct Part {
+        hid_t dataset;
+        Number number;
+        Block block;
+        std::size_t bytes;
+    };
+    [[nodiscard]] std::vector<Part> parts(const parallel::Tile& tile) const;
     [[nodiscard]] std::vector<std::byte> read_bytes(const parallel::Tile& tile) const;
 
     Checked check_;
     parallel::Tiling tiling_;
     std::vector<Field> fields_;
-    std::vector<DatasetId> datasets_;  // one per field
+    std::int64_t samples_;             // of a sweep, per cell and variable
+    std::vector<DatasetId> datasets_;  // one per field and one per variable that is sampled
     DatasetId checksum_;
     DatasetId done_;
     DatasetId seconds_;

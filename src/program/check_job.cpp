@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job/write.hpp"
 #include "output/layout.hpp"
 #include "output/map_size.hpp"
+#include "output/samples.hpp"
 #include "program/run_plan.hpp"
 #include "refine/lattice.hpp"
 #include "study/topic.hpp"
@@ -45,6 +47,25 @@ std::string refine_text(const job::Job& job) {
                        stride, readable_count(coarsest));
 }
 
+// A rank keeps a branch of a sweep until it is whole: as samples, and as the bytes of its tile.
+std::int64_t branch_bytes(const job::Job& job) {
+    if (job.kind != job::Kind::sweep) return 0;
+    constexpr std::int64_t copies = 3;
+    const std::int64_t samples = std::ssize(output::sample_variables) * job.sweep.samples;
+    return copies * job.columns.points * samples * static_cast<std::int64_t>(sizeof(double));
+}
+
+// Of a sweep: its branches in their order.
+std::string branches_text(const job::Job& job) {
+    if (job.kind != job::Kind::sweep) return "";
+    std::string text;
+    for (std::int64_t i = 0; i < job.sweep.branches(); ++i) {
+        const job::Branch branch = job.sweep.branch(i);
+        text += fmt::format("#     {:<4} gap/A0 {:g}, {}\n", i, branch.gap_ratio, job::name(branch.direction));
+    }
+    return "#   branches\n" + text;
+}
+
 std::string check_study(const Request& request, const job::Job& job) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
@@ -62,19 +83,19 @@ std::string check_job(const Request& request) {
     if (job.kind == job::Kind::study) return check_study(request, job);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job.kind);
-    const std::int64_t tiles = output::tiling(job).count();
+    const parallel::Tiling tiling = output::tiling(job);
 
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}"
+               "{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
-               request.job_file.string(), readable_count(job.columns.points * job.rows.points),
-               readable_count(job.columns.points), axes.columns, readable_count(job.rows.points), axes.rows,
-               refine_text(job), readable_count(tiles), parallel::tile_extent.rows,
-               parallel::tile_extent.columns, readable_bytes(memory_per_rank()), file.string(),
+               request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
+               axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
+               readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
+               readable_bytes(memory_per_rank() + branch_bytes(job)), file.string(),
                readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "program/solve_tiles.hpp"
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
+#include "regime/branch.hpp"
+#include "support/stopwatch.hpp"
 #include "support/tell.hpp"
 
 namespace peterka {
@@ -77,6 +80,16 @@ class RefinedRegions {
     std::unordered_map<std::int64_t, refine::Region> regions_;  // those in hand
 };
 
+// Branches of a sweep, one after the other.
+std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& scene, MapFile& file) {
+    return parallel::one_by_one([&](const Tile& tile, const parallel::CarryOn& carry_on) {
+        const Stopwatch stopwatch;
+        const auto points = regime::follow_branch(scene, tile.row, carry_on);
+        if (points) file.write_branch(tile, *points, stopwatch.seconds());
+        return points.has_value();
+    });
+}
+
 // The tiles that the file lacks, on rank 0.
 std::vector<parallel::TileRange> find_missing_tiles(const Session& session, const RunPlan& plan,
                                                     MapFile& file) {
@@ -105,15 +118,16 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     if (!known) return false;
     RefinedRegions regions(plan.job, file);
     const TileWork work = refines ? regions.work() : whole_tiles(file);
-    return parallel::deal_tiles(
-        session, tiling, std::move(missing),
-        {.solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); },
-         .stop_requested = [&] { return stop.requested(); },
-         .on_progress =
-             [&](std::int64_t solved) {
-                 file.require_presence();
-                 progress.add(solved);
-             }});
+    const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); };
+    const bool sweeps = plan.job.kind == job::Kind::sweep;
+    return parallel::deal_tiles(session, tiling, std::move(missing),
+                                {.solve = sweeps ? whole_branches(scene, file) : solve,
+                                 .stop_requested = [&] { return stop.requested(); },
+                                 .on_progress =
+                                     [&](std::int64_t solved) {
+                                         file.require_presence();
+                                         progress.add(solved);
+                                     }});
 }
 
 }  // namespace peterka

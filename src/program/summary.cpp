@@ -9,6 +9,7 @@
 
 #include "job/axis.hpp"
 #include "job/names.hpp"
+#include "program/sweep_summary.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -18,16 +19,26 @@ using output::LargestForce;
 using output::Statistics;
 using regime::Regime;
 
+std::string what_the_cells_are(const job::Job& job) {
+    switch (job.kind) {
+        case job::Kind::basin:
+            return fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
+                               job.operating_point.gap_ratio);
+        case job::Kind::sweep:
+            return "excitation frequencies and branches";
+        case job::Kind::map:
+        case job::Kind::study:
+            break;
+    }
+    return "excitation frequencies and gaps";
+}
+
 std::string heading(const SummaryInput& input) {
     const job::Job& job = input.job;
-    const bool is_map = job.kind == job::Kind::map;
-    const std::string what =
-        is_map ? "excitation frequencies and gaps"
-               : fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
-                             job.operating_point.gap_ratio);
     return fmt::format("\n{}\n{} cells: {} by {} {}\n", job.title.empty() ? "(no title)" : job.title,
                        readable_count(input.findings.statistics.counts.cells),
-                       readable_count(job.columns.points), readable_count(job.rows.points), what);
+                       readable_count(job.columns.points), readable_count(job.row_count()),
+                       what_the_cells_are(job));
 }
 
 std::string regime_line(const Statistics& statistics, Regime regime, const char* name,
@@ -111,7 +122,8 @@ std::string transients(const SummaryInput& input) {
 std::string place(const SummaryInput& input, const LargestForce& force) {
     const job::Job& job = input.job;
     const double x = job::axis_value(job.columns, force.column);
-    const double y = job::axis_value(job.rows, force.row);
+    const double y = job.kind == job::Kind::sweep ? job.sweep.branch(force.row).gap_ratio
+                                                  : job::axis_value(job.rows, force.row);
     if (job.kind == job::Kind::basin) return fmt::format("from x/A0 {:.4g}, x'/(A0 omega) {:.4g}", x, y);
     const double natural_frequency_hz = input.scales.frequency_rad_per_s / (2 * std::numbers::pi);
     return fmt::format("at Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", x,
@@ -194,9 +206,11 @@ std::string omitted(const SummaryInput& input) {
 
 std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
+    const char* kind = input.job.kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
-           transients(input) + forces(input) + effort(input) + audit(input) + omitted(input) +
-           fmt::format("\nMap file   {}\nDraw it    postprocess/draw.py {}\n", file, shell_word(file));
+           transients(input) + forces(input) + sweep_text(input.job, input.scales, input.findings.branches) +
+           effort(input) + audit(input) + omitted(input) +
+           fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 
 }  // namespace peterka

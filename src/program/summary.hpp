@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "job/job.hpp"
 #include "output/audit_table.hpp"
 #include "output/statistics.hpp"
+#include "program/sweep_findings.hpp"
 #include "scene/scales.hpp"
 
 namespace peterka {
@@ -22,7 +24,8 @@ struct RunEffort {
 struct Findings {
     const output::Statistics& statistics;
     std::optional<output::AuditReport> audit;
-    std::span<const std::string> omitted;  // sentences: what was left out, and why
+    std::span<const std::string> omitted;       // sentences: what was left out, and why
+    std::vector<BranchFindings> branches = {};  // of a sweep
 };
 
 struct SummaryInput {

@@ -43,6 +43,7 @@ struct CellResult {
     Status status = Status::proved;
     Engine engine = Engine::exact;
     bool computed = true;  // false: filled from computed cells around it (refine/fill.hpp); no proof of its own
+    bool jump = false;  // of a sweep: the force jumps on the way here from the point before (regime/branch.hpp)
     std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
     std::int32_t period =
         0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none

@@ -69,10 +69,15 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
 
 Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
                             Attractors attractors) {
-    const job::Solver& solver = scene.job().solver;
-    const Budget budget = budget_of(scene.job().steady_state);
-    const Measures measures = measures_of(scene.job().output);
-    const scene::Cell cell = scene.cell(row, column);
+    return solve_cell(desk, scene.job(), scene.cell(row, column), attractors);
+}
+
+Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
+                            SteadyMotion* motion) {
+    const job::Solver& solver = job.solver;
+    const Budget budget = budget_of(job.steady_state);
+    Measures measures = measures_of(job.output);
+    measures.motion = motion;
     const bool automatic = solver.engine == job::EngineChoice::automatic;
     const bool is_linear = cell.oscillator.cubic == 0;
     const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);

@@ -16,6 +16,9 @@ namespace peterka::regime {
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
 Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
                             Attractors attractors = {});
+// The same from any start; `motion` for who wants the one that the search ends in.
+Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors = {},
+                            SteadyMotion* motion = nullptr);
 
 // The same cell with every term of the model and by an integrator, another one than solved it the first time.
 // It shares nothing with the closed form but the decision procedure.

@@ -53,11 +53,13 @@ class Search {
           settling_(map_),
           recurrence_(budget.max_period, scene.cubic != 0),
           state_(map_.scaled(start)),
-          window_(measures.detail),
+          window_(measures.detail, touch_log(measures)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
           chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
           measures_(measures),
-          conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {}
+          conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {
+        if (measures_.motion != nullptr) *measures_.motion = SteadyMotion(measures_.motion->touches.capacity());
+    }
 
     Task<CellResult> run() {
         for (std::int64_t cycle = 0;; ++cycle) {
@@ -83,6 +85,7 @@ class Search {
             if (counts) {
                 ++window_cycles_;
                 keep_peak(window_);
+                keep_point(state_);
             }
 
             if (conservative_) continue;  // nothing recurs for good
@@ -130,7 +133,8 @@ class Search {
     }
 
     Task<CellResult> periodic(PeriodicOrbit orbit) {
-        Recorder<double> recorder(measures_.detail);
+        Recorder<double> recorder(measures_.detail, touch_log(measures_));
+        if (measures_.motion != nullptr) keep_orbit(orbit);
         const Touches touches = co_await record_period(orbit, recorder);
         const Totals<double>& totals = recorder.totals();
         if (!touches.some || !touches.separated) {
@@ -160,6 +164,22 @@ class Search {
             }
         }
         co_return touches;
+    }
+
+    static Latest<trajectory::Touch<double>>* touch_log(const Measures& measures) {
+        return measures.motion == nullptr ? nullptr : &measures.motion->touches;
+    }
+
+    void keep_point(const Point& point) {
+        if (measures_.motion != nullptr) measures_.motion->stroboscopic.add(map_.unscaled(point));
+    }
+
+    // From the orbit's lowest point on, so that it looks the same from wherever it was reached.
+    void keep_orbit(PeriodicOrbit& orbit) {
+        measures_.motion->stroboscopic.clear();
+        measures_.motion->end = map_.unscaled(orbit.point);
+        std::ranges::rotate(orbit.points, std::ranges::min_element(orbit.points, {}, first_coordinate));
+        for (const Point& point : orbit.points) keep_point(point);
     }
 
     void keep_peak(Recorder<double>& recorder) {
@@ -196,10 +216,12 @@ class Search {
 
     // One of the q points names the orbit, whatever start and phase led to it.
     static Point lowest_point(const PeriodicOrbit& orbit) {
-        return *std::ranges::min_element(orbit.points, {}, [](const Point& point) { return point[0]; });
+        return *std::ranges::min_element(orbit.points, {}, first_coordinate);
     }
+    static double first_coordinate(const Point& point) { return point[0]; }
 
     Task<CellResult> settled(SettledMotion motion, Regime regime) {
+        if (measures_.motion != nullptr) keep_settled(motion.point);
         Recorder<double> recorder(measures_.detail);
         if (recorder.records_contacts()) {
             std::ignore = co_await map_.cycle(map_.scaled(motion.point), &recorder);
@@ -221,6 +243,13 @@ class Search {
         co_return result;
     }
 
+    void keep_settled(const scene::State<double>& point) {
+        measures_.motion->stroboscopic.clear();
+        measures_.motion->touches.clear();
+        measures_.motion->stroboscopic.add(point);
+        measures_.motion->end = point;
+    }
+
     // The values of an attractor that others found, and what this search spent on it.
     CellResult on_known(const CellResult& attractor) {
         const CellResult spent = counted();
@@ -237,6 +266,7 @@ class Search {
         window_.finish();
         measured(result, window_.totals(), std::max<std::int64_t>(window_cycles_, 1));
         result.lyapunov = growth_.exponent();
+        if (measures_.motion != nullptr) measures_.motion->end = map_.unscaled(state_);
         return result;
     }
 
@@ -245,6 +275,10 @@ class Search {
         result.regime = Regime::failed;
         result.status = status_of(outcome);
         result.impact_rate = unknown;
+        if (measures_.motion != nullptr) {
+            measures_.motion->stroboscopic.clear();
+            measures_.motion->touches.clear();
+        }
         return result;
     }
 

@@ -27,6 +27,7 @@
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
 #include "regime/engine.hpp"
+#include "regime/steady_motion.hpp"
 #include "scene/oscillator.hpp"
 #include "support/task.hpp"
 #include "trajectory/recorder.hpp"
@@ -37,6 +38,7 @@ namespace peterka::regime {
 struct Measures {
     trajectory::Detail detail = trajectory::Detail::force;
     bool force_per_cycle = false;
+    SteadyMotion* motion = nullptr;  // filled where somebody wants it; outlives the search
 };
 
 struct Budget {

@@ -8,7 +8,8 @@ Scene::Scene(const job::Job& job) : job_(job), scales_(scales_of(job)), oscillat
 
 Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const double across = job::axis_value(job_.columns, column);
-    const double up = job::axis_value(job_.rows, row);
+    const bool sweeps = job_.kind == job::Kind::sweep;
+    const double up = sweeps ? job_.sweep.branch(row).gap_ratio : job::axis_value(job_.rows, row);
     const bool is_map = job_.kind != job::Kind::basin;  // a study of labels has the plane of a map
 
     Cell cell{oscillator_, {}};

@@ -21,8 +21,9 @@ class Scene {
 
     [[nodiscard]] const job::Job& job() const { return job_; }
     [[nodiscard]] const Scales& scales() const { return scales_; }
-    [[nodiscard]] std::int64_t rows() const { return job_.rows.points; }
+    [[nodiscard]] std::int64_t rows() const { return job_.row_count(); }
     [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
+    // Of a sweep the row is a branch, and the start that of its first point.
     [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
 
   private:

@@ -127,7 +127,8 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>*
             cycle.end[0] = -scene_.kelvin_voigt().damping / scene_.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
-            if (recorder != nullptr) recorder->touch(cycle.end[1]);
+            cycle.last_touch = journey.time;
+            if (recorder != nullptr) recorder->touch({scene_.frequency * journey.time, cycle.end[1]});
             cycle.end[0] = 0;
             cycle.jacobian.row(1) -= scene_.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
@@ -165,10 +166,8 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
             journey.time = end_time;
             return true;
         }
-        const int impacts = cycle.impacts;
-        enter(event.next, journey, recorder);
         journey.time += end.time;
-        if (cycle.impacts > impacts) cycle.last_touch = journey.time;
+        enter(event.next, journey, recorder);
         ++journey.events;
     }
     return journey.stop(Cycle<Real>::Outcome::too_many_events);

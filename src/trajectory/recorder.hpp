@@ -18,6 +18,8 @@
 #include <limits>
 #include <utility>
 
+#include "support/latest.hpp"
+
 namespace peterka::trajectory {
 
 // How much is gathered; each level includes those before it. What nobody asks for isn't computed.
@@ -33,6 +35,13 @@ struct Press {
     Real impulse = 0;  // integral of f
     Real time = 0;
     Real work = 0;  // integral of f delta', taken from the hammer
+};
+
+// The first touch of an impact.
+template <class Real>
+struct Touch {
+    Real phase = 0;  // of the forcing, since the cycle began
+    Real speed = 0;  // delta'
 };
 
 // Over the cycles recorded.
@@ -61,7 +70,9 @@ struct Totals {
 template <class Real>
 class Recorder {
   public:
-    explicit Recorder(Detail detail = Detail::force) : detail_(detail) {}
+    // `touches`, for who wants to know each of them, outlives the recorder.
+    explicit Recorder(Detail detail = Detail::force, Latest<Touch<Real>>* touches = nullptr)
+        : detail_(detail), touches_(touches) {}
 
     [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
     [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
@@ -70,7 +81,10 @@ class Recorder {
     // Something is still going on that counts in a later cycle.
     [[nodiscard]] bool is_open() const { return touching_ || chain_.impacts > 0; }
     // Starts to count anew; what is open stays open.
-    void reset_totals() { totals_ = {}; }
+    void reset_totals() {
+        totals_ = {};
+        if (touches_ != nullptr) touches_->clear();
+    }
     // Counts what is open as one impact that ends now: for a motion that is observed no longer.
     void finish() {
         if (chain_.impacts > 0) join_chain();
@@ -105,12 +119,13 @@ class Recorder {
         displacement_bound(bound_of_displacement);
     }
 
-    // A new impact begins, at this delta' > 0.
-    void touch(Real speed) {
+    // A new impact begins, with delta' > 0.
+    void touch(const Touch<Real>& touch) {
         leave();
+        if (touches_ != nullptr) touches_->add(touch);
         touching_ = records_contacts();
         ++totals_.impacts;
-        totals_.impact_speed = std::max(totals_.impact_speed, speed);
+        totals_.impact_speed = std::max(totals_.impact_speed, touch.speed);
     }
     // The stop presses within the present impact.
     void press(const Press<Real>& press) {
@@ -127,9 +142,11 @@ class Recorder {
         touching_ = false;
     }
 
-    // A rigid stop turns `speed` into -restitution * speed. Whether what presses the hammer towards the stop
+    // A rigid stop turns the speed into -restitution * speed. Whether what presses the hammer towards the stop
     // (acceleration > 0 at rest on it) makes this impact a link of a chain.
-    void strike(Real speed, Real restitution, bool pressed) {
+    void strike(const Touch<Real>& touch, Real restitution, bool pressed) {
+        if (touches_ != nullptr) touches_->add(touch);
+        const Real speed = touch.speed;
         totals_.struck_rigid_stop = true;
         totals_.impact_speed = std::max(totals_.impact_speed, speed);
         totals_.contact_work += (1 - restitution) * (1 + restitution) * speed * speed / 2;
@@ -166,6 +183,7 @@ class Recorder {
     }
 
     Detail detail_;
+    Latest<Touch<Real>>* touches_;
     Totals<Real> totals_;
     Press<Real> impact_;  // the one going on
     bool touching_ = false;

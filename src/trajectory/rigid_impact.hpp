@@ -47,7 +47,7 @@ std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>&
     const bool pressed = stop.presses(theta) && r < 1;
     end_chain_before(theta, chain, recorder);
     if (theta >= chain.until) chain = {cycle.pattern, pressed ? theta + stop.ahead_to_release(theta) : theta};
-    if (recorder != nullptr) recorder->strike(speed, r, pressed);
+    if (recorder != nullptr) recorder->strike({theta, speed}, r, pressed);
     ++cycle.impacts;
     cycle.touched = true;
     cycle.end = {0, -r * speed};

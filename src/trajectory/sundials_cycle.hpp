@@ -54,7 +54,7 @@ class CycleIntegration {
                         course_->stop().ahead_to_pressing(theta) / leg_->scene.frequency);
     }
     bool fly(Journey<double>& journey, double end_time, Recorder<double>* recorder);
-    void enter(Phase from, Phase next, Cycle<double>& cycle, Recorder<double>* recorder) const;
+    void enter(Phase from, Phase next, double time, Cycle<double>& cycle, Recorder<double>* recorder) const;
 
     std::unique_ptr<SundialsLeg> leg_;
     std::unique_ptr<Stepper> stepper_;
@@ -114,7 +114,7 @@ void CycleIntegration<Stepper>::record_leg(const State<double>& start, const Leg
 
 // Puts the state exactly on the surface of the event that leads into a phase, and counts it.
 template <class Stepper>
-void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cycle,
+void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle<double>& cycle,
                                       Recorder<double>* recorder) const {
     const auto& scene = leg_->scene;
     if (next == Phase::flight) {
@@ -127,7 +127,8 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, Cycle<double>& cyc
             cycle.end = at_release(scene, cycle.end);
         } else {
             ++cycle.impacts;
-            if (recorder != nullptr) recorder->touch(cycle.end[1]);
+            cycle.last_touch = time;
+            if (recorder != nullptr) recorder->touch({scene.frequency * time, cycle.end[1]});
             cycle.end[0] = 0;
             // saltation: the force jumps by this times the speed
             cycle.jacobian.row(1) -= contact_response(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
@@ -175,9 +176,7 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
         }
         if (end.kind == LegEnd::Kind::cycle) return cycle;
         time += end.point.time;
-        const int impacts = cycle.impacts;
-        enter(phase, end.next, cycle, recorder);
-        if (cycle.impacts > impacts) cycle.last_touch = time;
+        enter(phase, end.next, time, cycle, recorder);
         phase = end.next;
     }
     cycle.outcome = Outcome::too_many_events;

@@ -29,5 +29,10 @@ def medium_map_file(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def small_sweep_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("small_sweep"), jobs.small_sweep())
+
+
+@pytest.fixture(scope="session")
 def larger_map_file(tmp_path_factory):
     return compute(tmp_path_factory.mktemp("larger_map"), jobs.larger_map())

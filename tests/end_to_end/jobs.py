@@ -49,6 +49,12 @@ def small_basin(points=24):
             + axis("displacement_ratio", -3.0, 1.5, points) + axis("velocity_ratio", -4.0, 4.0, points))
 
 
+def small_sweep(points=41, direction="both", gaps="[0.0, 1.5, 2.5]"):
+    """Up and down at three gaps; a jump and hysteresis at the two larger ones."""
+    return (RIG.format(kind="sweep", title="small sweep") + axis("frequency_ratio", 0.6, 2.6, points)
+            + f'[sweep]\ngap_ratio = {gaps}\ndirection = "{direction}"\nsamples = 8\n')
+
+
 def study(topic, settings="", axes=""):
     """A study on the same rig; settings are lines of [study], axes further tables."""
     return (RIG.format(kind="study", title="small study")

@@ -1,4 +1,4 @@
-"""A 4x4 map and a 4x4 basin of the paper's 170 mm rig, computed by the program."""
+"""A 4x4 map, a 4x4 basin and a sweep with 4 branches of 4 points of the paper's 170 mm rig, computed by the program."""
 
 import os
 import subprocess
@@ -40,6 +40,17 @@ to = 2.2
 points = 4
 """
 
+SWEEP = RIG.format(kind="sweep") + """
+[axes.frequency_ratio]
+from = 0.5
+to = 3.5
+points = 4
+[sweep]
+gap_ratio = [0.0, 1.5]
+direction = "both"
+samples = 5
+"""
+
 
 def compute(folder, text):
     (folder / "job.toml").write_text(text)
@@ -59,3 +70,8 @@ def map_file(tmp_path_factory):
 @pytest.fixture(scope="session")
 def basin_file(tmp_path_factory):
     return compute(tmp_path_factory.mktemp("basin"), BASIN)
+
+
+@pytest.fixture(scope="session")
+def sweep_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("sweep"), SWEEP)

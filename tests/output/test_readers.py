@@ -170,3 +170,26 @@ def test_cells_of_a_basin_point_at_their_attractor(basin_file):
                                       atol=1e-6, equal_nan=True)
         assert table["cells"][:count].tolist() == numpy.bincount(rows.ravel()).tolist()
         assert not table["cells"][count:].any()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_xarray_opens_a_sweep(sweep_file, engine):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with xarray.open_dataset(sweep_file, engine=engine) as opened:
+            sweep = opened.load()
+    assert dict(sweep.sizes) == {"branch": 4, "frequency_ratio": 4, "sample": 5}
+    assert sweep.gap_ratio.values.tolist() == [0, 0, 1.5, 1.5] and sweep.gap_ratio.dims == ("branch",)
+    assert sweep.direction.values.tolist() == [0, 1, 0, 1]
+    assert sweep.direction.attrs["flag_meanings"] == "up down independent"
+    numpy.testing.assert_array_equal(sweep.frequency_ratio, numpy.linspace(0.5, 3.5, 4))
+    sampled = {f"{where}_{what}" for where in ("stroboscopic", "impact") for what in ("displacement", "velocity")}
+    cells = set(ALWAYS) | {"jump"}
+    assert set(sweep.data_vars) == cells | sampled | {"gap_ratio", "direction"}
+    assert all(sweep[name].dims == ("branch", "frequency_ratio") for name in cells)
+    assert all(sweep[name].dims == ("branch", "frequency_ratio", "sample") for name in sampled)
+    assert all(variable.attrs["long_name"] for variable in sweep.variables.values())
+    assert all(sweep[name].attrs["units"] == "1" for name in sampled)
+    assert (sweep.regime.values != -128).all()
+    with h5py.File(sweep_file) as file:
+        assert file["tiles/done"][:].tolist() == [1] * 4 and file["summary/finished"][()] == 1

@@ -62,6 +62,17 @@ inline Job basin() {
     return job;
 }
 
+inline Job sweep() {
+    Job job = map();
+    job.kind = Kind::sweep;
+    job.title = "A sweep";
+    job.rows = {};
+    job.audit = {};
+    job.refine = {};
+    job.sweep = {.gap_ratio = {0.5, -1.5}, .direction = Direction::down, .samples = 48};
+    return job;
+}
+
 inline Job study(StudyTopic topic) {
     Job job = topic == StudyTopic::labels ? map() : Job{};
     job.kind = Kind::study;

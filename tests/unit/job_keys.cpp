@@ -89,6 +89,9 @@ const std::map<std::string, std::string> other_values{
     {"audit.cells", "151"},
     {"refine.levels", "3"},
     {"limits.failed_cells", "8"},
+    {"sweep.gap_ratio", "[2.5]"},
+    {"sweep.direction", "\"independent\""},
+    {"sweep.samples", "49"},
     {"study.frequency_ratio", "[3.5, 1.5]"},
     {"study.gap_ratio", "[0.5, -2.0]"},
     {"study.tolerances", "[0.01]"},
@@ -146,6 +149,10 @@ TEST(JobKeys, OfAMapAreWiredThrough) {
 
 TEST(JobKeys, OfABasinAreWiredThrough) {
     expect_every_key_to_be_wired_through(examples::basin());
+}
+
+TEST(JobKeys, OfASweepAreWiredThrough) {
+    expect_every_key_to_be_wired_through(examples::sweep());
 }
 
 TEST(JobKeys, OfARigidStopAreWiredThrough) {

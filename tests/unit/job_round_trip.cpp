@@ -141,11 +141,12 @@ TEST(JobRoundTrip, RandomJobsReadBackEqualBitForBit) {
 TEST(JobRoundTrip, ExamplesReadBackEqual) {
     EXPECT_EQ(read_job_text(resolved_text(examples::map()), "map"), examples::map());
     EXPECT_EQ(read_job_text(resolved_text(examples::basin()), "basin"), examples::basin());
+    EXPECT_EQ(read_job_text(resolved_text(examples::sweep()), "sweep"), examples::sweep());
     for (const Job& job : examples::studies()) EXPECT_EQ(read_job_text(resolved_text(job), "study"), job);
 }
 
 TEST(JobIdentity, HasNoTitleNoLimitsAndNoComments) {
-    for (const Job& job : {examples::map(), examples::basin()}) {
+    for (const Job& job : {examples::map(), examples::basin(), examples::sweep()}) {
         const std::string text = identity_text(job);
         EXPECT_EQ(text.find("title"), std::string::npos);
         EXPECT_EQ(text.find("limits"), std::string::npos);

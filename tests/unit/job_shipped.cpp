@@ -1,6 +1,8 @@
 // The jobs that come with the program are sound and are those of the paper.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job_examples.hpp"
@@ -53,6 +55,24 @@ TEST(ShippedJobs, MapsCoverThePlaneOfThePaper) {
         EXPECT_EQ(job.columns, (Axis{0.5, 4.5, rig.points}));
         EXPECT_EQ(job.rows, (Axis{0, 5, rig.points}));
         EXPECT_EQ(job.start, Start{});
+    }
+}
+
+TEST(ShippedJobs, SweepsGoUpAndDownAtTheGapsOfThePaper) {
+    for (const Rig& rig : {Rig{"sweep_170mm.toml", 4.5, 0.06, 1401}, Rig{"sweep_150mm.toml", 5.25, 0.08, 1401},
+                           Rig{"sweep_135mm.toml", 6.5, 0.09, 1401}}) {
+        SCOPED_TRACE(rig.file);
+        const Job job = shipped(rig.file);
+        EXPECT_EQ(job.kind, Kind::sweep);
+        EXPECT_EQ(job.hammer.natural_frequency_hz, rig.natural_frequency_hz);
+        EXPECT_EQ(job.hammer.damping_ns_per_m, rig.damping_ns_per_m);
+        EXPECT_EQ(job.columns.points, rig.points);
+        ASSERT_EQ(job.sweep.gap_ratio.size(), 3U);
+        for (const std::size_t i : {0U, 1U, 2U}) {
+            const double gap_mm = job.sweep.gap_ratio[i] * 0.89;
+            EXPECT_DOUBLE_EQ(gap_mm, (std::array{0.0, 1.0, 3.0}[i]));
+        }
+        EXPECT_EQ(job.sweep.direction, Direction::both);
     }
 }
 

@@ -1,0 +1,124 @@
+#include "regime/branch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
+
+namespace peterka::regime {
+
+namespace {
+
+constexpr int cycles_between_questions = 256;
+
+// False: given up.
+bool solve(const Task<CellResult>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
+    ScalarEngine engine;
+    search.start();
+    for (std::int64_t cycle = 0; !search.done(); ++cycle) {
+        if (cycle % cycles_between_questions == 0 && !carry_on()) return false;
+        engine.serve(desk);
+    }
+    return true;
+}
+
+// Columns in the order in which a branch visits them.
+std::vector<std::int64_t> columns_of(const scene::Scene& scene, job::Direction direction) {
+    std::vector<std::int64_t> columns;
+    for (std::int64_t column = 0; column < scene.columns(); ++column) columns.push_back(column);
+    if (direction == job::Direction::down) std::ranges::reverse(columns);
+    return columns;
+}
+
+bool has_period(const CellResult& cell) {
+    return cell.regime == Regime::periodic || cell.regime == Regime::no_impact ||
+           cell.regime == Regime::sustained_contact;
+}
+
+bool same_class(const CellResult& a, const CellResult& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
+}
+
+// Finds jumps between neighbouring columns, whatever the direction.
+class JumpSearch {
+  public:
+    explicit JumpSearch(const std::vector<BranchPoint>& points) : points_(points) {
+        double largest = 0;
+        for (const BranchPoint& point : points) largest = std::max(largest, force_or(point.cell, 0));
+        least_change_ = largest / 20;
+    }
+
+    // Between a column and the one after it.
+    [[nodiscard]] bool jumps_after(std::int64_t column) const {
+        const double change = change_after(column);
+        if (!(change > least_change_)) return false;
+        if (!lasts(column, -1) && !lasts(column + 1, 1)) return false;
+        const double slope = std::max(change_after(column - 1), change_after(column + 1));
+        return !same_class(cell(column), cell(column + 1)) || change > 3 * slope;
+    }
+
+  private:
+    static double force_or(const CellResult& cell, double otherwise) {
+        return std::isnan(cell.peak_force) ? otherwise : cell.peak_force;
+    }
+    [[nodiscard]] bool has(std::int64_t column) const { return column >= 0 && column < std::ssize(points_); }
+    [[nodiscard]] const CellResult& cell(std::int64_t column) const {
+        return points_[static_cast<std::size_t>(column)].cell;
+    }
+    // 0 beyond the ends and next to a cell without a force.
+    [[nodiscard]] double change_after(std::int64_t column) const {
+        if (!has(column) || !has(column + 1)) return 0;
+        const double change = std::abs(cell(column + 1).peak_force - cell(column).peak_force);
+        return std::isnan(change) ? 0 : change;
+    }
+    // Whether a motion with a period holds from a column on, in a direction.
+    [[nodiscard]] bool lasts(std::int64_t column, std::int64_t step) const {
+        constexpr int points = 4;
+        if (!has_period(cell(column))) return false;
+        for (int i = 1; i < points && has(column + i * step); ++i) {
+            if (!same_class(cell(column), cell(column + i * step))) return false;
+        }
+        return true;
+    }
+
+    const std::vector<BranchPoint>& points_;
+    double least_change_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
+                                                      const std::function<bool()>& carry_on) {
+    const job::Branch branch = scene.job().sweep.branch(row);
+    const auto samples = static_cast<std::size_t>(scene.job().sweep.samples);
+    std::vector<BranchPoint> points(static_cast<std::size_t>(scene.columns()), {{}, SteadyMotion(samples)});
+    std::optional<scene::State<double>> state;  // (delta, x'/(A0 omega)) to start from
+    for (const std::int64_t column : columns_of(scene, branch.direction)) {
+        auto& [result, motion] = points[static_cast<std::size_t>(column)];
+        scene::Cell cell = scene.cell(row, column);
+        const double cart_speed = cell.oscillator.frequency;  // y'/(A0 omega) at phase 0
+        if (state) cell.start = {(*state)[0], (*state)[1] - cart_speed};
+        CycleDesk desk;
+        const Task<CellResult> search = solve_cell(desk, scene.job(), cell, {}, &motion);
+        if (!solve(search, desk, carry_on)) return std::nullopt;
+        result = search.result();
+        if (motion.end && branch.direction != job::Direction::independent) {
+            state = {(*motion.end)[0], (*motion.end)[1] + cart_speed};
+        }
+    }
+    mark_jumps(points, branch.direction);
+    return points;
+}
+
+void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction) {
+    const JumpSearch search(points);
+    for (std::int64_t column = 0; column + 1 < std::ssize(points); ++column) {
+        const std::int64_t reached = direction == job::Direction::down ? column : column + 1;
+        points[static_cast<std::size_t>(reached)].cell.jump = search.jumps_after(column);
+    }
+}
+
+}  // namespace peterka::regime

@@ -1,0 +1,42 @@
+// One branch of a sweep: the steady states along the frequencies, each reached from the one before.
+//
+// Up and down, a point starts from the motion on which the last one ended: the hammer keeps its absolute
+// position x and velocity x' at forcing phase 0, where the cart passes its middle, and the cart goes on with
+// another speed from there. So would a motor leave it that is set to a new speed after the motion has settled.
+// In cart coordinates the gap and delta stay, and delta' = x'/(A0 omega) - eta changes with eta. From a motion
+// without a proof the next point starts where its run ended, and from a failed one where that started. The
+// first point, and each one of a branch with independent starts, starts from [start].
+//
+// The steps are finite, so a jump may come up to a step early where the basin of an attractor is as narrow as
+// the step is long.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "regime/cell_result.hpp"
+#include "regime/steady_motion.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::regime {
+
+struct BranchPoint {
+    CellResult cell;
+    SteadyMotion motion;
+};
+
+// The points in the order of the frequency axis, whatever the direction; nothing where carry_on, asked every
+// now and then, says to give up.
+[[nodiscard]] std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
+                                                                    const std::function<bool()>& carry_on);
+
+// Marks where peak force jumps: it changes by more than a twentieth of the branch's largest one from one point
+// to the next in the branch's direction, and a motion with a period ends or begins there that holds for four
+// points or up to the end of the branch (between windows in chaos forces scatter, and that is no jump). Where
+// the class stays the same it must change three times as much as in the steps before and after, too: a steep
+// slope is no jump.
+void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
+
+}  // namespace peterka::regime

@@ -1,0 +1,116 @@
+"""Sweeps: the same file at any number of ranks and after any interruption, and a summary that tells what they show."""
+
+import os
+import shutil
+import signal
+
+import h5py
+import numpy
+import pytest
+
+import jobs
+import launch
+import map_contents
+
+
+@pytest.mark.parametrize("ranks", [1, 2, 3])
+def test_a_sweep_is_the_same_at_any_number_of_ranks(tmp_path, small_sweep_file, ranks):
+    jobs.write(tmp_path, jobs.small_sweep())
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    map_contents.assert_same_map(tmp_path / "job.h5", small_sweep_file)
+
+
+def long_sweep():
+    """Six branches that take a second or so each."""
+    return jobs.small_sweep(points=4001)
+
+
+@pytest.fixture(scope="module")
+def long_sweep_file(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("long_sweep")
+    jobs.write(folder, long_sweep())
+    assert launch.run("run", "job.toml", "--quiet", cwd=folder, ranks=2).returncode == 0
+    return folder / "job.h5"
+
+
+def test_a_killed_sweep_goes_on_to_the_same_end(tmp_path, long_sweep_file):
+    jobs.write(tmp_path, long_sweep())
+    process = launch.start("run", "job.toml", cwd=tmp_path)
+    assert "cells to compute" in process.stderr.readline()
+    os.kill(process.pid, signal.SIGKILL)
+    process.communicate(timeout=launch.HANGING)
+    assert map_contents.done_tiles(tmp_path / "job.h5") < 6
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=3).returncode == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", long_sweep_file)
+
+
+def test_a_stop_in_the_middle_of_a_branch_drops_it(tmp_path, long_sweep_file):
+    jobs.write(tmp_path, long_sweep())
+    process = launch.start("run", "job.toml", cwd=tmp_path)
+    assert "cells to compute" in process.stderr.readline()
+    process.send_signal(signal.SIGUSR1)
+    _, errors = process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 5, errors
+    assert map_contents.done_tiles(tmp_path / "job.h5") < 6
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=2).returncode == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", long_sweep_file)
+
+
+@pytest.mark.parametrize("name", ["peak_force_ratio", "stroboscopic_displacement"])
+def test_a_damaged_branch_is_computed_again(tmp_path, small_sweep_file, name):
+    jobs.write(tmp_path, jobs.small_sweep())
+    shutil.copy(small_sweep_file, tmp_path / "job.h5")
+    with h5py.File(tmp_path / "job.h5", "r+") as file:
+        first = file[name][(2, 3) + (0,) * (file[name].ndim - 2)]
+        file[name][(2, 3) + (0,) * (file[name].ndim - 2)] = first + 1
+        file["summary/finished"][()] = 0
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0 and "1 tiles are damaged" in finished.stderr
+    map_contents.assert_same_map(tmp_path / "job.h5", small_sweep_file)
+
+
+def test_branches_hold_their_motions(small_sweep_file):
+    with h5py.File(small_sweep_file) as file:
+        assert file["gap_ratio"][:].tolist() == [0, 0, 1.5, 1.5, 2.5, 2.5]
+        assert file["direction"][:].tolist() == [0, 1, 0, 1, 0, 1]
+        periodic = file["regime"][:] == 1
+        stored = numpy.isfinite(file["stroboscopic_displacement"][:]).sum(axis=2)
+        touches = numpy.isfinite(file["impact_velocity"][:]).sum(axis=2)
+        assert (stored[periodic] == numpy.minimum(file["period"][:][periodic], 8)).all()
+        assert (touches[periodic] == numpy.minimum(file["impacts"][:][periodic], 8)).all()
+        assert (touches[file["regime"][:] == 0] == 0).all()
+        # no jump at gap 0; at 1.5 from z = 1/1 to no impact after 1.862 going up, and back before 1.732 going down
+        frequency = file["frequency_ratio"][:]
+        landed = [frequency[row == 1].round(2).tolist() for row in file["jump"][:]]
+        assert landed[:2] == [[], []]
+        assert landed[2] == [0.8, 1.9] and landed[3] == [0.7, 1.75, 2.05]
+
+
+def test_the_summary_tells_what_a_sweep_shows(tmp_path):
+    jobs.write(tmp_path, jobs.small_sweep())
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0
+    for words in ["246 cells: 41 by 6 excitation frequencies and branches", "Gap/A0 1.5 (1.33 mm)", "impact resonance",
+                  "jumps", "hysteresis", "up 1/1, down no impact", "Sweep file job.h5"]:
+        assert words in finished.stdout, finished.stdout
+
+
+def test_check_prints_branches_and_the_files_size(tmp_path, small_sweep_file):
+    jobs.write(tmp_path, jobs.small_sweep())
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    assert checked.returncode == 0
+    assert "cells    246: 41 of frequency_ratio by 6 of branch" in checked.stdout
+    assert "3    gap/A0 1.5, down" in checked.stdout
+    foretold = float(checked.stdout.split("job.h5, ")[1].split(" kB")[0]) * 1000
+    assert 0 <= foretold + 100 - small_sweep_file.stat().st_size < 20_000
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
+
+
+def test_one_direction_alone_and_fields_on_request(tmp_path):
+    jobs.write(tmp_path, jobs.small_sweep(points=5, direction="independent") + '[output]\nfields = ["multiplier"]\n')
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
+    with h5py.File(tmp_path / "job.h5") as file:
+        assert file["direction"][:].tolist() == [2, 2, 2]
+        assert file["multiplier"].shape == (3, 5)
+        assert file["stroboscopic_velocity"].shape == (3, 5, 8)
