@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
+MPIEXEC = os.environ.get("MPIEXEC", "mpirun")
 DEALING_CHECK = BINARY.with_name("dealing_check")
 
 # More ranks than cores, as root, in a container: what Open MPI wants to be told before it allows that.
@@ -21,7 +22,7 @@ HANGING = 300  # seconds after which a run is taken to hang
 
 
 def command(*arguments, ranks=None, binary=BINARY):
-    launcher = [] if ranks is None else ["mpirun", "-n", str(ranks)]
+    launcher = [] if ranks is None else [MPIEXEC, "-n", str(ranks)]
     return [*launcher, str(binary), *map(str, arguments)]
 
 

@@ -14,33 +14,40 @@ trap 'stop_cluster "$folder"; wait; rm -rf "$folder"' EXIT
 start_cluster "$folder"
 
 field() { scontrol show job "$id" | grep -o "$1=[^ ]*" | cut -d= -f2; }
-until_log_has() { until [ "$(grep -c "$2" "$folder/log" 2>/dev/null)" = "$1" ]; do sleep 0.2; done; }
-until_restarted() { until [ "$(field Restarts)" = "$1" ] && [ "$(field JobState)" = PENDING ]; do sleep 0.2; done; }
-start_now() { scontrol update JobId="$id" StartTime=now; }
+until_true() {
+    until "$@"; do
+        if [ "$(field JobState)" = FAILED ]; then cat "$folder/log" >&2; exit 1; fi
+        sleep 0.2
+    done
+}
+log_has() { [ "$(grep -c "$2" "$folder/log" 2>/dev/null)" = "$1" ]; }
+restarted() { [ "$(field Restarts)" = "$1" ] && [ "$(field JobState)" = PENDING ]; }
+finished() { [ "$(field JobState)" = COMPLETED ]; }
+start_soon() { scontrol update JobId="$id" StartTime=now+10; } # not in 2 minutes; at once, the old credential is revoked
 
-job=("$PWD/jobs/smoke.toml" --set axes.frequency_ratio.points=400 --set axes.gap_ratio.points=400)
+job=("$PWD/jobs/hunt_crossley_170mm.toml" --set axes.frequency_ratio.points=72 --set axes.gap_ratio.points=72) # a minute
 export PETERKA=$PETERKA_BINARY
 export OMPI_MCA_btl=tcp,self # two nodes on one machine share no memory as far as Open MPI knows
 id=$(sbatch --parsable --ntasks=4 --nodes=2 --time=1 --signal=USR1@30 --output="$folder/log" \
     jobs/slurm/map.sbatch "${job[@]}" --output "$folder/map.h5")
 
-until_restarted 1
+until_true restarted 1
 grep "stopped early (signal SIGUSR1)" "$folder/log"
 scontrol update JobId="$id" TimeLimit=60
-start_now
+start_soon
 
-until_log_has 2 "cells to compute"
+until_true log_has 2 "cells to compute"
 scontrol requeue "$id"
-until_restarted 2
-start_now
+until_true restarted 2
+start_soon
 
-until_log_has 3 "cells to compute"
+until_true log_has 3 "cells to compute"
 scontrol update NodeName=n2 State=DOWN Reason="it fails"
-until_restarted 3
+until_true restarted 3
 scontrol update NodeName=n2 State=RESUME
-start_now
+start_soon
 
-until [ "$(field JobState)" = COMPLETED ]; do sleep 0.2; done
+until_true finished
 cat "$folder/log"
 mpirun -n 2 "$PETERKA_BINARY" run "${job[@]}" --quiet --output "$folder/whole.h5"
 /usr/bin/python3 tests/endurance/same_map.py "$folder/map.h5" "$folder/whole.h5"

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The same tests under MPICH instead of Open MPI, in a build tree of their own.
+set -euo pipefail
+
+for program in mpicc.mpich mpiexec.mpich h5pcc.mpich; do
+    command -v $program >/dev/null ||
+        { echo "skipped: $program is missing (Debian: mpich, libmpich-dev, libhdf5-mpich-dev)"; exit 77; }
+done
+cmake -S . -B build/mpich -G Ninja -DCMAKE_BUILD_TYPE=Release -DMPI_C_COMPILER=mpicc.mpich \
+    -DMPIEXEC_EXECUTABLE="$(command -v mpiexec.mpich)" -DHDF5_C_COMPILER_EXECUTABLE="$(command -v h5pcc.mpich)"
+cmake --build build/mpich
+code=0
+ctest --test-dir build/mpich --output-on-failure -E style | tee build/mpich/tests.log || code=$?
+result=$(grep 'tests passed' build/mpich/tests.log)
+echo "the tests under $(mpiexec.mpich --version | grep Version: | xargs | sed 's/Version:/MPICH/') | 1 | $result" \
+    >>"$ENDURANCE_ROWS"
+exit $code
