@@ -4,3 +4,4 @@ if [ "$(id -u)" = 0 ]; then
 fi
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 export OMPI_MCA_btl_vader_single_copy_mechanism=none # containers often forbid it, with a warning per rank
+export PMIX_MCA_gds=hash # without locks in shared memory: a rank killed while it holds one leaves mpirun hanging at its end

@@ -16,6 +16,7 @@ MPI_SETTINGS = {
     "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMPI_MCA_mpi_yield_when_idle": "1",
     "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "PMIX_MCA_gds": "hash",
 }
 ENVIRONMENT = os.environ | MPI_SETTINGS
 HANGING = 300  # seconds after which a run is taken to hang

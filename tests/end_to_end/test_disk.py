@@ -88,10 +88,10 @@ def test_a_file_that_vanishes(tmp_path, ranks):
 
 
 def test_a_limit_of_file_sizes(tmp_path):
-    """As batch systems set it; a signal would end the program without a word. PMIx has large files of its own."""
+    """As batch systems set it; a signal would end the program without a word."""
     jobs.write(tmp_path, jobs.medium_map())
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
-    finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT | {"PMIX_MCA_gds": "hash"},
+    finished = subprocess.run(launch.command("run", "job.toml"), cwd=tmp_path, env=launch.ENVIRONMENT,
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, preexec_fn=limit)
     assert finished.returncode == 3, finished.stderr
     assert "job.h5" in said(finished) and "File too large" in said(finished)
