@@ -13,7 +13,7 @@ import parts
 
 TESTS = Path(__file__).parents[1] / "end_to_end"
 WHAT_IS_TRIED = {  # the test: the fault, and what happens where it passes
-    "test_kills_at_random_moments_lose_nothing": ("ten kills at random moments", "no loss, the same bytes"),
+    "test_kills_at_random_moments_lose_nothing": ("ten kills at random moments in a row", "no loss, the same bytes"),
     "test_a_run_with_a_killed_rank_ends_and_goes_on": ("one rank killed", "all end, the same command goes on"),
     "test_a_damaged_tile_is_computed_again": ("a tile that fails its checksum", "computed again, the same bytes"),
     "test_a_damaged_finished_map_is_not_shown": ("a finished map is damaged", "exit 3, nothing shown"),
