@@ -5,6 +5,7 @@
 #include <hdf5.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string_view>
 #include <system_error>
@@ -49,6 +50,7 @@ std::string why_unwritable(const std::filesystem::path& path) {
 std::string hdf5_reason() {
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
+    std::ranges::replace(reason, '\n', ' ');  // MPICH's are of several lines
     return reason.empty() ? "no reason given" : system_text(reason);
 }
 

@@ -40,17 +40,19 @@ void tell_ranks_after(const Session& session) {
 }
 
 // Waits whether a rank before this one speaks. Where several ranks fail for the same reason, one should say so:
-// rank 0 at once, the others after giving those before them the time.
+// rank 0 at once, the others after giving those before them the time, and MPI some looks to bring their word.
 bool somebody_speaks(const Session& session) {
+    constexpr int fewest_looks = 20;
     if (session.is_root()) return false;
     const Stopwatch since_failure;
-    const double patience = 0.3 + 0.02 * std::min(session.rank(), most_ranks_told);
+    const double patience = 0.3 + 0.1 * std::min(session.rank(), 20);
     int arrived = 0;
-    while (arrived == 0 && since_failure.seconds() < patience) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int looks = 0; looks < fewest_looks || since_failure.seconds() < patience; ++looks) {
         MPI_Iprobe(MPI_ANY_SOURCE, speaking_tag, session.communicator(), &arrived, MPI_STATUS_IGNORE);
+        if (arrived != 0) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return arrived != 0;
+    return false;
 }
 
 [[noreturn]] void end_all(const Session& session, ExitCode code, const std::string& message) {

@@ -144,6 +144,8 @@ def on_a_terminal(*arguments, cwd, ranks):
 
 @pytest.mark.parametrize("ranks", RANKS)
 def test_on_a_terminal_progress_is_one_bar(tmp_path, ranks):
+    if ranks is not None and "mpich" in launch.MPIEXEC:
+        pytest.skip("only of Open MPI's mpirun is known whether somebody watches; elsewhere progress is lines")
     jobs.write(tmp_path, jobs.small_map())
     shown = on_a_terminal("run", "job.toml", cwd=tmp_path, ranks=ranks)
     assert "\r[" in shown and "cells/s" in shown
