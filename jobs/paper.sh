@@ -5,6 +5,7 @@
 #   jobs/paper.sh [--quick] [FOLDER]        default: results/paper; --quick: coarse grids, results/paper_quick
 #   PETERKA_BINARY=... jobs/paper.sh        with a program that is built already
 set -euo pipefail
+shopt -s nullglob
 quick=""
 [ "${1:-}" != --quick ] || { quick=yes && shift; }
 folder=$(realpath -m "${1:-$(dirname "$0")/../results/paper${quick:+_quick}}")
@@ -31,6 +32,13 @@ all_files() {
             --set audit.cells=0
         compute "gaps_$rig" "peterka_$rig" $(points frequency_ratio 4001 501) $(points gap_ratio 4 4) \
             --set audit.cells=0 --set axes.gap_ratio.to=3.370786516853933 --set "title=Gaps of 0 to 3 mm, $rig"
+    done
+    for rig in 170mm 150mm 135mm; do
+        compute "sweep_$rig" "sweep_$rig" $(points frequency_ratio 1401 281)
+    done
+    for job in jobs/trace_*.toml; do
+        job=$(basename "$job" .toml)
+        compute "$job" "$job"
     done
     compute basin_150mm basin_150mm $(points displacement_ratio 256 24) $(points velocity_ratio 256 24)
     compute basin_150mm_coexisting basin_150mm_coexisting $(points displacement_ratio 256 24) $(points velocity_ratio 256 24)
@@ -93,6 +101,9 @@ all_files
 postprocess() { /usr/bin/python3 "postprocess/$1.py" "${@:2}"; }
 echo "drawing"
 postprocess draw "$folder"/peterka_*.h5 "$folder"/basin_*.h5 --output-dir "$folder/pictures" --formats png
+postprocess draw "$folder"/sweep_1[35]*.h5 "$folder"/trace_*.h5 --output-dir "$folder/pictures" --formats png
+postprocess draw "$folder/sweep_170mm.h5" --measured postprocess/paper_measurements.csv \
+    --output-dir "$folder/pictures" --formats png
 for pair in "170mm 150mm" "170mm 135mm" "150mm 135mm"; do
     postprocess compare "$folder/peterka_${pair% *}.h5" "$folder/peterka_${pair#* }.h5" \
         --output-dir "$folder/pictures" --formats png >/dev/null

@@ -1,10 +1,11 @@
 """All groups of claims, in the order of the page."""
 
-from . import force_map, gap_zero, robust, starts, stiffness
+from . import force_map, gap_zero, jumps, robust, starts, stiffness
 
 GROUPS = [
     ("Bands and forces at gap 0", gap_zero),
     ("Forces over frequency and gap", force_map),
+    ("Jumps and impact resonances", jumps),
     ("Gap 0 against other gaps", robust),
     ("Three beam springs", stiffness),
     ("What the start decides", starts),

@@ -2,11 +2,13 @@
 
 from itertools import product
 
+from peterka_pictures.classes import PERIODIC
 from peterka_pictures.sweep import SweepFile
 
+from .folder import STANDARD_GRAVITY
 from .force_map import RIGS
 from .record import SHARE, claim, not_computed
-from .folder import STANDARD_GRAVITY
+from .spans import widest
 
 PLACE = "section 3.1, Figs. 9, 14"
 SAYS = {
@@ -53,39 +55,46 @@ class Sweep:
         at = branch.resonance()
         return float(self.hertz[at]), float(branch.force[at] * self.weight_n)
 
-    def end_of_impacts(self, millimetres, direction):
-        """(frequency [Hz], force before, force after [N]) of the jump that ends or begins the band z = 1/1 at its upper
-        limit: the first jump above the impact resonance in which the force is lost or won; None without one."""
+    def doubling(self, millimetres):
+        """(frequency [Hz], force [N]) at the end of the widest stretch of z = 1/1 with rising frequency; None without."""
+        branch = self.branches(millimetres)["up"]
+        span = widest((branch.regime == PERIODIC) & (branch.impacts == 1) & (branch.period == 1))
+        return None if span is None else (float(self.hertz[span[1]]), float(branch.force[span[1]] * self.weight_n))
+
+    def end_of_band(self, millimetres, direction):
+        """(frequency [Hz], force below, force above [N]) of the jump that ends the band z = 1/1 towards high frequencies,
+        doubled periods counted in: the first beyond the impact resonance that loses force; None without one."""
         branch, (resonance, _) = self.branches(millimetres)[direction], self.resonance(millimetres, direction)
-        for before, after in sorted(branch.jumps(), key=lambda jump: self.hertz[jump[0]]):
-            low, high = sorted((before, after))
+        of_band = (branch.regime == PERIODIC) & (branch.impacts == branch.period)
+        for low, high in sorted(tuple(sorted(jump)) for jump in branch.jumps()):
             frequency = float(self.hertz[low] + self.hertz[high]) / 2
-            if frequency >= resonance and branch.force[high] < branch.force[low]:
+            if frequency >= resonance and of_band[low] and branch.force[high] < branch.force[low]:
                 return frequency, *(float(branch.force[n] * self.weight_n) for n in (low, high))
         return None
 
 
 def _jump(sweep, key, gap, pictures):
-    found = {direction: sweep.end_of_impacts(gap, direction) for direction in ("up", "down")}
+    found = {direction: sweep.end_of_band(gap, direction) for direction in ("up", "down")}
     resonance, force = sweep.resonance(gap)
+    peak = f"the impact resonance at {resonance:.2f} Hz ({force:.4g} N)"
     if None in found.values():
-        return claim(key, PLACE, SAYS[key],
-                     f"no jump of the band z = 1/1 beyond its largest force of {force:.4g} N at {resonance:.2f} Hz", False,
-                     "", "the orbit doubles its period before it can fold, and its force is small by then: what is seen as "
-                     "a jump may be the steep fall beyond the resonance", pictures)
+        end = sweep.doubling(gap)
+        return claim(key, PLACE, SAYS[key], f"no jump of the band z = 1/1 beyond {peak}" + (
+            f"; from there its force falls smoothly to {end[1]:.4g} N at {end[0]:.2f} Hz, where the period doubles"
+            if end else ""), False, "", "a steep fall in few measured points looks like a jump; at other stiffnesses the "
+            "paper saw none at this gap either (135 mm)", pictures)
     (up, high, low), (down, *_) = found["up"], found["down"]
     return claim(key, PLACE, SAYS[key],
-                 f"with rising frequency the force falls from {high:.4g} to {low:.4g} N at {up:.2f} Hz, just above the "
-                 f"impact resonance at {resonance:.2f} Hz; with falling frequency impacts begin at {down:.2f} Hz",
-                 up > down, f"hysteresis of {up - down:.2f} Hz", "both jumps fall on one frequency", pictures)
+                 f"with rising frequency the force falls from {high:.4g} to {low:.4g} N at {up:.2f} Hz, beyond {peak}; with "
+                 f"falling frequency impacts begin at {down:.2f} Hz", up > down, f"hysteresis of {up - down:.2f} Hz",
+                 "both jumps fall on one frequency", pictures)
 
 
 def _no_jump(sweep):
-    found = [sweep.end_of_impacts(0, direction) for direction in ("up", "down")]
-    words = [f"{jump[1]:.4g} to {jump[2]:.4g} N at {jump[0]:.2f} Hz" for jump in found if jump]
-    return claim("no_jump_0mm", PLACE, SAYS["no_jump_0mm"], "jumps that take force above the resonance: "
-                 + ("; ".join(words) or "none, up and down"), not words, "",
-                 "they lie in the region of chaos and doubled periods between both bands, not in z = 1/1")
+    found = [jump for jump in (sweep.end_of_band(0, direction) for direction in ("up", "down")) if jump]
+    words = "; ".join(f"from {below:.4g} to {above:.4g} N at {hertz:.2f} Hz" for hertz, below, above in found)
+    return claim("no_jump_0mm", "section 5; Figs. 9a, 14a", SAYS["no_jump_0mm"],
+                 f"jumps at the end of the band: {words or 'none, up and down'}", not found)
 
 
 def _resonance_by_gap(sweep):

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from peterka_claims import page, spans
+from peterka_claims import jumps, page, spans
 from peterka_claims.folder import Plane
 from peterka_claims.force_map import _best_turn
 from peterka_claims.gap_zero import label, limits_hz, resonance
@@ -14,6 +14,7 @@ from peterka_claims.record import AGREES, DIFFERS, OPEN, claim, not_computed, of
 from peterka_claims.sensitivity import Row
 from peterka_claims.starts import both_nearest, depends_on_start
 from picture_samples import write_map
+from sweep_samples import write_sweep
 
 CLAIMS = [("Group", [
     claim("a", "section 1", "Forces are <large> | or not.", "5 N", True, "+1 %", "unused", ["seen", "missing"]),
@@ -104,6 +105,16 @@ def test_the_nearest_basin_with_both_outcomes(monkeypatch):
 
 def row(printed, factors, values):
     return Row("force", "N", printed, "ci", np.array(factors), np.array(values, dtype=float))
+
+
+def test_jumps_of_a_sweep(tmp_path):
+    sweep = jumps.Sweep(write_sweep(tmp_path / "sweep.h5"))
+    weight = 0.298 * 9.80665
+    assert sweep.resonance(0) == pytest.approx((9.0, 40 * weight))
+    assert sweep.end_of_band(0, "up") is None and sweep.end_of_band(0, "down") is None
+    assert sweep.end_of_band(1.3, "up") == pytest.approx((1.8125 * 4.5, 60 * weight, 0))  # chaos above doesn't count
+    assert sweep.end_of_band(1.3, "down") == pytest.approx((1.5625 * 4.5, 50 * weight, 0))
+    assert sweep.doubling(1.3) == pytest.approx((1.75 * 4.5, 60 * weight))
 
 
 def test_the_factor_that_removes_a_difference():
