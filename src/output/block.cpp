@@ -67,8 +67,9 @@ void write_number(const Checked& check, hid_t file, const char* path, double val
 
 double read_number(const Checked& check, hid_t file, const char* path) {
     const DatasetId dataset = open_dataset(check, file, path);
+    const SpaceId one(check(H5Screate(H5S_SCALAR), "H5Screate"));  // fails where more are stored
     double value = 0;
-    check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), "H5Dread");
+    check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, one.id(), H5S_ALL, H5P_DEFAULT, &value), "H5Dread");
     return value;
 }
 

@@ -75,9 +75,16 @@ void require_job(const std::filesystem::path& path, const FileId& file, const jo
 
 void require_datasets(const Checked& check, const FileId& file, const job::Job& job) {
     for (const DatasetPlan& plan : layout(job)) {
-        if (matches_plan(check, file.id(), plan)) continue;
-        refuse(check.path(), fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()),
-               start_over);
+        if (!matches_plan(check, file.id(), plan)) {
+            refuse(check.path(),
+                   fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()),
+                   start_over);
+        }
+        if (!holds_coordinates(check, file.id(), plan, job)) {
+            refuse(check.path(),
+                   fmt::format("is damaged: dataset {} has values that are not the job's", plan.path()),
+                   start_over);
+        }
     }
 }
 

@@ -105,6 +105,20 @@ double coordinate(const DatasetPlan& plan, const job::Job& job, std::int64_t i) 
     return name == "gap_ratio" ? branch.gap_ratio : static_cast<double>(branch.direction);
 }
 
+// Hands on the coordinates of a dataset in parts, with the block that each belongs to.
+template <class Use>
+void each_part(const DatasetPlan& plan, const job::Job& job, Use&& use) {
+    const std::int64_t size = plan.dimensions[0].size;
+    for (std::int64_t first = 0; first < size; first += values_at_once) {
+        const Block block(first, std::min(values_at_once, size - first));
+        std::vector<double> values(*block.count());
+        for (std::int64_t i = 0; i < std::ssize(values); ++i) {
+            values[static_cast<std::size_t>(i)] = coordinate(plan, job, first + i);
+        }
+        use(block, values);
+    }
+}
+
 }  // namespace
 
 PropertiesId file_access(const Checked& check) {
@@ -154,15 +168,22 @@ void write_coordinates(const Checked& check, hid_t file, std::span<const Dataset
     for (const DatasetPlan& plan : plans) {
         if (!is_coordinate(plan)) continue;
         const DatasetId dataset(check(H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT), "H5Dopen2"));
-        const std::int64_t size = plan.dimensions[0].size;
-        for (std::int64_t first = 0; first < size; first += values_at_once) {
-            std::vector<double> values;
-            for (std::int64_t i = first; i < std::min(first + values_at_once, size); ++i) {
-                values.push_back(coordinate(plan, job, i));
-            }
-            write_block(check, dataset.id(), Number::float64, Block(first, std::ssize(values)), values.data());
-        }
+        each_part(plan, job, [&](const Block& block, const std::vector<double>& values) {
+            write_block(check, dataset.id(), Number::float64, block, values.data());
+        });
     }
+}
+
+bool holds_coordinates(const Checked& check, hid_t file, const DatasetPlan& plan, const job::Job& job) {
+    if (!is_coordinate(plan)) return true;
+    const DatasetId dataset(check(H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT), "H5Dopen2"));
+    bool equal = true;
+    each_part(plan, job, [&](const Block& block, const std::vector<double>& expected) {
+        std::vector<double> values(expected.size());
+        read_block(check, dataset.id(), Number::float64, block, values.data());
+        equal = equal && values == expected;
+    });
+    return equal;
 }
 
 }  // namespace peterka::output

@@ -22,5 +22,8 @@ namespace peterka::output {
 void make_datasets(const Checked& check, hid_t file, std::span<const DatasetPlan> plans);
 void write_coordinates(const Checked& check, hid_t file, std::span<const DatasetPlan> plans,
                        const job::Job& job);
+// Whether a dataset that has coordinates has the job's; it must be of the plan's type and size.
+[[nodiscard]] bool holds_coordinates(const Checked& check, hid_t file, const DatasetPlan& plan,
+                                     const job::Job& job);
 
 }  // namespace peterka::output

@@ -197,6 +197,23 @@ TEST_F(OutputInspect, WrongRank) {
     expect_refused("dataset /tiles/checksum is missing or not of its kind");
 }
 
+TEST_F(OutputInspect, WrongCoordinates) {
+    make();
+    change([](const Checked& check, hid_t file) {
+        const DatasetId axis(check(H5Dopen2(file, "/gap_ratio", H5P_DEFAULT), "H5Dopen2"));
+        const double wrong = 1e9;
+        write_block(check, axis.id(), Number::float64, Block(7, 1), &wrong);
+    });
+    expect_refused("dataset /gap_ratio has values that are not the job's");
+}
+
+TEST_F(OutputInspect, ManyNumbersInPlaceOfOne) {
+    make();
+    replace_dataset(path::finished, H5T_IEEE_F64LE, {4000});
+    expect_refused("dataset /summary/finished is missing or not of its kind");
+    EXPECT_THROW((void)holds_complete_map(path_), Failure);
+}
+
 TEST_F(OutputInspect, NotInTiles) {
     make();
     replace_dataset("/cycles", H5T_STD_I32LE, {20, 20});
