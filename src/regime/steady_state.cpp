@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 #include "regime/growth.hpp"
@@ -40,6 +39,7 @@ Status status_of(Cycle<double>::Outcome outcome) {
 struct Touches {
     bool some = false;
     bool separated = false;
+    Cycle<double>::Outcome outcome = Cycle<double>::Outcome::done;  // of the first cycle that failed
 };
 
 class Search {
@@ -136,6 +136,7 @@ class Search {
         Recorder<double> recorder(measures_.detail, touch_log(measures_));
         if (measures_.motion != nullptr) keep_orbit(orbit);
         const Touches touches = co_await record_period(orbit, recorder);
+        if (touches.outcome != Cycle<double>::Outcome::done) co_return failed(touches.outcome);
         const Totals<double>& totals = recorder.totals();
         if (!touches.some || !touches.separated) {
             const SettledMotion motion{map_.unscaled(orbit.point), orbit.jacobian, totals.peak_force(),
@@ -158,6 +159,7 @@ class Search {
             cycle_peaks_.clear();
             for (const Point& point : orbit.points) {
                 const Passage cycle = co_await map_.cycle(point, &recorder);
+                if (!cycle.ok) co_return {.outcome = cycle.outcome};
                 touches.some |= cycle.touched;
                 touches.separated |= cycle.separated;
                 keep_peak(recorder);
@@ -224,7 +226,8 @@ class Search {
         if (measures_.motion != nullptr) keep_settled(motion.point);
         Recorder<double> recorder(measures_.detail);
         if (recorder.records_contacts()) {
-            std::ignore = co_await map_.cycle(map_.scaled(motion.point), &recorder);
+            const Passage cycle = co_await map_.cycle(map_.scaled(motion.point), &recorder);
+            if (!cycle.ok) co_return failed(cycle.outcome);
         }
         CellResult result = on_orbit(motion.jacobian, 1, motion.point);
         result.regime = regime;

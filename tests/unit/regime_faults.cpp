@@ -1,0 +1,109 @@
+// An engine that breaks in any one cycle of a search: the cell fails and says why, or its claim is the right
+// one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "regime/cycle_desk.hpp"
+#include "regime/steady_state.hpp"
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+using trajectory::Cycle;
+using Outcome = Cycle<double>::Outcome;
+
+struct Fault {
+    Outcome outcome;
+    Status status;
+};
+
+constexpr Fault faults[] = {{Outcome::too_many_events, Status::too_many_events},
+                            {Outcome::not_finite, Status::not_finite},
+                            {Outcome::solver_failed, Status::solver_failed},
+                            {Outcome::inside_stop, Status::solver_failed}};
+
+// What engines hand over with a fault hangs on the engine; here the worst.
+Cycle<double> broken_cycle(Outcome outcome) {
+    Cycle<double> cycle;
+    cycle.outcome = outcome;
+    cycle.end.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return cycle;
+}
+
+struct Case {
+    std::string name;
+    EngineSettings settings;
+    scene::Oscillator<double> scene;
+    trajectory::Detail detail = trajectory::Detail::force;
+};
+
+CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
+    CycleDesk desk;
+    CycleMap map = make_cycle_map(cell.scene, cell.settings);
+    const auto search = find_steady_state(desk, cell.scene, testing::start_at(cell.scene), {}, cell.settings,
+                                          {cell.detail}, {});
+    search.start();
+    for (std::int64_t n = 0; !search.done(); ++n) {
+        const CycleOrder& order = desk.order();
+        desk.serve(n == broken
+                       ? broken_cycle(outcome)
+                       : std::visit([&](auto& engine) { return engine(order.from, order.recorder); }, map));
+    }
+    return search.result();
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    const auto add = [&](const std::string& name, double frequency, double gap, trajectory::Detail detail) {
+        const auto scene = testing::paper_rig(testing::beam_170mm, frequency, gap);
+        all.push_back({"exact_" + name, {}, scene, detail});
+        all.push_back({"split_" + name, {Engine::split, 1e-6, 10}, scene, detail});
+        all.push_back({"cvode_" + name, {Engine::cvode, 1e-6}, scene, detail});
+        all.push_back({"arkode_" + name, {Engine::arkode, 1e-6}, scene, detail});
+        all.back().scene.cubic = all[all.size() - 3].scene.cubic = 8e-7;
+    };
+    add("one_a_cycle", 2.0, 0.0, trajectory::Detail::force);
+    add("doubled", 2.75, 0.0, trajectory::Detail::force);
+    add("nearly_doubled", 2.65, 0.0, trajectory::Detail::force);
+    add("no_impact", 3.0, 4.0, trajectory::Detail::contacts);
+    return all;
+}
+
+class FaultyEngine : public ::testing::TestWithParam<Case> {};
+
+TEST_P(FaultyEngine, IsSeen) {
+    const Case& cell = GetParam();
+    const CellResult sound = solve(cell);
+    ASSERT_EQ(sound.status, Status::proved);
+    const std::int64_t last = sound.cycles - 1;
+    for (std::int64_t broken = 0; broken <= last; ++broken) {
+        const Fault& fault = faults[broken == last ? 0 : broken % std::ssize(faults)];
+        const CellResult cell_result = solve(cell, broken, fault.outcome);
+        SCOPED_TRACE("cycle " + std::to_string(broken) + " of " + std::to_string(sound.cycles));
+        if (cell_result.regime == Regime::failed) {
+            EXPECT_EQ(cell_result.status, fault.status);
+            EXPECT_TRUE(std::isnan(cell_result.peak_force));
+            EXPECT_TRUE(std::isnan(cell_result.impact_rate));
+        } else {  // the cycle belonged to an attempt at an orbit; another one succeeded
+            EXPECT_LT(broken, last);
+            EXPECT_EQ(cell_result.regime, sound.regime);
+            EXPECT_EQ(cell_result.impacts, sound.impacts);
+            EXPECT_EQ(cell_result.period, sound.period);
+            EXPECT_NEAR(cell_result.peak_force, sound.peak_force, 1e-5 * sound.peak_force);
+        }
+    }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+    return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Search, FaultyEngine, ::testing::ValuesIn(cases()), name_of);
+
+}  // namespace
+}  // namespace peterka::regime
