@@ -2,10 +2,14 @@
 # Installs what is missing, builds, and runs every test: C++ units, MPI tests, the program under mpirun, the pictures,
 # formatting and static analysis. Safe to repeat.
 #   tests/run.sh              everything
-#   tests/run.sh -R pattern   only the tests whose name matches (arguments go to ctest)
+#   tests/run.sh -R pattern   only the tests whose name matches, no analysis (arguments go to ctest)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-jobs/prepare.sh clang-format clang-tidy
+jobs/prepare.sh clang clang-format clang-tidy
 . jobs/mpi_environment.sh
-exec ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
+ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
+[ $# = 0 ] || exit 0
+
+cmake --preset sanitized >/dev/null
+tests/style.sh build/sanitized

@@ -12,7 +12,6 @@ namespace peterka::output {
 
 namespace {
 
-constexpr double nan = regime::unknown;
 constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
 constexpr const char* force_error = "force_error";
@@ -20,7 +19,7 @@ constexpr const char* seconds_path = "/run/audit_seconds";
 constexpr const char* agreeing_names[] = {"differs", "agrees"};
 
 // clang-format off
-constexpr Variable sample{"sample", Number::int32, -1, "1", "number of the audited cell"};
+constexpr Variable audited{"sample", Number::int32, -1, "1", "number of the audited cell"};
 constexpr Variable columns[] = {
     {"cell", Number::int64, -1, "1", "number of the cell in the map, row by row"},
     {"row", Number::int32, -1, "1", "its row"},
@@ -30,17 +29,17 @@ constexpr Variable columns[] = {
     {"engine", Number::int8, not_audited, "", "the independent engine", engine_names},
     {"impacts", Number::int32, -1, "1", "impacts p of z = p/q by it"},
     {"period", Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
-    {"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight by it, F/(m g0)"},
-    {force_error, Number::float64, nan, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
+    {"peak_force_ratio", Number::float64, regime::unknown, "1", "peak impact force over hammer weight by it, F/(m g0)"},
+    {force_error, Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
     {agrees, Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
 constexpr Variable results[] = {
-    {"agreeing_labels", Number::float64, nan, "1", "share of audited cells with the same regime and p/q"},
-    {"force_error_median", Number::float64, nan, "1", "median relative error of the peak force"},
-    {"force_error_99_percent", Number::float64, nan, "1", "error that 99 % of the compared cells do not exceed"},
-    {"force_error_largest", Number::float64, nan, "1", "largest relative error of the peak force"},
+    {"agreeing_labels", Number::float64, regime::unknown, "1", "share of audited cells with the same regime and p/q"},
+    {"force_error_median", Number::float64, regime::unknown, "1", "median relative error of the peak force"},
+    {"force_error_99_percent", Number::float64, regime::unknown, "1", "error that 99 % of the compared cells do not exceed"},
+    {"force_error_largest", Number::float64, regime::unknown, "1", "largest relative error of the peak force"},
 };
-constexpr Variable seconds{"audit_seconds", Number::float64, nan, "s", "computing time of the independent engine"};
+constexpr Variable seconds{"audit_seconds", Number::float64, regime::unknown, "s", "computing time of the independent engine"};
 // clang-format on
 
 std::string path_of(const char* name) {
@@ -96,18 +95,18 @@ std::int64_t audit_rows(const job::Job& job) {
 
 std::vector<DatasetPlan> audit_plans(const job::Job& job) {
     std::vector<DatasetPlan> plans;
-    const Dimension dimension{sample.name, audit_rows(job)};
+    const Dimension dimension{audited.name, audit_rows(job)};
     if (dimension.size == 0) return plans;
-    plans.push_back({"/audit", sample, {dimension}});
+    plans.push_back({"/audit", audited, {dimension}});
     for (const Variable& column : columns) plans.push_back({"/audit", column, {dimension}});
     for (const Variable& result : results) plans.push_back({"/audit", result, {}});
     return plans;
 }
 
 std::vector<DatasetPlan> audit_run_plans(const job::Job& job) {
-    const Dimension dimension{sample.name, audit_rows(job)};
+    const Dimension dimension{audited.name, audit_rows(job)};
     if (dimension.size == 0) return {};
-    return {{"/run", sample, {dimension}}, {"/run", seconds, {dimension}}};
+    return {{"/run", audited, {dimension}}, {"/run", seconds, {dimension}}};
 }
 
 template <class Value>

@@ -15,7 +15,6 @@ using regime::CellResult;
 constexpr Always always;
 constexpr auto table_too = InAttractorTable::yes;
 constexpr double not_computed = regime::regime_not_computed;
-constexpr double nan = regime::unknown;
 
 // clang-format off
 constexpr Field fields[] = {
@@ -25,23 +24,23 @@ constexpr Field fields[] = {
     {{"engine", Number::int8, not_computed, "", "engine that carried the cell; exact leaves a cubic spring out", engine_names}, always, member<&CellResult::engine>},
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
     {{"period", Number::int32, -1, "1", "period q of z = p/q in forcing cycles"}, always, member<&CellResult::period>, table_too},
-    {{"peak_force_ratio", Number::float64, nan, "1", "peak impact force over hammer weight, F/(m g0)"}, always, member<&CellResult::peak_force>, table_too},
+    {{"peak_force_ratio", Number::float64, regime::unknown, "1", "peak impact force over hammer weight, F/(m g0)"}, always, member<&CellResult::peak_force>, table_too},
     {{"jump", Number::int8, not_computed, "", "whether the peak force jumps on the way to this point from the one before it in the branch", jump_names}, Swept{}, member<&CellResult::jump>},
     {{"chatter", Number::int8, not_computed, "", "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", chatter_names}, ContactLaw::restitution, member<&CellResult::chatter>},
-    {{"impact_rate", Number::float64, nan, "1", "impacts per forcing cycle"}, always, member<&CellResult::impact_rate>},
+    {{"impact_rate", Number::float64, regime::unknown, "1", "impacts per forcing cycle"}, always, member<&CellResult::impact_rate>},
     {{"cycles", Number::int32, -1, "1", "forcing cycles spent"}, always, member<&CellResult::cycles>},
-    {{"multiplier", Number::float64, nan, "1", "largest absolute Floquet multiplier of the orbit"}, OptionalField::multiplier, member<&CellResult::multiplier>},
-    {{"lyapunov", Number::float64, nan, "1", "largest Lyapunov exponent per forcing cycle"}, OptionalField::lyapunov, member<&CellResult::lyapunov>},
-    {{"sensitivity", Number::float64, nan, "1", "largest growth of a start perturbation, ln G"}, OptionalField::sensitivity, member<&CellResult::sensitivity>},
-    {{"orbit_displacement", Number::float64, nan, "1", "orbit at forcing phase 0, (x - y)/A0"}, OptionalField::orbit, member<&CellResult::orbit_displacement>, table_too},
-    {{"orbit_velocity", Number::float64, nan, "1", "orbit at forcing phase 0, (x' - y')/(A0 omega)"}, OptionalField::orbit, member<&CellResult::orbit_velocity>, table_too},
-    {{"impact_speed", Number::float64, nan, "m/s", "largest speed of the hammer against the stop at first touch"}, OptionalField::impact_speed, member<&CellResult::impact_speed>},
-    {{"impulse", Number::float64, nan, "N s", "largest impulse of one impact"}, OptionalField::impulse, member<&CellResult::impulse>},
-    {{"contact_time", Number::float64, nan, "s", "longest time for which the stop presses in one impact"}, OptionalField::contact_time, member<&CellResult::contact_time>},
-    {{"contact_power_w", Number::float64, nan, "W", "mean power that the impacts take from the hammer's motion against the cart"}, OptionalField::contact_power, member<&CellResult::contact_power>},
-    {{"max_displacement", Number::float64, nan, "m", "largest displacement of the hammer from its rest in the cart, |x - y|"}, OptionalField::max_displacement, member<&CellResult::max_displacement>},
-    {{"peak_force_mean_ratio", Number::float64, nan, "1", "mean of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_mean>},
-    {{"peak_force_q95_ratio", Number::float64, nan, "1", "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_q95>},
+    {{"multiplier", Number::float64, regime::unknown, "1", "largest absolute Floquet multiplier of the orbit"}, OptionalField::multiplier, member<&CellResult::multiplier>},
+    {{"lyapunov", Number::float64, regime::unknown, "1", "largest Lyapunov exponent per forcing cycle"}, OptionalField::lyapunov, member<&CellResult::lyapunov>},
+    {{"sensitivity", Number::float64, regime::unknown, "1", "largest growth of a start perturbation, ln G"}, OptionalField::sensitivity, member<&CellResult::sensitivity>},
+    {{"orbit_displacement", Number::float64, regime::unknown, "1", "orbit at forcing phase 0, (x - y)/A0"}, OptionalField::orbit, member<&CellResult::orbit_displacement>, table_too},
+    {{"orbit_velocity", Number::float64, regime::unknown, "1", "orbit at forcing phase 0, (x' - y')/(A0 omega)"}, OptionalField::orbit, member<&CellResult::orbit_velocity>, table_too},
+    {{"impact_speed", Number::float64, regime::unknown, "m/s", "largest speed of the hammer against the stop at first touch"}, OptionalField::impact_speed, member<&CellResult::impact_speed>},
+    {{"impulse", Number::float64, regime::unknown, "N s", "largest impulse of one impact"}, OptionalField::impulse, member<&CellResult::impulse>},
+    {{"contact_time", Number::float64, regime::unknown, "s", "longest time for which the stop presses in one impact"}, OptionalField::contact_time, member<&CellResult::contact_time>},
+    {{"contact_power_w", Number::float64, regime::unknown, "W", "mean power that the impacts take from the hammer's motion against the cart"}, OptionalField::contact_power, member<&CellResult::contact_power>},
+    {{"max_displacement", Number::float64, regime::unknown, "m", "largest displacement of the hammer from its rest in the cart, |x - y|"}, OptionalField::max_displacement, member<&CellResult::max_displacement>},
+    {{"peak_force_mean_ratio", Number::float64, regime::unknown, "1", "mean of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_mean>},
+    {{"peak_force_q95_ratio", Number::float64, regime::unknown, "1", "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_q95>},
     {{"window_cycles", Number::int32, -1, "1", "forcing cycles of which these are mean and quantile"}, OptionalField::force_per_cycle, member<&CellResult::window_cycles>},
     {{"last_impact", Number::int32, regime::goes_on, "1", "forcing cycles until the last impact; none where impacts go on"}, OptionalField::last_impact, member<&CellResult::last_impact>},
 };
@@ -85,7 +84,7 @@ StoredCell in_file_units(const CellResult& cell, const scene::Scales& scales) {
     stored.max_displacement *= scales.length_m;
     for (const Field& field : fields) {
         const double value = field.member.load(stored);
-        if (std::isnan(value)) field.member.store(stored, nan);
+        if (std::isnan(value)) field.member.store(stored, regime::unknown);
     }
     return stored;
 }

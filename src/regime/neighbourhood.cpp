@@ -10,11 +10,12 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr int samples = 24;               // of a boundary
-constexpr double smallest = 1.0 / 256;    // radius tried; smaller ones are hardly ever met
-constexpr double largest = 64;            // beyond any state that is worth a thought
-constexpr int bisections = 3;             // of the factor 2 between what shrinks and what doesn't
-constexpr double largest_stable = 0.999;  // weaker orbits attract too slowly to tell from rounding and folds
+constexpr int samples = 24;             // of a boundary
+constexpr double smallest = 1.0 / 256;  // radius tried; smaller ones are hardly ever met
+constexpr double largest = 64;          // beyond any state that is worth a thought
+constexpr int bisections = 3;           // of the factor 2 between what shrinks and what doesn't
+constexpr double largest_multiplier =
+    0.999;  // weaker orbits attract too slowly to tell from rounding and folds
 
 // From where a whole period leads.
 Task<Passage> go_round(StroboscopicMap& map, Point from, std::int64_t q) {
@@ -83,10 +84,14 @@ Task<std::vector<Neighbourhood>> find_neighbourhoods(StroboscopicMap& map, Point
     Point point = orbit_point;
     std::int64_t reached = 0;  // cycles after the orbit's point
     for (std::int64_t n = 0; n < count; ++n) {
-        for (; reached < n * q / count; ++reached) point = (co_await map.cycle(point)).end;
+        for (; reached < n * q / count; ++reached) {
+            const Passage cycle = co_await map.cycle(point);
+            if (!cycle.ok) co_return found;
+            point = cycle.end;
+        }
         const Passage round = co_await go_round(map, point, q);
         const double multiplier = spectral_radius(round.jacobian);
-        if (!round.ok || !(multiplier < largest_stable)) co_return found;
+        if (!round.ok || !(multiplier < largest_multiplier)) co_return found;
         const Target target{point, q, AdaptedNorm(round.jacobian, multiplier), round.pattern};
         const double radius = co_await largest_that_shrinks(map, target);
         if (radius > 0) found.emplace_back(point, target.norm.metric(), radius / 2);

@@ -12,13 +12,13 @@ namespace {
 constexpr int newton_steps = 8;              // quadratic convergence needs 3 to 5 from a recurrence within 0.1
 constexpr double newton_residual = 1e-11;    // relative; some thousand times the rounding error of a cycle
 constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
-constexpr double same_orbit = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
+constexpr double nearness = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
 
 // A residual below this falls to rounding with one more step.
 constexpr double nearly_there = 1e-8;
 
 bool lie_together(const Point& there, const Point& here) {
-    return (there - here).lpNorm<Eigen::Infinity>() <= same_orbit * magnitude(here);
+    return (there - here).lpNorm<Eigen::Infinity>() <= nearness * magnitude(here);
 }
 
 bool returns_after(const PeriodicOrbit& orbit, std::int64_t cycles) {

@@ -180,7 +180,8 @@ class Search {
     void keep_orbit(PeriodicOrbit& orbit) {
         measures_.motion->stroboscopic.clear();
         measures_.motion->end = map_.unscaled(orbit.point);
-        std::ranges::rotate(orbit.points, std::ranges::min_element(orbit.points, {}, first_coordinate));
+        const auto lowest = std::ranges::min_element(orbit.points, {}, first_coordinate);
+        std::rotate(orbit.points.begin(), lowest, orbit.points.end());  // clang 14 has no std::ranges::rotate
         for (const Point& point : orbit.points) keep_point(point);
     }
 

@@ -2,12 +2,6 @@
 
 namespace peterka::trajectory {
 
-namespace {
-
-constexpr int most_events = 20'000;
-
-}  // namespace
-
 Rk4CycleMap::Block Rk4CycleMap::rate(Phase phase, const Block& z, double time) const {
     const auto a = acceleration(scene_, phase, State<double>(z.col(0)), scene_.frequency * time);
     Block rate;
@@ -100,6 +94,7 @@ void Rk4CycleMap::measure_step(Phase phase, const Block& from, double time, cons
 
 MeasuredCycle<double> Rk4CycleMap::operator()(const State<double>& x, bool measure) const {
     using Outcome = typename Cycle<double>::Outcome;
+    constexpr int most_events = 20'000;
     MeasuredCycle<double> cycle;
     Block z;
     z << x, Jacobian<double>::Identity();

@@ -8,7 +8,7 @@ namespace peterka::trajectory {
 
 namespace {
 
-void require(int flag, const char* call) {
+void require_arkode(int flag, const char* call) {
     sundials_library::require(flag, call, ARKStepGetReturnFlagName);
 }
 
@@ -34,22 +34,23 @@ sundials_library::Memory ArkodeStepper::make_solver(SundialsLeg& leg,
     sundials_library::Memory owner(create(method_, unknowns_.get(), context_), {ARKStepFree});
     void* solver = owner.get();
     sundials_library::require_object(solver, "ARKStepCreate");
-    require(ARKStepSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr), "ARKStepSetErrHandlerFn");
-    require(ARKStepSetUserData(solver, &leg), "ARKStepSetUserData");
-    require(ARKStepWFtolerances(solver, leg_weights), "ARKStepWFtolerances");
-    require(ARKStepSetMaxErrTestFails(solver, most_retries), "ARKStepSetMaxErrTestFails");
-    require(ARKStepSetMaxConvFails(solver, most_retries), "ARKStepSetMaxConvFails");
+    require_arkode(ARKStepSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr),
+                   "ARKStepSetErrHandlerFn");
+    require_arkode(ARKStepSetUserData(solver, &leg), "ARKStepSetUserData");
+    require_arkode(ARKStepWFtolerances(solver, leg_weights), "ARKStepWFtolerances");
+    require_arkode(ARKStepSetMaxErrTestFails(solver, most_retries), "ARKStepSetMaxErrTestFails");
+    require_arkode(ARKStepSetMaxConvFails(solver, most_retries), "ARKStepSetMaxConvFails");
     if (method_ == Method::implicit_5) {
-        require(ARKStepSetTableNum(solver, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE),
-                "ARKStepSetTableNum");
-        require(ARKStepSetLinearSolver(solver, dense.solver.get(), dense.matrix.get()),
-                "ARKStepSetLinearSolver");
-        require(ARKStepSetJacFn(solver, leg_jacobian), "ARKStepSetJacFn");
-        require(ARKStepSetLSetupFrequency(solver, 1), "ARKStepSetLSetupFrequency");
-        require(ARKStepSetJacEvalFrequency(solver, 1), "ARKStepSetJacEvalFrequency");
+        require_arkode(ARKStepSetTableNum(solver, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE),
+                       "ARKStepSetTableNum");
+        require_arkode(ARKStepSetLinearSolver(solver, dense.solver.get(), dense.matrix.get()),
+                       "ARKStepSetLinearSolver");
+        require_arkode(ARKStepSetJacFn(solver, leg_jacobian), "ARKStepSetJacFn");
+        require_arkode(ARKStepSetLSetupFrequency(solver, 1), "ARKStepSetLSetupFrequency");
+        require_arkode(ARKStepSetJacEvalFrequency(solver, 1), "ARKStepSetJacEvalFrequency");
     } else {
         const auto table = method_ == Method::explicit_8 ? ARKODE_FEHLBERG_13_7_8 : ARKODE_DORMAND_PRINCE_7_4_5;
-        require(ARKStepSetTableNum(solver, ARKODE_DIRK_NONE, table), "ARKStepSetTableNum");
+        require_arkode(ARKStepSetTableNum(solver, ARKODE_DIRK_NONE, table), "ARKStepSetTableNum");
     }
     return owner;
 }
@@ -57,17 +58,17 @@ sundials_library::Memory ArkodeStepper::make_solver(SundialsLeg& leg,
 void ArkodeStepper::restart(void* solver, const LegPoint& from, double stop) {
     const bool implicit = method_ == Method::implicit_5;
     store(from, unknowns_.get());
-    require(ARKStepReInit(solver, implicit ? nullptr : leg_slope, implicit ? leg_slope : nullptr, from.time,
-                          unknowns_.get()),
-            "ARKStepReInit");
-    require(ARKStepSetStopTime(solver, stop), "ARKStepSetStopTime");
+    require_arkode(ARKStepReInit(solver, implicit ? nullptr : leg_slope, implicit ? leg_slope : nullptr,
+                                 from.time, unknowns_.get()),
+                   "ARKStepReInit");
+    require_arkode(ARKStepSetStopTime(solver, stop), "ARKStepSetStopTime");
 }
 
 bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point) {
     double time = 0;
     const int flag = ARKStepEvolve(solver, stop, unknowns_.get(), &time, task);
     if (sundials_library::is_failed_integration(flag)) return false;
-    require(flag, "ARKStepEvolve");
+    require_arkode(flag, "ARKStepEvolve");
     point = load(unknowns_.get(), time);
     return true;
 }
@@ -75,7 +76,7 @@ bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point)
 void ArkodeStepper::start(const State<double>& x, double length, double longest_step) {
     begin(x, length);
     restart(solver_.get(), now_, length);
-    require(ARKStepSetMaxStep(solver_.get(), longest_step), "ARKStepSetMaxStep");
+    require_arkode(ARKStepSetMaxStep(solver_.get(), longest_step), "ARKStepSetMaxStep");
 }
 
 bool ArkodeStepper::step() {
@@ -91,7 +92,7 @@ bool ArkodeStepper::look(double time, LegPoint& point) {
         return true;
     }
     restart(looking_.get(), before_, time);
-    require(ARKStepSetInitStep(looking_.get(), step), "ARKStepSetInitStep");
+    require_arkode(ARKStepSetInitStep(looking_.get(), step), "ARKStepSetInitStep");
     return evolve(looking_.get(), time, ARK_NORMAL, point);
 }
 

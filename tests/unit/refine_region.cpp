@@ -26,7 +26,7 @@ job::Job refined(std::int64_t rows, std::int64_t columns, std::int64_t levels) {
     return job;
 }
 
-CellResult periodic(double force, std::int32_t impacts = 1) {
+CellResult orbit(double force, std::int32_t impacts = 1) {
     return {.regime = Regime::periodic,
             .impacts = impacts,
             .period = 1,
@@ -35,20 +35,20 @@ CellResult periodic(double force, std::int32_t impacts = 1) {
             .impact_rate = static_cast<double>(impacts)};
 }
 
-CellResult smooth(std::int64_t row, std::int64_t column) {
+CellResult gentle(std::int64_t row, std::int64_t column) {
     const auto x = static_cast<double>(column);
     const auto y = static_cast<double>(row);
-    return periodic(50 + 0.3 * x - 0.2 * y + 1e-4 * x * x + 1e-6 * x * y * y);
+    return orbit(50 + 0.3 * x - 0.2 * y + 1e-4 * x * x + 1e-6 * x * y * y);
 }
 
 // A disc of another z, a patch of chaos with a hole in it, and a jump of the force.
 CellResult patchwork(std::int64_t row, std::int64_t column) {
-    if (std::hypot(row - 30, column - 33) < 14) return periodic(20 + static_cast<double>(row), 2);
+    if (std::hypot(row - 30, column - 33) < 14) return orbit(20 + static_cast<double>(row), 2);
     if (row > 60 && column > 20) {
-        if ((row * 7 + column * 13) % 41 == 0) return periodic(3, 5);
+        if ((row * 7 + column * 13) % 41 == 0) return orbit(3, 5);
         return {.regime = Regime::chaotic, .cycles = 1000, .peak_force = static_cast<double>(row % 7)};
     }
-    CellResult cell = smooth(row, column);
+    CellResult cell = gentle(row, column);
     if (column > 70) cell.peak_force *= 1.5;
     return cell;
 }
@@ -77,12 +77,12 @@ std::vector<CellResult> refine_all(const job::Job& job, const CellAt& cell_at) {
 TEST(RefineRegion, ASmoothMapNeedsItsCoarsestLatticeOnly) {
     const job::Job job = refined(65, 100, 3);
     std::size_t computed = 0;
-    const auto cells = refine_all(job, smooth, whole(job), computed);
+    const auto cells = refine_all(job, gentle, whole(job), computed);
     EXPECT_EQ(computed, 9U * 14U);
     for (std::int64_t row = 0; row < 65; ++row) {
         for (std::int64_t column = 0; column < 100; ++column) {
             const CellResult& cell = cells[static_cast<std::size_t>(row * 100 + column)];
-            EXPECT_NEAR(cell.peak_force, smooth(row, column).peak_force, 1e-10);
+            EXPECT_NEAR(cell.peak_force, gentle(row, column).peak_force, 1e-10);
             const bool on_lattice = (row % 8 == 0 || row == 64) && (column % 8 == 0 || column == 99);
             EXPECT_EQ(cell.computed, on_lattice) << row << " " << column;
         }
@@ -142,14 +142,14 @@ TEST(RefineRegion, NoCutOfTheMapShows) {
 TEST(RefineRegion, NothingIsFilledWithoutLevels) {
     const job::Job job = refined(20, 20, 0);
     std::size_t computed = 0;
-    const auto cells = refine_all(job, smooth, whole(job), computed);
+    const auto cells = refine_all(job, gentle, whole(job), computed);
     EXPECT_EQ(computed, 400U);
 }
 
 TEST(RefineRegion, MapsSmallerThanAStrideAreRefinedToo) {
     for (const std::int64_t points : {2, 3, 5}) {
         const job::Job job = refined(points, 40, 6);
-        const auto cells = refine_all(job, smooth);
+        const auto cells = refine_all(job, gentle);
         for (const CellResult& cell : cells) EXPECT_EQ(cell.regime, Regime::periodic);
     }
 }
