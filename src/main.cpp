@@ -7,6 +7,7 @@
 #include "program/run_plan.hpp"
 #include "run_job.hpp"
 #include "run_study.hpp"
+#include "run_trace.hpp"
 #include "support/print.hpp"
 
 int main(int argc, char** argv) {
@@ -21,6 +22,8 @@ int main(int argc, char** argv) {
         });
         share(session, plan);
         if (!plan) return ExitCode::done;
-        return plan->job.kind == job::Kind::study ? run_study(session, *plan) : run_job(session, *plan);
+        if (plan->job.kind == job::Kind::study) return run_study(session, *plan);
+        if (plan->job.kind == job::Kind::trace) return run_trace(session, *plan);
+        return run_job(session, *plan);
     });
 }

@@ -4,10 +4,11 @@
 
 #include <string>
 
+#include "job/names.hpp"
 #include "output/provenance.hpp"
+#include "output/whole_file.hpp"
 #include "parallel/hosts.hpp"
 #include "program/solve_tasks.hpp"
-#include "study/study_file.hpp"
 #include "study/topic.hpp"
 #include "support/print.hpp"
 #include "support/readable.hpp"
@@ -19,6 +20,8 @@ namespace peterka {
 namespace {
 
 using parallel::Session;
+
+constexpr std::int64_t largest_study = 10'000'000;  // far above any [bytes]
 
 std::string closing_words(const Session& session, const RunPlan& plan, const Stopwatch& wall) {
     const std::string file = plan.file.string();
@@ -41,7 +44,9 @@ ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& top
             stop.reason());
         return ExitCode::stopped_early;
     }
-    study::write_study(plan.file, plan.job, output::collect_provenance(), topic.tables(*results), facts);
+    output::write_whole_file(
+        plan.file, plan.job, output::collect_provenance(),
+        {{{"topic", std::string(job::name(plan.job.study.topic))}}, topic.tables(*results)}, facts);
     if (!plan.quiet) {
         print(fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
                           topic.summary(*results), closing_words(session, plan, wall)));
@@ -58,7 +63,7 @@ ExitCode run_study(const Session& session, const RunPlan& plan) {
         }
         return ExitCode::done;
     }
-    parallel::on_root(session, [&] { study::require_place(plan.file); });
+    parallel::on_root(session, [&] { output::require_place(plan.file, largest_study); });
     ExitCode code = ExitCode::stopped_early;
     parallel::failing_ends_all(session, [&] {
         code = std::visit([&](const auto& topic) { return run_topic(session, plan, topic); },

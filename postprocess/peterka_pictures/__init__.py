@@ -9,9 +9,10 @@ log_ticks     ticks of logarithmic axes whose labels have room
 axes          axis labels, second scales and the pieces every picture shares
 field_map     a number per cell: what force_map and quantity_map share
 peterka_map, force_map, quantity_map, basin_map, audit_map   the pictures: each takes a file and returns a Figure
-study         files of studies, checked
+study, trace_file   files of studies and traces, checked
 methods       the fixed look of each method of integration
 work_precision, labels, stability   the pictures of studies; study_words: their tables
+motion, phase_plane, impact, spectrum   the pictures of a trace; trace_look: their lines and units
 tile_costs, dealing   times of tiles, and the replay of their dealing to ranks
 run_record, scaling, remedies   parallel efficiency against ranks: what was measured, the picture, ways out
 results_page  the results page in Markdown

@@ -41,6 +41,7 @@ STYLE = {
     "hatch.linewidth": 0.5,
     "mathtext.fontset": "dejavusans",
     "pdf.fonttype": 42,
+    "agg.path.chunksize": 20000,
 }
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
 CROSS_HATCH = [("/" * 7, "white"), ("\\" * 7, "black")]  # one of them is seen on any colour

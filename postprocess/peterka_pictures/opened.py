@@ -12,7 +12,7 @@ from .checked_hdf5 import CheckedFile, NotDrawable, is_number, printable, shown
 __all__ = ["KINDS", "NotDrawable", "OpenedFile"]
 
 LAYOUT = 1
-KINDS = ("map", "basin", "sweep", "study")
+KINDS = ("map", "basin", "sweep", "trace", "study")
 TITLE_LENGTH = 160
 
 

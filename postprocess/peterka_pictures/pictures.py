@@ -3,17 +3,19 @@
 from functools import partial
 
 from . import (
-    audit_map, basin_map, bifurcation, computed_map, force_map, labels, last_impact, peterka_map, quantity_map, response,
-    stability, work_precision,
+    audit_map, basin_map, bifurcation, computed_map, force_map, impact, labels, last_impact, motion, peterka_map,
+    phase_plane, quantity_map, response, spectrum, stability, work_precision,
 )
 from .measured import Measurements
 from .opened import OpenedFile
 from .read import PeterkaFile
 from .study import StudyFile
 from .sweep import SweepFile
+from .trace_file import TraceFile
 
-READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "study": StudyFile}
+READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace": TraceFile, "study": StudyFile}
 STUDIES = {"work_precision": work_precision.draw, "labels": labels.draw, "stability": stability.draw}
+TRACE = {"motion": motion.draw, "phase_plane": phase_plane.draw, "impact": impact.draw, "spectrum": spectrum.draw}
 PLANES = {
     "map": {
         "map": peterka_map.draw,
@@ -42,6 +44,8 @@ def pictures_of(file, after=300, measured=Measurements([], [])):
     cycles of a short run, whose view of a basin is drawn. Measured points are drawn over the pictures of a sweep."""
     if file.kind == "study":
         return {file.topic: STUDIES[file.topic]}
+    if file.kind == "trace":
+        return TRACE
     if file.kind == "sweep":
         return {
             "response": partial(response.draw, measured=measured),

@@ -13,11 +13,12 @@
 
 namespace peterka::job {
 
-enum class Kind { map, basin, sweep, study };
+enum class Kind { map, basin, sweep, study, trace };
 enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
 enum class StudyTopic { work_precision, labels, stability };
 enum class Spacing { linear, log };
 enum class Direction { up, down, independent, both };  // the first three are part of the file format
+enum class TraceBegin { start, steady_state };
 enum class EngineChoice { automatic, exact, split, cvode, arkode };
 
 // The hammer on its beam springs: m x'' + c (x' - y') + k (x - y) + k3 (x - y)^3 = -F.
@@ -74,7 +75,7 @@ struct Axis {
     friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn.
+// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn, or the cell that a trace follows.
 struct OperatingPoint {
     double frequency_ratio = 0;
     double gap_ratio = 0;
@@ -167,6 +168,22 @@ struct Study {
     friend bool operator==(const Study&, const Study&) = default;
 };
 
+// One cell in time. A cart at rest (frequency_ratio = 0) has no cycles: time is counted in the hammer's own
+// period.
+struct Trace {
+    std::string map;        // file of a map or basin, one of whose cells is followed; empty: this job's own rig
+    std::int64_t row = -1;  // of the cell, from 0; -1: the cell nearest to the values given
+    std::int64_t column = -1;
+    TraceBegin from = TraceBegin::steady_state;
+    std::int64_t cycles = 4;  // forcing cycles shown
+    double duration_s = 0;    // shown instead, with a cart at rest
+    std::int64_t samples_per_cycle = 1000;
+    double impact_window_s = 0;  // shown closely around the hardest impact; 0: three times its contact
+    std::int64_t impact_samples = 2000;
+    double spectrum_to_hz = 8000;
+    friend bool operator==(const Trace&, const Trace&) = default;
+};
+
 struct Limits {
     std::int64_t failed_cells = 0;  // more failed cells than this end the run with exit code 4
     friend bool operator==(const Limits&, const Limits&) = default;
@@ -180,8 +197,8 @@ struct Job {
     Contact contact;
     Axis columns;                    // map and sweep: frequency_ratio; basin: displacement_ratio
     Axis rows;                       // map: gap_ratio; basin: velocity_ratio; a sweep has branches instead
-    OperatingPoint operating_point;  // basin only
-    Start start;                     // map and sweep
+    OperatingPoint operating_point;  // basin and trace
+    Start start;                     // map, sweep and trace
     SteadyState steady_state;
     Solver solver;
     Output output;
@@ -189,6 +206,7 @@ struct Job {
     Refine refine;  // map only
     Sweep sweep;    // sweep only
     Study study;    // study only
+    Trace trace;    // trace only
     Limits limits;
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;

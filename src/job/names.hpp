@@ -30,8 +30,16 @@ struct Names;
 template <>
 struct Names<Kind> {
     static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
-                                    Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"}};
-    static LaterNames later() { return {"trace"}; }
+                                    Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"},
+                                    Named{Kind::trace, "trace"}};
+    static LaterNames later() { return {}; }
+};
+
+template <>
+struct Names<TraceBegin> {
+    static constexpr std::array all{Named{TraceBegin::start, "start"},
+                                    Named{TraceBegin::steady_state, "steady_state"}};
+    static LaterNames later() { return {}; }
 };
 
 template <>

@@ -1,11 +1,13 @@
 #include "job/rules.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "job/axis.hpp"
+#include "job/derived.hpp"
 #include "job/names.hpp"
 #include "job/toml_text.hpp"
 
@@ -110,6 +112,61 @@ std::string rule_of_study(const Contact& contact) {
     return "a study needs contact.law = \"kelvin_voigt\"; it compares ways to follow a spring and a dashpot, "
            "and "
            "brings other stops along where it needs them; give the stop's stiffness and damping";
+}
+
+std::string rule_of_trace(const Job& job) {
+    constexpr double most_samples = 5e6;
+    constexpr double lowest_frequency = 1e-6;
+    const Trace& trace = job.trace;
+    const double eta = job.operating_point.frequency_ratio;
+    if (eta > 0 && eta < lowest_frequency) {
+        return fmt::format(
+            "operating_point.frequency_ratio = {} is too low; a cycle may last at most a million times the "
+            "hammer's "
+            "own; give {} or more, or 0 for a cart at rest",
+            toml_text(eta), toml_text(lowest_frequency));
+    }
+    if (eta > 0 && trace.duration_s > 0) {
+        return "trace.duration_s is for a cart at rest (frequency_ratio = 0); a driven trace shows whole "
+               "forcing "
+               "cycles; give trace.cycles instead";
+    }
+    if (eta == 0 && trace.from == TraceBegin::steady_state) {
+        return "trace.from = \"steady_state\" means nothing with frequency_ratio = 0; a cart at rest drives no "
+               "steady "
+               "state; set it to \"start\"";
+    }
+    if (eta == 0 && trace.duration_s == 0) {
+        return "trace.duration_s is missing; a cart at rest (frequency_ratio = 0) has no forcing cycles to "
+               "show; give "
+               "the seconds to show";
+    }
+    if (eta == 0 && std::holds_alternative<Restitution>(job.contact)) {
+        return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
+               "use "
+               "contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
+    }
+    const bool is_complete = job.hammer.natural_frequency_hz || job.hammer.stiffness_n_per_m;
+    if (eta == 0 && !is_complete) return {};  // that is told already
+    const double cycles = eta > 0
+                              ? static_cast<double>(trace.cycles)
+                              : trace.duration_s * derive(job.hammer).omega_rad_per_s / (2 * std::numbers::pi);
+    const double samples = cycles * static_cast<double>(trace.samples_per_cycle);
+    if (samples <= most_samples) return {};
+    return fmt::format(
+        "the trace would have {:.3g} samples; {:.0f} are the most that a picture could use; give fewer cycles, "
+        "a "
+        "shorter duration_s or fewer samples_per_cycle",
+        samples, most_samples);
+}
+
+std::string rule_of_traced_cell(const Trace& trace) {
+    if (trace.map.empty() && (trace.row >= 0 || trace.column >= 0)) {
+        return "trace.row and trace.column name a cell of a map file; trace.map names no file; add map = "
+               "\"FILE.h5\", or remove them";
+    }
+    if ((trace.row >= 0) == (trace.column >= 0)) return {};
+    return "trace.row and trace.column name a cell together; one of them is missing; give both, or neither";
 }
 
 std::string rule_of_title(std::string_view title) {

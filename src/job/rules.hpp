@@ -24,6 +24,9 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep);
 [[nodiscard]] std::string rule_of_cells(const Study& study);
 [[nodiscard]] std::string rule_of_study(const Contact& contact);
+// Of a trace with a rig of its own: what fits to a cart at rest and to one that vibrates, and how long it is.
+[[nodiscard]] std::string rule_of_trace(const Job& job);
+[[nodiscard]] std::string rule_of_traced_cell(const Trace& trace);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

@@ -15,16 +15,37 @@
 #include "job/schema_settings.hpp"
 #include "job/schema_study.hpp"
 #include "job/schema_sweep.hpp"
+#include "job/schema_trace.hpp"
 
 namespace peterka::job {
 
 inline constexpr std::int64_t schema_version = 1;
 
-// Tables of kinds that are named already; saying so helps more than "unknown table".
 template <typename Walker>
-void refuse_later_tables(Walker& file) {
-    file.refuse("trace",
-                "is not in this version; it computes maps, basins, sweeps and studies; remove this table");
+void describe_rig(Walker& file, Job& job) {
+    file.table({"hammer", "mass, springs and damping of the hammer", "mass_kg = 0.298"},
+               [&](auto& table) { describe(table, job.hammer); });
+    file.table({"cart", "motion of the cart", "amplitude_m = 0.89e-3"},
+               [&](auto& table) { describe(table, job.cart); });
+    file.table({"contact", "law and numbers of the stop", "law = \"kelvin_voigt\""},
+               [&](auto& table) { describe(table, job.contact); });
+    file.note([&] { return derived_numbers_in_words(job); });
+}
+
+template <typename Walker>
+void describe_trace(Walker& file, Job& job) {
+    file.table({"trace", "which cell is followed, and what is shown of it"},
+               [&](auto& table) { describe(table, job.trace); });
+    if (!job.trace.map.empty()) {
+        describe_trace_of_map(file, job);
+    } else {
+        describe_rig(file, job);
+        describe_trace_of_rig(file, job);
+        file.table({"steady_state", "when a regime counts as proved"},
+                   [&](auto& table) { describe(table, job.steady_state); });
+        describe_solver(file, job);
+    }
+    refuse_other_tables_in_trace(file);
 }
 
 template <typename Walker>
@@ -33,19 +54,16 @@ void describe(Walker& file, Job& job) {
     file.integer({"schema", "version of the job file's own format", "1"}, schema,
                  from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
     const bool kind_is_known =
-        file.choice({"kind", "kind of the job: map, basin, sweep or study", "\"map\""}, job.kind);
+        file.choice({"kind", "kind of the job: map, basin, sweep, study or trace", "\"map\""}, job.kind);
     file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
     file.rule({"title"}, [&] { return rule_of_title(job.title); });
 
-    file.table({"hammer", "mass, springs and damping of the hammer", "mass_kg = 0.298"},
-               [&](auto& table) { describe(table, job.hammer); });
-    file.table({"cart", "motion of the cart", "amplitude_m = 0.89e-3"},
-               [&](auto& table) { describe(table, job.cart); });
-    file.table({"contact", "law and numbers of the stop", "law = \"kelvin_voigt\""},
-               [&](auto& table) { describe(table, job.contact); });
-    file.note([&] { return derived_numbers_in_words(job); });
+    if (kind_is_known && job.kind == Kind::trace) return describe_trace(file, job);
+    describe_rig(file, job);
 
-    if (!kind_is_known) file.skip({"axes", "start", "operating_point", "refine", "sweep", "study"});
+    if (!kind_is_known) {
+        file.skip({"axes", "start", "operating_point", "refine", "sweep", "study", "trace"});
+    }
     if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
     if (kind_is_known && job.kind == Kind::sweep) describe_sweep(file, job);
@@ -64,7 +82,10 @@ void describe(Walker& file, Job& job) {
                 "belongs to kind = \"study\"; a map, basin or sweep has one engine and compares none; remove "
                 "this table");
     }
-    refuse_later_tables(file);
+    if (kind_is_known) {
+        file.refuse("trace",
+                    "belongs to kind = \"trace\"; this job follows no single cell in time; remove this table");
+    }
 }
 
 }  // namespace peterka::job

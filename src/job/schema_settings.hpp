@@ -42,13 +42,18 @@ void describe(Walker& table, Audit& audit) {
                                         "an audited cell costs a thousand others, and a sample tells enough"));
 }
 
-// Of a map, a basin or a sweep: how it is computed, and what is stored.
 template <typename Walker>
-void describe_settings(Walker& file, Job& job) {
+void describe_solver(Walker& file, Job& job) {
     file.table({"solver", "engine and tolerances"}, [&](auto& table) {
         describe(table, job.solver);
         table.rule({"engine"}, [&] { return rule_of_engine(job.hammer, job.contact, job.solver); });
     });
+}
+
+// Of a map, a basin or a sweep: how it is computed, and what is stored.
+template <typename Walker>
+void describe_settings(Walker& file, Job& job) {
+    describe_solver(file, job);
     file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
         table.choices(
             {"fields",

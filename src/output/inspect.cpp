@@ -119,7 +119,8 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     const FileId file = open_map(check);
     require_layout_version(path, file);
     require_job(path, file, job);
-    if (job.kind == job::Kind::study) return Existing::complete;  // it was written whole, and nothing is read
+    const bool is_whole = job.kind == job::Kind::study || job.kind == job::Kind::trace;
+    if (is_whole) return Existing::complete;  // it was written whole, and nothing is read
     require_datasets(check, file, job);
     const bool finished = read_number(check, file.id(), path::finished) == 1;
     if (finished && all_tiles_done(check, file, job)) return Existing::complete;

@@ -36,7 +36,7 @@ void write_root_attributes(const Checked& check, hid_t file, const job::Job& job
     write("damping_ratio", derive(job.hammer).zeta);
     write("cart_amplitude_m", job.cart.amplitude_m);
     write("hammer_mass_kg", job.hammer.mass_kg);
-    if (job.kind == job::Kind::basin) {
+    if (job.kind == job::Kind::basin || job.kind == job::Kind::trace) {
         write("frequency_ratio", job.operating_point.frequency_ratio);
         write("gap_ratio", job.operating_point.gap_ratio);
     }

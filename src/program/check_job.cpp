@@ -14,6 +14,7 @@
 #include "output/map_size.hpp"
 #include "output/samples.hpp"
 #include "program/run_plan.hpp"
+#include "program/traced_cell.hpp"
 #include "refine/lattice.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
@@ -76,11 +77,26 @@ std::string check_study(const Request& request, const job::Job& job) {
            job::resolved_text(job);
 }
 
+std::string check_trace(const Request& request, const TracedCell& traced) {
+    const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}", traced.map->row,
+                                                      traced.map->column, traced.map->file.string())
+                                        : std::string("of this job");
+    return fmt::format(
+               "# {} is a sound job. It would be computed as follows.\n"
+               "#   trace    of one cell, that {}\n"
+               "#   file     {} ({})\n\n",
+               request.job_file.string(), cell, map_file_of(request).string(),
+               free_space_text(map_file_of(request))) +
+           job::resolved_text(traced.job);
+}
+
 }  // namespace
 
 std::string check_job(const Request& request) {
-    const job::Job job = job::read_job_file(request.job_file, request.overrides);
+    const TracedCell traced = find_traced_cell(job::read_job_file(request.job_file, request.overrides));
+    const job::Job& job = traced.job;
     if (job.kind == job::Kind::study) return check_study(request, job);
+    if (job.kind == job::Kind::trace) return check_trace(request, traced);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job.kind);
     const parallel::Tiling tiling = output::tiling(job);

@@ -5,6 +5,7 @@
 #include "job/read.hpp"
 #include "job/write.hpp"
 #include "parallel/broadcast.hpp"
+#include "program/traced_cell.hpp"
 
 namespace peterka {
 
@@ -15,7 +16,9 @@ std::filesystem::path map_file_of(const Request& request) {
 
 RunPlan plan_run(const Request& request) {
     RunPlan plan;
-    plan.job = job::read_job_file(request.job_file, request.overrides);
+    const TracedCell traced = find_traced_cell(job::read_job_file(request.job_file, request.overrides));
+    plan.job = traced.job;
+    plan.map_cell = traced.map;
     plan.file = map_file_of(request);
     plan.lock.emplace(plan.file);
     if (!request.fresh) plan.existing = output::inspect(plan.file, plan.job);

@@ -7,6 +7,7 @@
 
 #include "job/job.hpp"
 #include "output/inspect.hpp"
+#include "output/map_cell.hpp"
 #include "output/output_lock.hpp"
 #include "parallel/session.hpp"
 #include "program/command_line.hpp"
@@ -20,7 +21,8 @@ struct RunPlan {
     double max_wall_seconds = 0;
     bool fresh = false;  // this and what follows count on rank 0 alone
     bool quiet = false;
-    std::optional<output::OutputLock> lock;  // held until the run ends
+    std::optional<output::MapCell> map_cell;  // that a trace follows
+    std::optional<output::OutputLock> lock;   // held until the run ends
 };
 
 // The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.

@@ -28,6 +28,7 @@ std::string what_the_cells_are(const job::Job& job) {
             return "excitation frequencies and branches";
         case job::Kind::map:
         case job::Kind::study:
+        case job::Kind::trace:
             break;
     }
     return "excitation frequencies and gaps";

@@ -26,14 +26,16 @@ template <class Real>
 struct Oscillator {
     Real damping_ratio = 0;  // zeta = c/(2 m omega)
     ContactLaw<Real> contact = {};
-    Real frequency = 0;  // eta = Omega/omega
+    Real frequency = 0;  // eta = Omega/omega; 0: the cart is at rest
     Real gap = 0;        // gap/A0
     Real cubic = 0;      // k3 A0^2/k
     job::CubicForm cubic_form = job::CubicForm::relative;
 
-    // Amplitude of the forcing, and its period in tau.
+    // Amplitude of the forcing, and its period in tau; with a cart at rest the hammer's own period.
     [[nodiscard]] Real drive() const { return frequency * frequency; }
-    [[nodiscard]] Real period() const { return 2 * std::numbers::pi_v<Real> / frequency; }
+    [[nodiscard]] Real period() const {
+        return 2 * std::numbers::pi_v<Real> / (frequency > 0 ? frequency : Real(1));
+    }
 
     // The spring-dashpot stop, for what is written for it alone; std::bad_variant_access for another law.
     [[nodiscard]] const KelvinVoigt<Real>& kelvin_voigt() const { return std::get<KelvinVoigt<Real>>(contact); }

@@ -23,10 +23,13 @@ class Scene {
     [[nodiscard]] const Scales& scales() const { return scales_; }
     [[nodiscard]] std::int64_t rows() const { return job_.row_count(); }
     [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
-    // Of a sweep the row is a branch, and the start that of its first point.
+    // Of a sweep the row is a branch, and the start that of its first point; a trace has one cell, whatever its
+    // place.
     [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
 
   private:
+    [[nodiscard]] Cell cell_at(const job::OperatingPoint& place, const job::Start& start) const;
+
     job::Job job_;
     Scales scales_;
     Oscillator<double> oscillator_;

@@ -1,4 +1,4 @@
-// A dataset of a study's file with its numbers, and what every topic of a study has.
+// What every topic of a study has.
 #pragma once
 
 #include <concepts>
@@ -8,14 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "output/layout.hpp"
+#include "output/table.hpp"
 
 namespace peterka::study {
 
-struct Table {
-    output::DatasetPlan plan;
-    std::vector<double> values;  // row by row; each kind of number used fits a double exactly
-};
+using output::Table;
 
 // A topic is a list of tasks, each a pure function of the job and its number but for measured times. Results
 // travel between ranks as bytes.

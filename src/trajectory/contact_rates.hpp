@@ -24,9 +24,9 @@ struct Rates {
 };
 Rates rates_of(const LinearizedContact& contact);
 
-// The response to the forcing off resonance: the size of a motion. [A0]
+// The response to the forcing off resonance: the size of a motion, 1 where the cart is at rest. [A0]
 inline double response_length(const scene::Oscillator<double>& scene) {
-    return scene.drive() / (1 + scene.drive());
+    return scene.frequency > 0 ? scene.drive() / (1 + scene.drive()) : 1;
 }
 
 // How deep a force [k A0] presses into the stop at rest.

@@ -1,5 +1,5 @@
 // What one leg of linear motion adds to a recorder beyond force: a bound of the displacement or the true
-// largest one, and the integrals of force, power and energy.
+// largest one, the integrals of force, power and energy, and the leg itself for an observer.
 #pragma once
 
 #include <cmath>
@@ -55,6 +55,14 @@ void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Rea
     if (recorder.records_energy()) {
         recorder.energy(scene.drive() * integrals[2], 2 * scene.damping_ratio * integrals[3]);
     }
+}
+
+// `from`: tau of the cycle where the leg begins; it lasts for `length`.
+template <class Real>
+void observe_leg(Phase phase, const motion::Leg<Real>& leg, Real from, Real length, Recorder<Real>& recorder) {
+    if (recorder.observer() == nullptr) return;
+    recorder.observer()->stretch(phase, from, length,
+                                 [&](Real t) { return t > 0 ? leg.at(t).state : leg.start().state; });
 }
 
 }  // namespace peterka::trajectory

@@ -105,7 +105,7 @@ template <class Real>
 void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end,
                               Recorder<Real>& recorder) const {
     const bool presses = phase == Phase::contact;
-    if (presses) recorder.force(peak_.over(leg, leg.start(), end, recorder.totals().largest_force));
+    if (presses) recorder.force(peak_.over(leg, leg.start(), end, recorder.force_to_beat()));
     recorder.displacement_bound(displacement_bound(scene_, presses ? depth_ : touch_, leg, end.time));
     if (recorder.records_contacts()) {
         record_contacts(scene_, leg, leg.start(), end, presses ? &peak_.signal() : nullptr, recorder);
@@ -156,7 +156,10 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
 
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
-        if (recorder != nullptr) record(phase, leg, end, *recorder);
+        if (recorder != nullptr) {
+            record(phase, leg, end, *recorder);
+            observe_leg(phase, leg, journey.time, end.time, *recorder);
+        }
         cycle.jacobian = end.flow * cycle.jacobian;
         cycle.end = end.state;
         if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) {

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "support/latest.hpp"
+#include "trajectory/observer.hpp"
 
 namespace peterka::trajectory {
 
@@ -73,9 +74,12 @@ class Recorder {
     // `touches`, for who wants to know each of them, outlives the recorder.
     explicit Recorder(Detail detail = Detail::force, Latest<Touch<Real>>* touches = nullptr)
         : detail_(detail), touches_(touches) {}
+    // The observer outlives the recorder. It sees single impacts from the level `contacts` on.
+    Recorder(Detail detail, Observer<Real>& observer) : detail_(detail), observer_(&observer) {}
 
     [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
     [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
+    [[nodiscard]] Observer<Real>* observer() const { return observer_; }
     [[nodiscard]] const Totals<Real>& totals() const { return totals_; }
 
     // Something is still going on that counts in a later cycle.
@@ -95,7 +99,10 @@ class Recorder {
     void force(Real largest) {
         totals_.largest_force = std::max(totals_.largest_force, largest);
         recent_force_ = std::max(recent_force_, largest);
+        impact_force_ = std::max(impact_force_, largest);
     }
+    // Forces that don't exceed this one tell nothing new of the present impact and cycle.
+    [[nodiscard]] Real force_to_beat() const { return std::min(impact_force_, recent_force_); }
     // The largest force since this was asked last; NaN where the stop is rigid and was struck.
     [[nodiscard]] Real take_recent_force() {
         return totals_.struck_rigid_stop ? std::numeric_limits<Real>::quiet_NaN()
@@ -126,19 +133,25 @@ class Recorder {
         touching_ = records_contacts();
         ++totals_.impacts;
         totals_.impact_speed = std::max(totals_.impact_speed, touch.speed);
+        if (observer_ != nullptr) observer_->touch(touch.speed);
     }
     // The stop presses within the present impact.
     void press(const Press<Real>& press) {
         touching_ = records_contacts();
         impact_.impulse += press.impulse;
         impact_.time += press.time;
+        impact_.work += press.work;
         totals_.contact_work += press.work;
     }
     // Flight begins: the impact is over.
     void leave() {
         totals_.impulse = std::max(totals_.impulse, impact_.impulse);
         totals_.contact_time = std::max(totals_.contact_time, impact_.time);
+        if (observer_ != nullptr && touching_) {
+            observer_->leave({impact_force_, impact_.impulse, impact_.time, impact_.work});
+        }
         impact_ = {};
+        impact_force_ = 0;
         touching_ = false;
     }
 
@@ -149,8 +162,13 @@ class Recorder {
         const Real speed = touch.speed;
         totals_.struck_rigid_stop = true;
         totals_.impact_speed = std::max(totals_.impact_speed, speed);
-        totals_.contact_work += (1 - restitution) * (1 + restitution) * speed * speed / 2;
+        const Real work = (1 - restitution) * (1 + restitution) * speed * speed / 2;
         const Real impulse = (1 + restitution) * speed;
+        totals_.contact_work += work;
+        if (observer_ != nullptr) {
+            observer_->touch(speed);
+            observer_->leave({std::numeric_limits<Real>::quiet_NaN(), impulse, 0, work});
+        }
         if (!pressed) break_chain();
         ++chain_.impacts;
         chain_.impulse += impulse;
@@ -183,9 +201,11 @@ class Recorder {
     }
 
     Detail detail_;
-    Latest<Touch<Real>>* touches_;
+    Latest<Touch<Real>>* touches_ = nullptr;
+    Observer<Real>* observer_ = nullptr;
     Totals<Real> totals_;
     Press<Real> impact_;  // the one going on
+    Real impact_force_ = 0;
     bool touching_ = false;
     Chain chain_;
     Real recent_force_ = 0;

@@ -69,6 +69,7 @@ bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Rea
     const Real theta = scene_.frequency * from;
     const Real release = from + (stop_.presses(theta) ? stop_.ahead_to_release(theta) / scene_.frequency : 0);
     const bool lets_go = release < end_time;
+    const Real begin = journey.time;
     journey.time = lets_go ? release : end_time;
     journey.rest_from = journey.time;
     journey.cycle.touched = true;
@@ -77,6 +78,10 @@ bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Rea
         record_sticking(stop_, theta, scene_.frequency * journey.time, *recorder);
         recorder->displacement_bound(std::abs(scene_.gap));
         recorder->displacement(std::abs(scene_.gap));
+        if (auto* observer = recorder->observer(); observer != nullptr) {
+            observer->stretch(Phase::contact, begin, journey.time - begin,
+                              [](Real) -> State<Real> { return State<Real>::Zero(); });
+        }
         if (lets_go) recorder->leave();
     }
     if (lets_go) journey.phase = Phase::flight;

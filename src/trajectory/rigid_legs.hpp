@@ -93,6 +93,7 @@ bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>*
             const Moment<Real> from = falls < end.time ? leg.at(falls) : end;
             record_contacts<Real>(scene_, leg, falls > 0 ? from : leg.start(), end, nullptr, *recorder);
         }
+        observe_leg(Phase::flight, leg, journey.time, end.time, *recorder);
     }
     cycle.jacobian = (end.flow * cycle.jacobian).eval();
     cycle.end = end.state;

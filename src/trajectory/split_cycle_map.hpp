@@ -34,7 +34,7 @@ class SplitCycleMap {
     SplitCycleMap(const Oscillator<Real>& scene, int steps_per_cycle)
         : scene_(scene),
           steps_(steps_per_cycle),
-          changes_(scene.cubic != 0 && scene.cubic_form == job::CubicForm::absolute) {
+          changes_(scene.cubic != 0 && scene.cubic_form == job::CubicForm::absolute && scene.frequency > 0) {
         for (int step = 0; step <= steps_; ++step) cart_.push_back(changes_ ? std::sin(phase(step)) : Real(0));
         for (int step = 0; step < (changes_ ? steps_ : 1); ++step) legs_.push_back(legs_of(step));
     }
@@ -123,7 +123,7 @@ inline int rounded_split_steps(int steps) {
 inline int split_steps(const Oscillator<double>& scene, double largest_displacement, double tolerance) {
     if (scene.cubic == 0) return 1;
     const bool absolute = scene.cubic_form == job::CubicForm::absolute;
-    const double cart = absolute ? 1 : 0;
+    const double cart = absolute && scene.frequency > 0 ? 1 : 0;
     const double reach = largest_displacement + cart;
     const double share = 3 * std::abs(scene.cubic) * reach * reach;
     const double share_at_stop = 3 * std::abs(scene.cubic) * reach * (std::abs(scene.gap) + cart);

@@ -61,6 +61,7 @@ class CycleIntegration {
     StepEvents<Stepper> events_;
     std::optional<RigidCourse<double>> course_;  // of a rigid stop
     int steps_ = 0;                              // in this cycle
+    double leg_start_ = 0;                       // tau of the cycle
 };
 
 template <class Stepper>
@@ -92,8 +93,13 @@ void CycleIntegration<Stepper>::record_step(const LegPoint& end, Integrals& inte
                                             Recorder<double>& recorder) {
     const auto& totals = recorder.totals();
     const bool presses = leg_->phase == Phase::contact;
-    if (presses) recorder.force(events_.largest_force(end, totals.largest_force));
+    if (presses) recorder.force(events_.largest_force(end, recorder.force_to_beat()));
     recorder.displacement_bound(events_.displacement_bound(end, totals.displacement_bound));
+    if (auto* observer = recorder.observer(); observer != nullptr) {
+        const double before = stepper_->before().time;
+        observer->stretch(leg_->phase, leg_start_ + before, end.time - before,
+                          [&](double t) { return events_.state_at(before + t); });
+    }
     if (!recorder.records_contacts()) return;
     recorder.displacement(events_.largest_displacement(end, totals.largest_displacement));
     if (presses || recorder.records_energy()) events_.add_integrals(end, integrals);
@@ -161,6 +167,7 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
     for (int legs = 0; legs < most_legs; ++legs) {
         leg_->phase = phase;
         leg_->start_angle = scene.frequency * time;
+        leg_start_ = time;
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
         const LegEnd end = integrate_leg(cycle.end, period - time, recorder);
@@ -200,6 +207,7 @@ bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, R
     Cycle<double>& cycle = journey.cycle;
     const double speed = -cycle.end[1];
     leg_->start_angle = scene.frequency * journey.time;
+    leg_start_ = journey.time;
     leg_->hop_speed = cycle.end[0] == 0 && speed > 0 && speed < low * response_length(scene) ? speed : 0;
     const bool from_rest = cycle.end[0] == 0 && speed == 0;
     events_.trust_after(from_rest ? time_away(leg_->start_angle) : 0);

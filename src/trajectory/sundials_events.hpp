@@ -59,6 +59,9 @@ class StepEvents {
     };
     void add_integrals(const LegPoint& end, Integrals& sum);
 
+    // Within the last step, at a time of the leg.
+    [[nodiscard]] State<double> state_at(double time) { return look(time).state; }
+
     // An integration to a point within the step failed: what was found is void.
     [[nodiscard]] bool failed() const { return failed_; }
     void forget_failure() { failed_ = false; }

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
-ORDER = ["support", "job", "scene", "motion", "trajectory", "batch", "regime", "parallel", "refine", "output", "study",
+ORDER = ["support", "job", "scene", "motion", "trajectory", "batch", "regime", "parallel", "refine", "output", "study", "trace",
          "program"]
 INCLUDE = re.compile(r'^#include "(\w+)/', re.MULTILINE)
 

@@ -75,6 +75,18 @@ def stability_study():
     return study("stability", axes="[solver]\ntolerance = 1e-6\n")
 
 
+def trace(frequency_ratio, gap_ratio=0.0, settings=""):
+    """A trace on the same rig; settings are lines of [trace] and further tables."""
+    return (RIG.format(kind="trace", title="small trace")
+            + f"[operating_point]\nfrequency_ratio = {frequency_ratio}\ngap_ratio = {gap_ratio}\n"
+            + f"[trace]\nsamples_per_cycle = 200\nspectrum_to_hz = 1000\n{settings}\n")
+
+
+def trace_of(map_file, settings):
+    """A trace of a cell of a map or basin file."""
+    return f'schema = 1\nkind = "trace"\n[trace]\nmap = "{map_file}"\nsamples_per_cycle = 200\n{settings}\n'
+
+
 def write(folder, text, name="job.toml"):
     path = folder / name
     path.write_text(text)

@@ -104,7 +104,7 @@ CASES = {
     "not ours": (plain_hdf5, "not a peterka file (no attribute peterka_layout)"),
     "newer layout": (lambda p: with_attribute(write_map(p), "peterka_layout", np.int32(2)), "layout version 2"),
     "layout is text": (lambda p: with_attribute(write_map(p), "peterka_layout", "1"), "layout version '1'"),
-    "other kind": (lambda p: with_attribute(write_map(p), "peterka_kind", "sweep"), "kind 'sweep'"),
+    "other kind": (lambda p: with_attribute(write_map(p), "peterka_kind", "chart"), "kind 'chart'"),
     "kind is a list": (lambda p: with_attribute(write_map(p), "peterka_kind", [1, 2]), "kind None"),
     "no regime": (lambda p: without(write_map(p), "regime"), "no dataset regime"),
     "regime is a group": (group_instead, "no dataset regime"),

@@ -99,6 +99,26 @@ inline Job study(StudyTopic topic) {
     return job;
 }
 
+inline Job trace() {
+    Job job = map();
+    job.kind = Kind::trace;
+    job.title = "A trace";
+    job.columns = {};
+    job.rows = {};
+    job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
+    job.output = {};
+    job.audit = {};
+    job.refine = {};
+    job.limits = {};
+    job.trace.from = TraceBegin::start;
+    job.trace.cycles = 7;
+    job.trace.samples_per_cycle = 222;
+    job.trace.impact_window_s = 0.01;
+    job.trace.impact_samples = 333;
+    job.trace.spectrum_to_hz = 4000;
+    return job;
+}
+
 inline std::vector<Job> studies() {
     return {study(StudyTopic::work_precision), study(StudyTopic::labels), study(StudyTopic::stability)};
 }

@@ -1,6 +1,7 @@
 // Every key of the job file is wired through: it lands in its own member, and a change of it shows.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -98,11 +99,19 @@ const std::map<std::string, std::string> other_values{
     {"study.steps_per_cycle", "[200]"},
     {"study.cycles", "78"},
     {"study.repeats", "6"},
+    {"trace.from", "\"steady_state\""},
+    {"trace.cycles", "9"},
+    {"trace.samples_per_cycle", "333"},
+    {"trace.impact_window_s", "0.02"},
+    {"trace.impact_samples", "444"},
+    {"trace.spectrum_to_hz", "5000.0"},
 };
 // Keys with one value only in this version, or whose other values take other keys.
-const std::set<std::string> fixed{"schema", "kind", "contact.law", "study.topic"};
+const std::set<std::string> fixed{"schema",    "kind",      "contact.law",  "study.topic",
+                                  "trace.map", "trace.row", "trace.column", "trace.duration_s"};
 
 std::string other_value(const std::string& key, const std::string& value) {
+    if (other_values.contains(key)) return other_values.at(key);
     if (key.ends_with(".from")) return "1.25";
     if (key.ends_with(".to")) return "3.75";
     if (key.ends_with(".points")) return "55";
@@ -170,6 +179,31 @@ TEST(JobKeys, OfANonlinearStopAreWiredThrough) {
 
 TEST(JobKeys, OfStudiesAreWiredThrough) {
     for (const Job& job : examples::studies()) expect_every_key_to_be_wired_through(job, 14);
+}
+
+TEST(JobKeys, OfATraceAreWiredThrough) {
+    expect_every_key_to_be_wired_through(examples::trace());
+}
+
+TEST(JobKeys, ATraceOfACartAtRestLastsForATime) {
+    const std::vector<std::string> overrides{"operating_point.frequency_ratio=0", "trace.duration_s=0.25"};
+    const Job job = read_job_text(resolved_text(examples::trace()), "trace", overrides);
+    EXPECT_EQ(job.operating_point.frequency_ratio, 0);
+    EXPECT_EQ(job.trace.duration_s, 0.25);
+}
+
+// What names the cell is read; what is not given is NaN until the file is looked at.
+TEST(JobKeys, ATraceOfAMapHasNoRigOfItsOwn) {
+    const std::string head = "schema = 1\nkind = \"trace\"\n[trace]\nmap = \"a.h5\"\n";
+    const Job by_index = read_job_text(head + "row = 3\ncolumn = 4\n", "by index");
+    EXPECT_EQ(by_index.trace.map, "a.h5");
+    EXPECT_EQ(by_index.trace.row, 3);
+    EXPECT_EQ(by_index.trace.column, 4);
+    EXPECT_TRUE(std::isnan(by_index.operating_point.gap_ratio));
+    const Job by_value =
+        read_job_text(head + "[operating_point]\nfrequency_ratio = 2\ngap_ratio = 0.5\n", "by value");
+    EXPECT_EQ(by_value.operating_point, (OperatingPoint{2, 0.5}));
+    EXPECT_TRUE(std::isnan(by_value.start.velocity_ratio));
 }
 
 TEST(JobKeys, AStudyOfPrecisionHasRegularCellsByDefault) {

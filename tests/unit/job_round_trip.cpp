@@ -142,6 +142,7 @@ TEST(JobRoundTrip, ExamplesReadBackEqual) {
     EXPECT_EQ(read_job_text(resolved_text(examples::map()), "map"), examples::map());
     EXPECT_EQ(read_job_text(resolved_text(examples::basin()), "basin"), examples::basin());
     EXPECT_EQ(read_job_text(resolved_text(examples::sweep()), "sweep"), examples::sweep());
+    EXPECT_EQ(read_job_text(resolved_text(examples::trace()), "trace"), examples::trace());
     for (const Job& job : examples::studies()) EXPECT_EQ(read_job_text(resolved_text(job), "study"), job);
 }
 

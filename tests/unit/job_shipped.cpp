@@ -88,5 +88,16 @@ TEST(ShippedJobs, BasinsStandWhereThePaperDrawsThem) {
               shipped("basin_135mm.toml").steady_state.chaos_cycles);
 }
 
+TEST(ShippedJobs, TracesFollowTheCellsOfThePaper) {
+    const auto hertz = [](const std::string& name) {
+        return shipped(name).operating_point.frequency_ratio * 4.5;
+    };
+    EXPECT_NEAR(hertz("trace_170mm_9hz.toml"), 9.0, 1e-8);
+    EXPECT_NEAR(hertz("trace_170mm_12hz.toml"), 12.25, 1e-8);
+    EXPECT_NEAR(hertz("trace_170mm_15hz.toml"), 15.25, 1e-8);
+    EXPECT_EQ(hertz("trace_170mm_release.toml"), 0);
+    EXPECT_NEAR(shipped("trace_170mm_release.toml").start.displacement_ratio * 0.89, -5, 1e-3);  // mm
+}
+
 }  // namespace
 }  // namespace peterka::job

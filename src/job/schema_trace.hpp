@@ -1,0 +1,100 @@
+// The tables of a trace.
+//
+// A trace of its own brings its rig, its operating point and its start. A trace of a cell of a map file takes
+// all of them from the job in that file; which cell is told by its indices, or by the values nearest to it.
+// Values that are not given stay NaN until the file is read (program/traced_cell.hpp).
+#pragma once
+
+#include <limits>
+
+#include "job/job.hpp"
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/rules.hpp"
+#include "job/schema_plane.hpp"
+
+namespace peterka::job {
+
+template <typename Walker>
+void describe(Walker& table, Trace& trace) {
+    constexpr auto index = from_to<std::int64_t>(-1, std::numeric_limits<std::int32_t>::max(),
+                                                 "cells are counted from 0; -1 leaves the cell to its values");
+    table.text({"map", "file of a map or basin with the cell to follow, \"\" for the rig of this job"},
+               trace.map);
+    table.integer({"row", "row of the cell in that file, from 0; -1: nearest to the values given"}, trace.row,
+                  index);
+    table.integer({"column", "column of the cell in that file, from 0; -1: the same"}, trace.column, index);
+    table.choice({"from", "where the trace begins: start (transient included) or steady_state"}, trace.from);
+    table.integer({"cycles", "forcing cycles shown"}, trace.cycles,
+                  from_to<std::int64_t>(1, 1'000'000, "a trace shows whole forcing cycles"));
+    table.number({"duration_s", "time shown instead with a cart at rest, frequency_ratio = 0 [s]"},
+                 trace.duration_s, not_negative("a trace runs forward in time"));
+    table.integer({"samples_per_cycle", "samples per forcing cycle, or per natural period of a cart at rest"},
+                  trace.samples_per_cycle, from_to<std::int64_t>(4, 1'000'000, "fewer samples show no motion"));
+    table.number(
+        {"impact_window_s", "time shown closely around the hardest impact, 0: three times its contact [s]"},
+        trace.impact_window_s, not_negative("a window has a length"));
+    table.integer({"impact_samples", "samples in that window"}, trace.impact_samples,
+                  from_to<std::int64_t>(10, 1'000'000, "fewer samples show no impact"));
+    table.number({"spectrum_to_hz", "largest frequency of the spectra [Hz]"}, trace.spectrum_to_hz,
+                 positive("a spectrum has a largest frequency"));
+    table.rule({"map", "row", "column"}, [&] { return rule_of_traced_cell(trace); });
+}
+
+template <typename Walker>
+void describe_operating_point_and_start(Walker& file, Job& job, const Key& operating_point) {
+    file.table(operating_point, [&](auto& table) {
+        const bool is_required = operating_point.is_required();
+        table.number(
+            {frequency_ratio.name, "excitation frequency over natural frequency, Omega/omega; 0: at rest [1]",
+             is_required ? "2.0" : ""},
+            job.operating_point.frequency_ratio,
+            from_to(0.0, frequency_ratio.range.high,
+                    "the cart vibrates or is at rest, and its frequency is a finite magnitude"));
+        table.number({gap_ratio.name, gap_ratio.meaning, is_required ? "0.0" : ""},
+                     job.operating_point.gap_ratio, gap_ratio.range);
+    });
+    describe_start(file, job);
+}
+
+// The rig and the cell of a map file.
+template <typename Walker>
+void describe_trace_of_map(Walker& file, Job& job) {
+    constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+    job.operating_point = {not_given, not_given};
+    job.start = {not_given, not_given};
+    for (const auto* name : {"hammer", "cart", "contact", "solver", "steady_state"}) {
+        file.refuse(
+            name,
+            "is that of the job in the file that trace.map names; a cell is followed as it was computed; "
+            "remove this table");
+    }
+    describe_operating_point_and_start(file, job,
+                                       {"operating_point", "values of the cell in the plane of a map"});
+}
+
+template <typename Walker>
+void describe_trace_of_rig(Walker& file, Job& job) {
+    describe_operating_point_and_start(
+        file, job, {"operating_point", "place of the cell in the plane", "frequency_ratio and gap_ratio"});
+    file.rule({"operating_point", "trace", "hammer"}, [&] { return rule_of_trace(job); });
+    file.rule({"operating_point", "start", "contact"}, [&] {
+        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
+                                  "operating_point.gap_ratio", job.operating_point.gap_ratio);
+    });
+}
+
+template <typename Walker>
+void refuse_other_tables_in_trace(Walker& file) {
+    file.refuse(
+        "axes",
+        "belongs to a map or basin; a trace follows one cell, see [operating_point]; remove this table");
+    file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
+    file.refuse("output", "is for maps; a trace stores all it has; remove this table");
+    file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
+    file.refuse("study", "belongs to kind = \"study\"; a trace compares nothing; remove this table");
+    file.refuse("sweep", "belongs to kind = \"sweep\"; a trace follows one cell; remove this table");
+    file.refuse("limits", "is for maps; a trace that fails says so; remove this table");
+}
+
+}  // namespace peterka::job

@@ -1,0 +1,96 @@
+#include "output/map_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "job/faults.hpp"
+#include "job/read.hpp"
+#include "output/attributes.hpp"
+#include "output/layout.hpp"
+#include "output/make_layout.hpp"
+#include "output/matches_plan.hpp"
+#include "output/root_attributes.hpp"
+#include "output/tile_store.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::output {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+    throw Failure(ExitCode::bad_job,
+                  fmt::format("trace.map = \"{}\" {}; give a file that peterka made of a map or basin",
+                              path.string(), why));
+}
+
+FileId open_to_read(const Checked& check) {
+    const std::filesystem::path& path = check.path();
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown))
+        refuse(path, "does not exist (looked for from the current folder)");
+    if (!std::filesystem::is_regular_file(path, unknown)) refuse(path, "is not a regular file");
+    if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "is not an HDF5 file, or may not be read");
+    const PropertiesId access = file_access(check);
+    FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
+    if (file.id() < 0) refuse(path, "is damaged: " + hdf5_reason());
+    return file;
+}
+
+job::Job job_in(const std::filesystem::path& path, const FileId& file) {
+    const auto version = read_integer(file.id(), attribute::layout);
+    const auto text = read_text(file.id(), attribute::job);
+    if (!version || !text) refuse(path, "was not made by peterka: it has no layout version or no job");
+    if (*version != layout_version) {
+        refuse(path,
+               fmt::format("has layout version {}, this program reads version {}", *version, layout_version));
+    }
+    try {
+        return job::read_job_text(*text, path.string());
+    } catch (const job::JobFaults&) {
+        refuse(path, "holds a job that this version can't read");
+    }
+}
+
+}  // namespace
+
+job::Job read_map_job(const std::filesystem::path& path) {
+    const Checked check(path);
+    const FileId file = open_to_read(check);
+    job::Job job = job_in(path, file);
+    if (job.kind == job::Kind::map || job.kind == job::Kind::basin) return job;
+    refuse(path, fmt::format("is of kind \"{}\", which has no plane of cells", job::name(job.kind)));
+}
+
+MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, std::int64_t row,
+                      std::int64_t column) {
+    const Checked check(path);
+    const FileId file = open_to_read(check);
+    for (const DatasetPlan& plan : layout(job)) {
+        if (!matches_plan(check, file.id(), plan)) {
+            refuse(path, fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()));
+        }
+    }
+    const TileStore tiles(check, file.id(), job);
+    const parallel::Tile tile = tiles.tiling().tile(tiles.tiling().index_at({row, column}));
+    const auto in_words = [&](const char* what) {
+        return fmt::format("{} the cell in row {}, column {}", what, row, column);
+    };
+    try {
+        switch (tiles.state(tile)) {
+            case TileState::missing:
+                refuse(path, in_words("has not computed yet"));
+            case TileState::damaged:
+                refuse(path, in_words("is damaged (wrong checksum) at"));
+            case TileState::whole:
+                break;
+        }
+        const parallel::Tile cell{.row = row, .column = column, .extent = {1, 1}};
+        return {path, row, column, job, tiles.read(cell).front()};
+    } catch (const Failure& failure) {
+        if (failure.code() == ExitCode::bad_job) throw;
+        refuse(path, "can't be read: " + std::string(failure.what()));
+    }
+}
+
+}  // namespace peterka::output

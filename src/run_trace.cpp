@@ -1,0 +1,82 @@
+#include "run_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "output/provenance.hpp"
+#include "output/whole_file.hpp"
+#include "parallel/hosts.hpp"
+#include "program/trace_words.hpp"
+#include "support/print.hpp"
+#include "support/readable.hpp"
+#include "support/stopwatch.hpp"
+#include "trace/tables.hpp"
+
+namespace peterka {
+namespace {
+
+// Far above what the samples and the spectra take [bytes].
+std::int64_t largest_trace(const job::Trace& trace, double cycles) {
+    constexpr double columns = 12 * sizeof(double);
+    const double samples = cycles * static_cast<double>(trace.samples_per_cycle) +
+                           static_cast<double>(trace.impact_samples + trace::most_lines);
+    return 2'000'000 + static_cast<std::int64_t>(samples * columns);
+}
+
+void append(std::vector<output::Table>& tables, std::vector<output::Table> more) {
+    std::ranges::move(more, std::back_inserter(tables));
+}
+
+output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trace,
+                             const std::optional<output::MapCell>& map) {
+    output::Contents contents{{}, trace::tables_of(trace, scene.scales())};
+    if (trace.course.cell) {
+        append(contents.tables,
+               trace::cell_tables("/cell", output::in_file_units(*trace.course.cell, scene.scales()),
+                                  trace::with_proofs(scene.job())));
+    }
+    if (!map) return contents;
+    contents.texts.push_back({"map_file", map->file.string()});
+    append(contents.tables, trace::cell_tables("/map_cell", map->stored, map->job));
+    const auto index = [&](const char* name, std::int64_t value) {
+        const output::Variable variable{name, output::Number::int64, -1, "1", "of the cell in its map, from 0"};
+        contents.tables.push_back({{"/map_cell", variable, {}}, {static_cast<double>(value)}});
+    };
+    index("row", map->row);
+    index("column", map->column);
+    return contents;
+}
+
+void run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
+    const Stopwatch wall;
+    const scene::Scene scene(plan.job);
+    const trace::Trace trace = trace::make_trace(scene);
+    output::write_whole_file(plan.file, plan.job, output::collect_provenance(),
+                             contents_of(scene, trace, plan.map_cell), {ranks, wall.seconds(), hosts});
+    if (plan.quiet) return;
+    print(fmt::format("{}\nThis run: {}\nTrace file {}\nDraw it    postprocess/draw.py {}\n",
+                      trace_in_words(scene, trace, plan.map_cell), readable_duration(wall.seconds()),
+                      plan.file.string(), shell_word(plan.file.string())));
+}
+
+}  // namespace
+
+ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
+    const std::string hosts = parallel::host_names(session);
+    parallel::on_root(session, [&] {
+        if (plan.existing == output::Existing::complete) {
+            if (!plan.quiet) print(fmt::format("{} is complete: nothing is computed\n", plan.file.string()));
+            return;
+        }
+        const job::Trace& trace = plan.job.trace;
+        const double natural = trace.duration_s * scene::scales_of(plan.job).frequency_rad_per_s / 6;
+        output::require_place(plan.file, largest_trace(trace, static_cast<double>(trace.cycles) + natural));
+        run_alone(plan, session.size(), hosts);
+    });
+    return ExitCode::done;
+}
+
+}  // namespace peterka

@@ -1,0 +1,158 @@
+#include "trace/course.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "regime/growth.hpp"
+#include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::trace {
+
+namespace {
+
+using regime::Engine;
+using regime::EngineSettings;
+using scene::Oscillator;
+using trajectory::Cycle;
+using trajectory::Recorder;
+
+const char* in_words(Cycle<double>::Outcome outcome) {
+    switch (outcome) {
+        case Cycle<double>::Outcome::too_many_events:
+            return "more contacts in one cycle than any physical motion has";
+        case Cycle<double>::Outcome::not_finite:
+            return "the state leaves the range of numbers";
+        case Cycle<double>::Outcome::solver_failed:
+            return "the integrator gives up";
+        case Cycle<double>::Outcome::inside_stop:
+            return "the hammer starts inside the rigid stop";
+        case Cycle<double>::Outcome::done:
+            break;
+    }
+    return "done";
+}
+
+// A cycle of one scene after the other.
+class Cycles {
+  public:
+    Cycles(const Oscillator<double>& scene, const EngineSettings& settings, const State<double>& start)
+        : map_(regime::make_cycle_map(scene, settings)), state_(start) {}
+
+    [[nodiscard]] const State<double>& state() const { return state_; }
+
+    void advance(Recorder<double>* recorder) {
+        const Cycle<double> cycle =
+            std::visit([&](auto& map) -> Cycle<double> { return map(state_, recorder); }, map_);
+        if (cycle.outcome != Cycle<double>::Outcome::done) {
+            throw Failure(
+                ExitCode::too_many_failures,
+                fmt::format("the motion can't be followed beyond {} cycles: {}. No file is written; compare "
+                            "with another solver.engine.",
+                            done_, in_words(cycle.outcome)));
+        }
+        state_ = cycle.end;
+        ++done_;
+    }
+
+  private:
+    regime::CycleMap map_;
+    State<double> state_;
+    std::int64_t done_ = 0;
+};
+
+// A watcher of nothing.
+class Blind : public Watcher {
+    void look(const Stretch& /*stretch*/) override {}
+};
+
+// The rule of maps for the cubic spring, with the largest displacement of this very motion.
+void choose_engine(Course& course, const job::Solver& solver) {
+    const Oscillator<double> whole = course.scene;
+    const bool may_omit = solver.engine == job::EngineChoice::automatic &&
+                          (whole.cubic == 0 || solver.omit_tolerance > 0) &&
+                          !regime::has_nonlinear_contact(whole);
+    Blind nobody;
+    double reach = EngineSettings{}.largest_displacement;
+    if (may_omit) {
+        course.scene.cubic = 0;
+        if (whole.cubic == 0) return;
+        reach = follow(course, nobody).displacement_bound;
+        if (regime::effect_of_cubic(whole, reach) <= solver.omit_tolerance) return;
+    }
+    course.scene = whole;
+    course.settings = regime::engine_with_cubic(whole, solver, reach);
+    reach = follow(course, nobody).displacement_bound;
+    if (regime::goes_too_far(course.settings, reach)) {
+        course.settings = regime::engine_with_cubic(whole, solver, reach);
+    }
+}
+
+Course at_rest(const scene::Scene& scene) {
+    const job::Job& job = scene.job();
+    const scene::Cell cell = scene.cell(0, 0);
+    Course course{cell.oscillator, {}, cell.start, job.trace.duration_s * scene.scales().frequency_rad_per_s};
+    choose_engine(course, job.solver);
+    return course;
+}
+
+// Cycles of a motion without a period that a map doesn't count.
+std::int64_t settling_cycles(const job::SteadyState& steady) {
+    return std::min<std::int64_t>(regime::Growth::settling_cycles, steady.max_cycles / 2);
+}
+
+void skip(Course& course, std::int64_t cycles) {
+    Cycles passing(course.scene, course.settings, course.start);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr);
+    course.start = passing.state();
+    course.skipped = cycles;
+}
+
+Course driven(const scene::Scene& scene) {
+    const job::Job& job = scene.job();
+    regime::CycleDesk desk;
+    const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
+    // the engine used last is that of the result, or one that only looked what the cubic spring would change
+    Course course{desk.scene(), desk.settings(), scene.cell(0, 0).start,
+                  static_cast<double>(job.trace.cycles) * desk.scene().period()};
+    if (result.engine == Engine::exact) {
+        course.scene.cubic = 0;
+        course.settings = {};
+    }
+    course.cell = result;
+    if (job.trace.from == job::TraceBegin::start) return course;
+    if (std::isfinite(result.orbit_displacement)) {
+        course.start = {result.orbit_displacement - course.scene.gap, result.orbit_velocity};
+        course.period = result.period;
+    } else {
+        skip(course, settling_cycles(job.steady_state));
+    }
+    return course;
+}
+
+}  // namespace
+
+Course prepare(const scene::Scene& scene) {
+    return scene.job().operating_point.frequency_ratio > 0 ? driven(scene) : at_rest(scene);
+}
+
+trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
+    const double period = course.scene.period();
+    const auto cycles = static_cast<std::int64_t>(std::ceil(course.length / period * (1 - 1e-12)));
+    Recorder<double> recorder(trajectory::Detail::energy, watcher);
+    Cycles passing(course.scene, course.settings, course.start);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
+        watcher.begin_cycle(period * static_cast<double>(cycle));
+        passing.advance(&recorder);
+    }
+    watcher.finish(passing.state(), trajectory::phase_of(course.scene, passing.state()));
+    recorder.finish();
+    return recorder.totals();
+}
+
+}  // namespace peterka::trace

@@ -1,0 +1,28 @@
+// A trace as the datasets of its file.
+//
+// At the root the motion over `time`; in /impacts the list of impacts; in /impact the hardest one closely, over
+// a time of its own, and in /impact_spectrum its spectra; in /spectrum those of the motion; in /cell what a map
+// says of the cell. Groups without content are left out. Displacements are in A0 and forces over the hammer's
+// weight, as in maps; all else is in SI units.
+#pragma once
+
+#include <vector>
+
+#include "job/job.hpp"
+#include "output/fields.hpp"
+#include "output/table.hpp"
+#include "scene/scales.hpp"
+#include "trace/trace.hpp"
+
+namespace peterka::trace {
+
+[[nodiscard]] std::vector<output::Table> tables_of(const Trace& trace, const scene::Scales& scales);
+
+// A cell as scalars of a group: what a map of this job stores, in the units of its file.
+[[nodiscard]] std::vector<output::Table> cell_tables(const char* group, const output::StoredCell& cell,
+                                                     const job::Job& job);
+
+// The job of a map that stores all that proves the regime of a traced cell.
+[[nodiscard]] job::Job with_proofs(job::Job job);
+
+}  // namespace peterka::trace

@@ -1,0 +1,38 @@
+// A trace: one cell in time, seen as a whole, at its hardest impact, and in frequency.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "trace/course.hpp"
+#include "trace/impacts.hpp"
+#include "trace/quantities.hpp"
+#include "trace/spectrum.hpp"
+
+namespace peterka::trace {
+
+// The hardest impact seen closely.
+struct HardImpact {
+    std::size_t index = 0;  // among all impacts
+    std::vector<Moment> moments;
+    Moment peak;                       // meaningless on a rigid stop
+    std::optional<Spectrum> spectrum;  // where the impact and the flight after it are over within the trace
+};
+
+struct Trace {
+    Course course;
+    trajectory::Totals<double> totals;  // of all cycles begun
+    std::vector<Moment> moments;
+    std::vector<Impact> impacts;
+    std::optional<HardImpact> hardest;
+    Spectrum spectrum;
+};
+
+// Throws Failure where the motion can't be followed.
+[[nodiscard]] Trace make_trace(const scene::Scene& scene);
+
+// Force that the stop jumps to when it is touched at this speed.
+[[nodiscard]] double force_at_touch(const scene::Oscillator<double>& scene, double speed);
+
+}  // namespace peterka::trace

@@ -1,0 +1,193 @@
+"""Traces: the same at any number of ranks, open in xarray, and true to the map whose cell they follow."""
+
+import shutil
+
+import h5py
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import launch
+import map_contents
+
+
+def compute(folder, text, *arguments, ranks=None):
+    jobs.write(folder, text)
+    finished = launch.run("run", "job.toml", *arguments, cwd=folder, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5", finished.stdout
+
+
+def refused(folder, text, code=2):
+    jobs.write(folder, text)
+    finished = launch.run("run", "job.toml", cwd=folder)
+    assert finished.returncode == code, finished.stderr
+    assert not (folder / "job.h5").exists()
+    return " ".join(launch.messages(finished))
+
+
+@pytest.fixture(scope="module")
+def trace(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("trace"), jobs.trace(2.0))
+
+
+def test_a_trace_is_the_same_at_three_ranks(tmp_path, trace):
+    path, _ = compute(tmp_path, jobs.trace(2.0), "--quiet", ranks=3)
+    map_contents.assert_same_map(path, trace[0])
+
+
+def test_a_trace_opens_in_xarray(trace):
+    data = xarray.open_dataset(trace[0])
+    assert data.attrs["peterka_kind"] == "trace"
+    assert data.sizes == {"time": 4 * 200 + 1}
+    assert data.hammer_acceleration.dims == ("time",) and data.hammer_acceleration.attrs["units"] == "m/s^2"
+    assert data.time.values[-1] == pytest.approx(4 / 9.0)  # cycles at 9 Hz
+    np.testing.assert_allclose(data.hammer_displacement_ratio - data.cart_displacement_ratio,
+                               data.relative_displacement_ratio, atol=1e-12)
+    impacts = xarray.open_dataset(trace[0], group="impacts")
+    assert impacts.sizes == {"impact": 4}
+    close = xarray.open_dataset(trace[0], group="impact")
+    assert close.force_ratio.dims == ("time",)
+    for group, line in (("spectrum", "force_amplitude"), ("impact_spectrum", "force_spectrum")):
+        assert xarray.open_dataset(trace[0], group=group)[line].dims == ("frequency",)
+
+
+def test_the_impacts_of_a_trace_hold_together(trace):
+    impacts = xarray.open_dataset(trace[0], group="impacts")
+    close = xarray.open_dataset(trace[0], group="impact")
+    cell = xarray.open_dataset(trace[0], group="cell")
+    # the model with the paper's parameters gives 235 N at 9 Hz, gap 0
+    assert float(cell.peak_force_ratio) * 0.298 * 9.80665 == pytest.approx(235, abs=0.5)
+    np.testing.assert_allclose(impacts.peak_force_ratio, float(cell.peak_force_ratio), rtol=1e-9)
+    assert float(close.peak_force_ratio) == pytest.approx(float(cell.peak_force_ratio), rel=1e-9)
+    np.testing.assert_allclose(impacts.touch_force_ratio, 1.2e3 * impacts.impact_speed / (0.298 * 9.80665), rtol=1e-12)
+    jump = int(np.flatnonzero(np.abs(close.time_from_touch) < 1e-12)[0])
+    assert close.force_ratio[jump - 1] == 0
+    assert close.force_ratio[jump] == pytest.approx(float(impacts.touch_force_ratio[int(close.impact)]), rel=1e-9)
+    force, times = close.force_ratio.values[jump:], close.time_from_touch.values[jump:]
+    area = np.sum((force[1:] + force[:-1]) / 2 * np.diff(times)) * 0.298 * 9.80665
+    assert area == pytest.approx(float(impacts.impulse[int(close.impact)]), rel=1e-4)
+
+
+def test_a_complete_trace_is_left_alone(tmp_path, trace):
+    shutil.copy(trace[0], tmp_path / "job.h5")
+    _, said = compute(tmp_path, jobs.trace(2.0))
+    assert said == "job.h5 is complete: nothing is computed\n"
+
+
+@pytest.mark.parametrize("regime, agrees", [(0, "no_impact"), (1, "periodic")])
+def test_a_trace_tells_why_a_cell_has_its_colour(tmp_path, small_map_file, regime, agrees):
+    with h5py.File(small_map_file) as file:
+        row, column = np.argwhere((file["regime"][()] == regime) & (file["gap_ratio"][()][:, None] > 0.5))[0]
+        stored = {name: file[name][row, column] for name in ("regime", "impacts", "period", "peak_force_ratio")}
+        place = file["frequency_ratio"][column], file["gap_ratio"][row]
+    path, said = compute(tmp_path, jobs.trace_of(small_map_file, f"row = {row}\ncolumn = {column}"))
+    assert f"row {row} (gap_ratio = " in said and f"column {column} (frequency_ratio = " in said
+    assert "agrees in regime and z" in said and agrees in said
+    with h5py.File(path) as file:
+        assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == place
+        assert (file["map_cell/row"][()], file["map_cell/column"][()]) == (row, column)
+        for name, value in stored.items():
+            assert file[f"map_cell/{name}"][()] == value
+            assert file[f"cell/{name}"][()] == pytest.approx(value, rel=1e-9)
+
+
+def test_axis_values_name_the_nearest_cell(tmp_path, small_map_file):
+    with h5py.File(small_map_file) as file:
+        frequency, gap = file["frequency_ratio"][()], file["gap_ratio"][()]
+    near = f"[operating_point]\nfrequency_ratio = {frequency[7] + 0.02}\ngap_ratio = {gap[3] - 0.02}"
+    path, said = compute(tmp_path, jobs.trace_of(small_map_file, near))
+    assert "row 3 " in said and "column 7 " in said
+    with h5py.File(path) as file:
+        assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == (frequency[7], gap[3])
+
+
+def test_a_cell_of_a_basin_keeps_its_own_start(tmp_path, small_basin_file):
+    with h5py.File(small_basin_file) as file:
+        start = file["displacement_ratio"][5], file["velocity_ratio"][11]
+        peak = file["peak_force_ratio"][11, 5]
+    path, said = compute(tmp_path, jobs.trace_of(small_basin_file, 'row = 11\ncolumn = 5\nfrom = "start"'))
+    assert "Basin " in said and "agrees in regime and z" in said
+    data = xarray.open_dataset(path)
+    assert float(data.hammer_displacement_ratio[0]) == pytest.approx(start[0], abs=1e-12)
+    assert float(data.hammer_velocity[0]) == pytest.approx(start[1] * 0.89e-3 * 2 * np.pi * 4.5, rel=1e-12)
+    with h5py.File(path) as file:
+        assert file["cell/peak_force_ratio"][()] == pytest.approx(peak, rel=1e-9)
+
+
+def test_the_release_test_strikes_after_a_quarter_of_its_period(tmp_path):
+    settings = 'from = "start"\nduration_s = 0.5\n[start]\ndisplacement_ratio = -5.618'
+    path, said = compute(tmp_path, jobs.trace(0.0, settings=settings))
+    assert "the cart at rest" in said
+    impacts = xarray.open_dataset(path, group="impacts")
+    assert float(impacts.touch_time[0]) == pytest.approx(0.25 / 4.5, rel=5e-3)
+    assert float(impacts.impact_speed[0]) == pytest.approx(5e-3 * 2 * np.pi * 4.5, rel=1e-2)
+    with h5py.File(path) as file:
+        assert "cell" not in file
+        assert not file["cart_displacement_ratio"][()].any()
+
+
+def damaged(source, path):
+    shutil.copy(source, path)
+    with h5py.File(path, "r+") as file:
+        file["peak_force_ratio"][0, 0] = 17.0
+    return path
+
+
+def unfinished(source, path):
+    shutil.copy(source, path)
+    with h5py.File(path, "r+") as file:
+        file["tiles/done"][0] = 0
+    return path
+
+
+def without_a_dataset(source, path):
+    shutil.copy(source, path)
+    with h5py.File(path, "r+") as file:
+        del file["impacts"]
+    return path
+
+
+def no_hdf5(_, path):
+    path.write_text("not HDF5")
+    return path
+
+
+def missing(_, path):
+    return path
+
+
+@pytest.mark.parametrize("make, message", [
+    (missing, "does not exist"), (no_hdf5, "is not an HDF5 file"), (damaged, "is damaged (wrong checksum)"),
+    (unfinished, "has not computed yet"), (without_a_dataset, "dataset /impacts is missing"),
+])
+def test_a_bad_map_file_is_refused(tmp_path, small_map_file, make, message):
+    path = make(small_map_file, tmp_path / "map.h5")
+    said = refused(tmp_path, jobs.trace_of(path, "row = 0\ncolumn = 0"))
+    assert message in said and "map.h5" in said
+
+
+@pytest.mark.parametrize("settings, message", [
+    ("row = 35\ncolumn = 0", "trace.row = 35 is out of range; the map has 35"),
+    ("row = 0\ncolumn = 40", "trace.column = 40 is out of range"),
+    ("", "no cell of the map is named"),
+    ("[operating_point]\nfrequency_ratio = 9\ngap_ratio = 1", "lies outside of the map"),
+    ("row = 0\ncolumn = 0\n[operating_point]\nfrequency_ratio = 2\ngap_ratio = 1", "names one, too"),
+    ("row = 0\ncolumn = 0\n[start]\nvelocity_ratio = 1", "[start] is that of the map's own job"),
+])
+def test_a_cell_that_is_not_there_is_refused(tmp_path, small_map_file, settings, message):
+    assert message in refused(tmp_path, jobs.trace_of(small_map_file, settings))
+
+
+def test_a_trace_is_no_map(tmp_path, trace):
+    said = refused(tmp_path, jobs.trace_of(trace[0], "row = 0\ncolumn = 0"))
+    assert 'is of kind "trace", which has no plane of cells' in said
+
+
+def test_check_tells_the_cell_and_writes_nothing(tmp_path, small_map_file):
+    jobs.write(tmp_path, jobs.trace_of(small_map_file, "row = 3\ncolumn = 7"))
+    checked = launch.run("check", "job.toml", cwd=tmp_path)
+    assert checked.returncode == 0, checked.stderr
+    assert "row 3, column 7" in checked.stdout and "[hammer]" in checked.stdout
+    assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]

@@ -1,0 +1,119 @@
+"""Pictures of traces: the numbers at the right place and in SI units, what a file hasn't left out."""
+
+import h5py
+import numpy as np
+import pytest
+from peterka_pictures import axes, impact, motion, phase_plane, spectrum
+from peterka_pictures.trace_file import TraceFile
+from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace
+
+
+def drawn(path, picture, tmp_path):
+    with TraceFile(path) as file:
+        figure = picture.draw(file)
+    axes.save(figure, tmp_path / "a.png")
+    return figure
+
+
+def line(ax, number):
+    return (np.asarray(values, float) for values in ax.lines[number].get_data())
+
+
+def texts(figure):
+    return [text.get_text() for ax in figure.axes for text in ax.texts]
+
+
+def test_a_trace_gives_four_pictures(tmp_path, draw):
+    outcome = draw(write_trace(tmp_path / "strike.h5"), "--formats", "png")
+    assert outcome.code == 0, outcome.stderr
+    assert outcome.pictures == [f"strike_{name}.png" for name in ("impact", "motion", "phase_plane", "spectrum")]
+
+
+def test_displacements_are_in_mm_and_forces_in_newtons(tmp_path):
+    path = write_trace(tmp_path / "a.h5")
+    displacements, acceleration, force = drawn(path, motion, tmp_path).axes[:3]
+    time, hammer = line(displacements, 0)
+    np.testing.assert_allclose(hammer, 1000 * AMPLITUDE * (-2 + np.cos(2 * np.pi * HZ * time)))
+    assert len(displacements.lines) == 2  # at gap 0 the stop is where the cart is
+    assert "mm" in displacements.get_ylabel() and "(N)" in force.get_ylabel() and "m/s²" in acceleration.get_ylabel()
+    with h5py.File(path) as file:
+        np.testing.assert_allclose(list(line(force, 0))[1], file["force_ratio"][()] * WEIGHT)
+        np.testing.assert_allclose(list(line(force, 1))[1], 3 * [PEAK * WEIGHT])
+        np.testing.assert_allclose(list(line(acceleration, 0))[1], file["hammer_acceleration"][()])
+    assert force.get_xlabel() == "time (s)" and displacements.get_xlim() == (0, pytest.approx(3 / HZ))
+
+
+def test_the_stop_moves_with_the_cart(tmp_path):
+    displacements = drawn(write_trace(tmp_path / "a.h5", gap_ratio=1.5), motion, tmp_path).axes[0]
+    np.testing.assert_allclose(list(line(displacements, 2))[1],
+                               list(line(displacements, 1))[1] + 1500 * AMPLITUDE)
+
+
+def test_a_far_stop_is_left_out(tmp_path):
+    figure = drawn(write_trace(tmp_path / "a.h5", impacts=False, gap_ratio=50.0), motion, tmp_path)
+    assert len(figure.axes[0].lines) == 2
+
+
+def test_the_phase_plane_marks_cycles_and_first_touches(tmp_path):
+    figure = drawn(write_trace(tmp_path / "a.h5"), phase_plane, tmp_path)
+    ax = figure.axes[0]
+    displacement, velocity = line(ax, 1)
+    np.testing.assert_allclose(displacement, 4 * [-1000 * AMPLITUDE])
+    np.testing.assert_allclose(velocity, 0, atol=1e-12)
+    displacement, velocity = line(ax, 2)
+    angle = 2 * np.pi * HZ * TOUCH
+    np.testing.assert_allclose(displacement, 3 * [1000 * AMPLITUDE * (-2 + np.cos(angle))], rtol=1e-3)
+    np.testing.assert_allclose(velocity, 3 * [-0.05 * np.sin(angle)], rtol=1e-2)
+
+
+def test_the_impact_names_its_peak_and_its_jump(tmp_path):
+    figure = drawn(write_trace(tmp_path / "a.h5"), impact, tmp_path)
+    milliseconds, force = line(figure.axes[0], 0)
+    peak = np.argmax(force)
+    assert (milliseconds[peak], force[peak]) == pytest.approx((1000 * CONTACT / 3, PEAK * WEIGHT), rel=1e-2)
+    assert f"peak {PEAK * WEIGHT:.4g} N\nafter {1000 * CONTACT / 3:.3g} ms" in texts(figure)
+    assert f"jump to\n{JUMP * WEIGHT:.4g} N" in texts(figure)
+    assert milliseconds[0] == pytest.approx(-1) and milliseconds[-1] == pytest.approx(2)
+
+
+def test_without_impacts_there_is_no_picture_of_one(tmp_path, draw):
+    outcome = draw(write_trace(tmp_path / "free.h5", impacts=False), "--formats", "png")
+    assert outcome.code == 0, outcome.stderr
+    assert outcome.pictures == [f"free_{name}.png" for name in ("motion", "phase_plane", "spectrum")]
+    assert "free_impact" not in outcome.pictures and "impact is left out" in outcome.stdout
+
+
+def test_spectra_keep_their_numbers(tmp_path):
+    figure = drawn(write_trace(tmp_path / "a.h5"), spectrum, tmp_path)
+    frequency, amplitude = line(figure.axes[0], 0)
+    np.testing.assert_allclose(frequency, HZ * np.arange(1, 50))
+    np.testing.assert_allclose(amplitude, 1 / (1 + np.arange(1, 50)))
+    assert [ax.get_title() for ax in figure.axes] == [
+        "whole motion", "whole motion", "hardest impact alone", "flight after it"]
+
+
+def test_a_cart_at_rest_has_natural_periods(tmp_path):
+    figure = drawn(write_trace(tmp_path / "a.h5", frequency_ratio=0.0), motion, tmp_path)
+    assert "cart at rest" in figure._suptitle.get_text()
+    assert "natural periods" in [child.get_xlabel() for child in figure.axes[0].child_axes]
+
+
+def replaced(path, name, values):
+    with h5py.File(path, "r+") as file:
+        del file[name]
+        if values is not None:
+            file[name] = values
+    return path
+
+
+@pytest.mark.parametrize("name, values, message", [
+    ("force_ratio", None, "no dataset force_ratio"),
+    ("force_ratio", np.zeros(7), "shape (7,)"),
+    ("hammer_velocity", np.full(601, np.nan), "hammer_velocity that is not finite"),
+    ("time", np.zeros(601), "time that does not ascend"),
+    ("impact/impact", np.int32(3), "an impact closely that its list does not have"),
+    ("spectrum/frequency", np.zeros((3, 3)), "spectrum/frequency of shape (3, 3)"),
+])
+def test_a_damaged_trace_is_refused(tmp_path, draw, name, values, message):
+    outcome = draw(replaced(write_trace(tmp_path / "a.h5"), name, values))
+    assert outcome.code == 2 and message in outcome.stderr

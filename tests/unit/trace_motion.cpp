@@ -1,0 +1,190 @@
+// A trace against what maps say of its cell, against balances, and against other engines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "regime/solve_cell.hpp"
+#include "rig.hpp"
+#include "trace/trace.hpp"
+
+namespace peterka::trace {
+namespace {
+
+using testing::job_170mm;
+
+job::Job traced(double frequency_ratio, double gap_ratio, std::int64_t cycles = 4) {
+    job::Job job = job_170mm(0);
+    job.kind = job::Kind::trace;
+    job.operating_point = {frequency_ratio, gap_ratio};
+    job.trace.cycles = cycles;
+    job.trace.samples_per_cycle = 200;
+    job.trace.spectrum_to_hz = 500;
+    return job;
+}
+
+Trace trace_of(const job::Job& job) {
+    return make_trace(scene::Scene(job));
+}
+
+struct Place {
+    double frequency_ratio;
+    double gap_ratio;
+    int impacts;
+    int period;
+};
+
+class TraceOfOrbit : public ::testing::TestWithParam<Place> {};
+
+// Three ways to the peak: the decision procedure's own orbit, the largest impact of the trace, and the zero of
+// the force's slope in the window.
+TEST_P(TraceOfOrbit, HasThePeakForceOfTheMap) {
+    const auto [frequency_ratio, gap_ratio, impacts, period] = GetParam();
+    for (const auto engine : {job::EngineChoice::exact, job::EngineChoice::arkode}) {
+        job::Job job = traced(frequency_ratio, gap_ratio, 4 * period);
+        job.solver.engine = engine;
+        const Trace trace = trace_of(job);
+        ASSERT_EQ(trace.course.cell->impacts, impacts);
+        ASSERT_EQ(trace.course.cell->period, period);
+        EXPECT_EQ(trace.course.period, period);
+        EXPECT_EQ(trace.impacts.size(), static_cast<std::size_t>(4 * impacts));
+        const double peak = trace.course.cell->peak_force;
+        EXPECT_NEAR(trace.impacts[trace.hardest->index].record.peak_force / peak, 1, 1e-9);
+        EXPECT_NEAR(quantities(trace.course.scene, trace.hardest->peak).force / peak, 1, 1e-9);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, TraceOfOrbit,
+                         ::testing::Values(Place{2, 0, 1, 1}, Place{12.25 / 4.5, 0, 2, 2},
+                                           Place{15.25 / 4.5, 0, 1, 2}, Place{3.1, 0, 3, 2}));
+
+// A map observes a motion without a period after half a small budget: so does a trace. Few cycles, for in chaos
+// a rounding error grows by e^0.5 or so in each.
+TEST(Trace, OfAMotionWithoutAPeriodShowsTheCyclesThatAMapCounts) {
+    job::Job job = traced(3.1031746, 0.3968254, 15);
+    job.steady_state.max_cycles = 30;
+    const Trace trace = trace_of(job);
+    ASSERT_EQ(trace.course.cell->regime, regime::Regime::unresolved);
+    EXPECT_EQ(trace.course.skipped, 15);
+    EXPECT_NEAR(trace.impacts[trace.hardest->index].record.peak_force / trace.course.cell->peak_force, 1, 1e-9);
+    EXPECT_NEAR(static_cast<double>(trace.impacts.size()) / 15, trace.course.cell->impact_rate, 1e-12);
+}
+
+TEST(Trace, OfChaosBeginsAfterItsTransient) {
+    const Trace trace = trace_of(traced(3.1031746, 0.3968254, 15));
+    ASSERT_EQ(trace.course.cell->regime, regime::Regime::chaotic);
+    EXPECT_EQ(trace.course.skipped, 100);
+    EXPECT_GT(trace.course.cell->lyapunov, 0);
+    EXPECT_EQ(trace.course.period, 0);
+}
+
+// Two impacts of different strength in turn: a map's mean over the cycles is that of both.
+TEST(Trace, HasTheForcesPerCycleOfTheMap) {
+    job::Job job = traced(12.25 / 4.5, 0, 2);
+    job.output.fields = {job::OptionalField::force_per_cycle};
+    const regime::CellResult cell = regime::solve_cell(scene::Scene(job), 0, 0);
+    const Trace trace = trace_of(job);
+    ASSERT_EQ(trace.impacts.size(), 2U);
+    const double one = trace.impacts[0].record.peak_force;
+    const double other = trace.impacts[1].record.peak_force;
+    EXPECT_GT(std::abs(one - other), 0.01 * one);
+    EXPECT_NEAR(cell.peak_force_mean, (one + other) / 2, 1e-9 * one);
+    EXPECT_NEAR(cell.peak_force_q95, std::max(one, other), 1e-9 * one);
+}
+
+double energy(const Moment& moment, const scene::Oscillator<double>& scene) {
+    const double u = moment.state[0] + scene.gap;
+    return (moment.state[1] * moment.state[1] + u * u) / 2;
+}
+
+TEST(Trace, BalancesEnergy) {
+    for (const double eta : {2.0, 3.1, 0.75}) {
+        job::Job job = traced(eta, 0.4, 20);
+        job.trace.from = job::TraceBegin::start;
+        const Trace trace = trace_of(job);
+        ASSERT_GT(trace.impacts.size(), 5U);
+        double into_stop = 0;
+        for (const Impact& impact : trace.impacts) into_stop += impact.record.work;
+        const double gained = energy(trace.moments.back(), trace.course.scene) -
+                              energy(trace.moments.front(), trace.course.scene);
+        const double scale = trace.totals.drive_work + into_stop;
+        EXPECT_NEAR(gained, trace.totals.drive_work - trace.totals.damper_work - into_stop, 1e-11 * scale);
+    }
+}
+
+TEST(Trace, IsTheSameByEveryEngine) {
+    job::Job job = traced(3.1, 0.2, 3);
+    job.trace.from = job::TraceBegin::start;
+    const Trace exact = trace_of(job);
+    for (const auto engine : {job::EngineChoice::split, job::EngineChoice::cvode, job::EngineChoice::arkode}) {
+        job.solver.engine = engine;
+        const Trace other = trace_of(job);
+        ASSERT_EQ(other.moments.size(), exact.moments.size());
+        ASSERT_EQ(other.impacts.size(), exact.impacts.size());
+        for (std::size_t n = 0; n < exact.moments.size(); ++n) {
+            EXPECT_EQ(other.moments[n].time, exact.moments[n].time);
+            EXPECT_LT((other.moments[n].state - exact.moments[n].state).norm(), 1e-6) << n;
+        }
+    }
+}
+
+TEST(Trace, SamplesEvenlyFromEndToEnd) {
+    const Trace trace = trace_of(traced(2, 0, 3));
+    ASSERT_EQ(trace.moments.size(), 601U);
+    for (std::size_t n = 0; n < trace.moments.size(); ++n) {
+        EXPECT_NEAR(trace.moments[n].time, static_cast<double>(n) / 200 * std::numbers::pi, 1e-12);
+    }
+    EXPECT_LT((trace.moments.back().state - trace.moments.front().state).norm(), 1e-9);  // the orbit closes
+}
+
+TEST(Trace, ShowsTheJumpOfTheForceAtTouch) {
+    const Trace trace = trace_of(traced(2, 0));
+    const HardImpact& hardest = *trace.hardest;
+    const Impact& impact = trace.impacts[hardest.index];
+    const auto touch = std::ranges::find_if(
+        hardest.moments, [&](const Moment& moment) { return std::abs(moment.time - impact.time) < 1e-12; });
+    ASSERT_NE(touch, hardest.moments.end());
+    ASSERT_NE(touch, hardest.moments.begin());
+    const auto force = [&](const Moment& moment) { return quantities(trace.course.scene, moment).force; };
+    EXPECT_NEAR(force(*touch) / force_at_touch(trace.course.scene, impact.speed), 1, 1e-12);
+    EXPECT_EQ(force(*(touch - 1)), 0);
+}
+
+// The acceleration is that of the motion: x over three neighbouring samples of free flight.
+TEST(Trace, AcceleratesAsItMoves) {
+    job::Job job = traced(1.7, 5, 1);
+    job.trace.samples_per_cycle = 2000;
+    const Trace trace = trace_of(job);
+    const double step = trace.moments[1].time;
+    for (std::size_t n = 1; n + 1 < trace.moments.size(); n += 97) {
+        const auto x = [&](std::size_t i) { return quantities(trace.course.scene, trace.moments[i]).hammer(); };
+        EXPECT_NEAR((x(n + 1) - 2 * x(n) + x(n - 1)) / (step * step),
+                    quantities(trace.course.scene, trace.moments[n]).acceleration, 1e-4);
+    }
+}
+
+TEST(Trace, OfARigidStopHasImpactsWithoutAForce) {
+    job::Job job = traced(2, 0.5);
+    job.contact = job::Restitution{0.6};
+    const Trace trace = trace_of(job);
+    ASSERT_EQ(trace.impacts.size(), 4U);
+    for (const Impact& impact : trace.impacts) {
+        EXPECT_TRUE(std::isnan(impact.record.peak_force));
+        EXPECT_NEAR(impact.record.impulse, 1.6 * impact.speed, 1e-12);
+    }
+    EXPECT_FALSE(trace.hardest->spectrum);
+}
+
+TEST(Trace, KeepsACubicSpringWhereAMapDoes) {
+    job::Job job = traced(2, 0);
+    job.hammer.cubic_stiffness_n_per_m3 = 238.2325;
+    EXPECT_EQ(trace_of(job).course.scene.cubic, 0);
+    job.solver.omit_tolerance = 0;
+    const Trace kept = trace_of(job);
+    EXPECT_GT(kept.course.scene.cubic, 0);
+    EXPECT_EQ(kept.course.settings.engine, regime::Engine::split);
+    EXPECT_NEAR(kept.impacts[kept.hardest->index].record.peak_force / kept.course.cell->peak_force, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace peterka::trace
