@@ -56,8 +56,7 @@ class JumpSearch {
         const double change = change_after(column);
         if (!(change > least_change_)) return false;
         if (!lasts(column, -1) && !lasts(column + 1, 1)) return false;
-        const double slope = std::max(change_after(column - 1), change_after(column + 1));
-        return !same_class(cell(column), cell(column + 1)) || change > 3 * slope;
+        return change > 2 * std::max(slope_after(column - 1), slope_after(column + 1));
     }
 
   private:
@@ -73,6 +72,12 @@ class JumpSearch {
         if (!has(column) || !has(column + 1)) return 0;
         const double change = std::abs(cell(column + 1).peak_force - cell(column).peak_force);
         return std::isnan(change) ? 0 : change;
+    }
+    // The same among motions with a period alone: how steep the force is.
+    [[nodiscard]] double slope_after(std::int64_t column) const {
+        const bool steady =
+            has(column) && has(column + 1) && has_period(cell(column)) && has_period(cell(column + 1));
+        return steady ? change_after(column) : 0;
     }
     // Whether a motion with a period holds from a column on, in a direction.
     [[nodiscard]] bool lasts(std::int64_t column, std::int64_t step) const {

@@ -32,11 +32,10 @@ struct BranchPoint {
 [[nodiscard]] std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                                     const std::function<bool()>& carry_on);
 
-// Marks where peak force jumps: it changes by more than a twentieth of the branch's largest one from one point
-// to the next in the branch's direction, and a motion with a period ends or begins there that holds for four
-// points or up to the end of the branch (between windows in chaos forces scatter, and that is no jump). Where
-// the class stays the same it must change three times as much as in the steps before and after, too: a steep
-// slope is no jump.
+// Marks where peak force jumps from one point to the next in the branch's direction. It changes by more than a
+// twentieth of the branch's largest one; by more than twice as much as in the steps before and after between
+// motions with a period, as a steep slope is no jump; and one of these begins or ends there that holds for four
+// points or up to the end of the branch, since forces scatter between windows in chaos.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
 }  // namespace peterka::regime
