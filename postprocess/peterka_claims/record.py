@@ -1,6 +1,6 @@
 """A claim of the paper and how it fared.
 
-A verdict comes from a tolerance that is stated with the claim and was chosen before the numbers were seen:
+A verdict comes from a tolerance that is stated with the claim ; these follow from the paper, not from the numbers:
 - FREQUENCY: the paper prints frequencies in steps of 0.25 Hz;
 - SHARE: what the paper calls satisfactory agreement goes up to an error of 10 %, forces and frequency ratios alike;
 - ALL: `all`, `identical` and `robust` are taken for 95 % of the cells or starts that are looked at.
