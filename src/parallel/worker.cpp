@@ -17,6 +17,12 @@ double report_interval_seconds(const Session& session) {
 Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& work)
     : session_(session), tiling_(tiling), work_(work) {}
 
+Worker::~Worker() {
+    if (receive_ == MPI_REQUEST_NULL) return;
+    MPI_Cancel(&receive_);
+    MPI_Wait(&receive_, MPI_STATUS_IGNORE);
+}
+
 void Worker::run() {
     expect_order();
     want_next_run();

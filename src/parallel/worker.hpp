@@ -13,6 +13,12 @@ namespace peterka::parallel {
 class Worker : private TileSource {
   public:
     Worker(const Session& session, const Tiling& tiling, const DealtWork& work);
+    // After a failure an order may still arrive; by then its place must not be gone.
+    ~Worker() override;
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+    Worker(Worker&&) = delete;
+    Worker& operator=(Worker&&) = delete;
 
     // Solves what rank 0 deals until it says that there is no more, or to stop.
     void run();
