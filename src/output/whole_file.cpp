@@ -22,7 +22,7 @@ namespace peterka::output {
 
 namespace {
 
-constexpr Variable run_variables[] = {
+constexpr Variable fact_variables[] = {
     {"ranks", Number::int32, 0, "1", "ranks of the run"},
     {"compute_seconds", Number::float64, 0, "s", "wall time of the run"},
     {"hosts", Number::text, 0, "", "hosts of the run"},
@@ -51,7 +51,7 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     for (const RootText& each : contents.texts) write_attribute(check, file.id(), each.name, each.text);
     std::vector<DatasetPlan> plans;
     for (const Table& table : contents.tables) plans.push_back(table.plan);
-    for (const Variable& variable : run_variables) plans.push_back({"/run", variable, {}});
+    for (const Variable& variable : fact_variables) plans.push_back({"/run", variable, {}});
     plans.push_back({"/summary", finished, {}});
     make_datasets(check, file.id(), plans);
     for (const Table& table : contents.tables) write_values(check, file.id(), table);

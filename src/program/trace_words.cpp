@@ -85,7 +85,7 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
     return text;
 }
 
-bool same_label(const StoredCell& a, const StoredCell& b) {
+bool labelled_alike(const StoredCell& a, const StoredCell& b) {
     return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
 }
 
@@ -100,7 +100,7 @@ std::string map_in_words(const output::MapCell& map, const StoredCell& cell, con
         job::axis_value(map.job.columns, map.column), regime_in_words(stored),
         force_in_words(stored.peak_force, scales));
     if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
-    if (!same_label(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
+    if (!labelled_alike(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
     return text + fmt::format("  this trace       agrees in regime and z{}\n",
                               std::isfinite(off) ? fmt::format(", peak force off by {:.1e}", off) : "");
