@@ -11,5 +11,5 @@ jobs/prepare.sh clang clang-format clang-tidy
 ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
 [ $# = 0 ] || exit 0
 
-cmake --preset sanitized >/dev/null
+tests/sanitized.sh --configure
 tests/style.sh build/sanitized

@@ -198,8 +198,16 @@ def percent(share):
 
 def write_title(figure, file, extra=""):
     """Title of the file, wrapped to the figure; `extra` below it. Never read as mathematics: it may hold a $."""
-    text = textwrap.fill(file.title, int(figure.get_figwidth() * LETTERS_PER_INCH))
+    text = _balanced(file.title, int(figure.get_figwidth() * LETTERS_PER_INCH))
     figure.suptitle("\n".join(filter(None, [text, extra])), fontsize=9, parse_math=False)
+
+
+def _balanced(text, width):
+    """Wrapped to as few lines as `width` letters allow, and these about equally long."""
+    lines = len(textwrap.wrap(text, width))
+    while width > 1 and len(textwrap.wrap(text, width - 1)) == lines:
+        width -= 1
+    return textwrap.fill(text, width)
 
 
 def operating_point(file):

@@ -1,7 +1,7 @@
 """A trace over time: displacements of hammer and cart, acceleration of the hammer, force of the stop.
 
 The dotted line is where the stop is: the hammer touches it where both lines meet. At gap 0 it is the cart's own.
-A spike is sampled, so it may end below its dot, the impact's exact peak."""
+Each impact's exact peak belongs to the line of the force, which is sampled elsewhere."""
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -27,9 +27,12 @@ def draw(file):
     panels[1].plot(time, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
     panels[1].set_ylabel(r"$\ddot{x}$ (m/s²)")
     force, unit = trace_look.force(file, motion["force_ratio"])
-    panels[2].plot(time, force, **trace_look.FORCE_LINE)
+    touches, maxima = [], []
     if file.impacts is not None:
-        panels[2].plot(file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0], **PEAK)
+        touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
+    places = np.searchsorted(time, touches)
+    panels[2].plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
+    panels[2].plot(touches, maxima, **PEAK)
     panels[2].set_ylabel(f"force ({unit})")
     trace_look.second_force_scale(panels[2], file)
     panels[2].set_xlabel("time (s)")

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev)"; exit 77; }
 
 texts=1000000
-cmake --preset sanitized >/dev/null
+tests/sanitized.sh --configure
 cmake --build build/sanitized --target fuzz_job_reader
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

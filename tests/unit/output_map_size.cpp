@@ -45,7 +45,8 @@ TEST(OutputMapSize, PredictsExtraFieldsAndLongTitlesToTheByte) {
 TEST(OutputMapSize, HugeGridsDoNotOverflow) {
     EXPECT_GT(predicted_bytes(examples::small_map(512, 1'000'000'000)), 15'000'000'000'000);
     for (const std::int64_t points :
-         {std::int64_t{1'000'000'000}, std::int64_t{1} << 32U}) {  // too many in all fields, and in one
+         {std::int64_t{1'000'000'000},
+          std::int64_t{std::numeric_limits<std::int32_t>::max()}}) {  // too many in all fields, and in one
         EXPECT_EQ(predicted_bytes(examples::small_map(points, points)),
                   std::numeric_limits<std::int64_t>::max());
     }

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Builds the library and its tests with clang++, AddressSanitizer and UBSan into build/sanitized, warnings as errors, and
+# runs the unit and MPI tests in it: any bad memory access, leak or undefined operation fails.
+#   tests/sanitized.sh               needs clang++ and libclang-rt-dev
+#   tests/sanitized.sh --configure   only makes the tree, which tests/style.sh reads, too
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake -S . -B build/sanitized -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only" -DCMAKE_UNITY_BUILD=ON -DPETERKA_SANITIZERS=ON >/dev/null
+[ "${1:-}" != --configure ] || exit 0
+
+. jobs/mpi_environment.sh
+cmake --build build/sanitized --target unit_tests mpi_tests
+ctest --test-dir build/sanitized --output-on-failure -j "$(nproc)"
