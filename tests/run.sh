@@ -6,10 +6,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-jobs/prepare.sh clang clang-format clang-tidy
+jobs/prepare.sh clang-format clang-tidy
 . jobs/mpi_environment.sh
 ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
 [ $# = 0 ] || exit 0
 
-tests/sanitized.sh --configure
-tests/style.sh build/sanitized
+tests/style.sh

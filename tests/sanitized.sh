@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds the library and its tests with clang++, AddressSanitizer and UBSan into build/sanitized, warnings as errors, and
 # runs the unit and MPI tests in it: any bad memory access, leak or undefined operation fails.
-#   tests/sanitized.sh               needs clang++ and libclang-rt-dev
-#   tests/sanitized.sh --configure   only makes the tree, which tests/style.sh reads, too
+#   tests/sanitized.sh               needs clang++, libclang-rt-dev and libomp-dev
+#   tests/sanitized.sh --configure   only makes the tree, for the fuzzer
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -3,7 +3,7 @@
 # UBSan: none crashes it or takes a second, and every sound job comes back equal from its resolved text.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev)"; exit 77; }
+command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev libomp-dev)"; exit 77; }
 
 texts=1000000
 tests/sanitized.sh --configure

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The unit and MPI tests under AddressSanitizer and UBSan, built by clang++ with warnings as errors.
 set -euo pipefail
-command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev)"; exit 77; }
+command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev libomp-dev)"; exit 77; }
 
 tests/sanitized.sh
 tests=$(build/sanitized/tests/unit_tests --gtest_list_tests | grep -c '^  ')
