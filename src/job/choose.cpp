@@ -31,12 +31,7 @@ std::string quoted_list(const std::vector<std::string_view>& names) {
 }
 
 std::string complain_about_choice(std::string_view what, std::string_view word,
-                                  const std::vector<std::string_view>& names,
-                                  const std::vector<std::string_view>& later) {
-    if (index_of(word, later)) {
-        return fmt::format("{} is not in this version; it has {}; {}", what, quoted_list(names),
-                           names.size() == 1 ? "use that" : "use one of these");
-    }
+                                  const std::vector<std::string_view>& names) {
     const auto meant = nearest(word, names);
     return fmt::format("{} is unknown; this version has {}; {}", what, quoted_list(names),
                        meant.empty() ? "choose from these" : fmt::format("did you mean {}?", toml_text(meant)));

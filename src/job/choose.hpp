@@ -17,9 +17,8 @@ namespace peterka::job {
 
 [[nodiscard]] std::string quoted_list(const std::vector<std::string_view>& names);
 
-// `what` names the key and the word; `later` are names that are planned but not in this version.
+// `what` names the key and the word.
 [[nodiscard]] std::string complain_about_choice(std::string_view what, std::string_view word,
-                                                const std::vector<std::string_view>& names,
-                                                const std::vector<std::string_view>& later);
+                                                const std::vector<std::string_view>& names);
 
 }  // namespace peterka::job

@@ -1,4 +1,4 @@
-// The words of the job file for each choice: those this version has, and those that later versions will have.
+// The words of the job file for each choice.
 #pragma once
 
 #include <array>
@@ -21,9 +21,6 @@ struct Named {
 template <typename Choice>
 Named(Choice, std::string_view) -> Named<Choice>;
 
-using LaterNames = std::vector<std::string_view>;
-
-// One specialisation per choice: `all` of this version, and `later()` for names that are planned but not here.
 template <typename Choice>
 struct Names;
 
@@ -32,14 +29,12 @@ struct Names<Kind> {
     static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
                                     Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"},
                                     Named{Kind::trace, "trace"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
 struct Names<TraceBegin> {
     static constexpr std::array all{Named{TraceBegin::start, "start"},
                                     Named{TraceBegin::steady_state, "steady_state"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -47,7 +42,6 @@ struct Names<StudyTopic> {
     static constexpr std::array all{Named{StudyTopic::work_precision, "work_precision"},
                                     Named{StudyTopic::labels, "labels"},
                                     Named{StudyTopic::stability, "stability"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -55,7 +49,6 @@ struct Names<ContactLaw> {
     static constexpr std::array all{Named{ContactLaw::kelvin_voigt, "kelvin_voigt"},
                                     Named{ContactLaw::restitution, "restitution"},
                                     Named{ContactLaw::hunt_crossley, "hunt_crossley"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -63,20 +56,17 @@ struct Names<EngineChoice> {
     static constexpr std::array all{Named{EngineChoice::automatic, "auto"}, Named{EngineChoice::exact, "exact"},
                                     Named{EngineChoice::split, "split"}, Named{EngineChoice::cvode, "cvode"},
                                     Named{EngineChoice::arkode, "arkode"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
 struct Names<CubicForm> {
     static constexpr std::array all{Named{CubicForm::relative, "relative"},
                                     Named{CubicForm::absolute, "absolute"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
 struct Names<Spacing> {
     static constexpr std::array all{Named{Spacing::linear, "linear"}, Named{Spacing::log, "log"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -84,7 +74,6 @@ struct Names<Direction> {
     static constexpr std::array all{Named{Direction::up, "up"}, Named{Direction::down, "down"},
                                     Named{Direction::both, "both"},
                                     Named{Direction::independent, "independent"}};
-    static LaterNames later() { return {}; }
 };
 
 template <>
@@ -100,7 +89,6 @@ struct Names<OptionalField> {
                                     Named{OptionalField::max_displacement, "max_displacement"},
                                     Named{OptionalField::force_per_cycle, "force_per_cycle"},
                                     Named{OptionalField::last_impact, "last_impact"}};
-    static LaterNames later() { return {}; }
 };
 
 template <typename Choice>

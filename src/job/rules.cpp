@@ -89,8 +89,9 @@ std::string rule_of_gaps(const Sweep& sweep) {
 }
 
 std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
-    constexpr std::int64_t most = 16'000'000;  // half a gigabyte
-    if (frequencies.points <= most / std::max<std::int64_t>(sweep.samples, 1)) return {};
+    constexpr std::int64_t most = 16'000'000;   // half a gigabyte a copy
+    constexpr std::int64_t least_samples = 16;  // what a point takes without any
+    if (frequencies.points <= most / std::max(sweep.samples, least_samples)) return {};
     return fmt::format(
         "a branch has {} points with up to {} samples each; a rank keeps a branch in memory until it is whole, "
         "so their product is at most {}; give fewer points or sweep.samples",
@@ -122,29 +123,24 @@ std::string rule_of_trace(const Job& job) {
     if (eta > 0 && eta < lowest_frequency) {
         return fmt::format(
             "operating_point.frequency_ratio = {} is too low; a cycle may last at most a million times the "
-            "hammer's "
-            "own; give {} or more, or 0 for a cart at rest",
+            "hammer's own; give {} or more, or 0 for a cart at rest",
             toml_text(eta), toml_text(lowest_frequency));
     }
     if (eta > 0 && trace.duration_s > 0) {
         return "trace.duration_s is for a cart at rest (frequency_ratio = 0); a driven trace shows whole "
-               "forcing "
-               "cycles; give trace.cycles instead";
+               "forcing cycles; give trace.cycles instead";
     }
     if (eta == 0 && trace.from == TraceBegin::steady_state) {
         return "trace.from = \"steady_state\" means nothing with frequency_ratio = 0; a cart at rest drives no "
-               "steady "
-               "state; set it to \"start\"";
+               "steady state; set it to \"start\"";
     }
     if (eta == 0 && trace.duration_s == 0) {
         return "trace.duration_s is missing; a cart at rest (frequency_ratio = 0) has no forcing cycles to "
-               "show; give "
-               "the seconds to show";
+               "show; give the seconds to show";
     }
     if (eta == 0 && std::holds_alternative<Restitution>(job.contact)) {
         return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
-               "use "
-               "contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
+               "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }
     const bool is_complete = job.hammer.natural_frequency_hz || job.hammer.stiffness_n_per_m;
     if (eta == 0 && !is_complete) return {};  // that is told already
@@ -155,8 +151,7 @@ std::string rule_of_trace(const Job& job) {
     if (samples <= most_samples) return {};
     return fmt::format(
         "the trace would have {:.3g} samples; {:.0f} are the most that a picture could use; give fewer cycles, "
-        "a "
-        "shorter duration_s or fewer samples_per_cycle",
+        "a shorter duration_s or fewer samples_per_cycle",
         samples, most_samples);
 }
 

@@ -25,8 +25,9 @@ void describe(Walker& table, Trace& trace) {
                   index);
     table.integer({"column", "column of the cell in that file, from 0; -1: the same"}, trace.column, index);
     table.choice({"from", "where the trace begins: start (transient included) or steady_state"}, trace.from);
-    table.integer({"cycles", "forcing cycles shown"}, trace.cycles,
-                  from_to<std::int64_t>(1, 1'000'000, "a trace shows whole forcing cycles"));
+    table.integer(
+        {"cycles", "forcing cycles shown"}, trace.cycles,
+        from_to<std::int64_t>(1, 10'000, "a trace shows whole forcing cycles, as many as one can look at"));
     table.number({"duration_s", "time shown instead with a cart at rest, frequency_ratio = 0 [s]"},
                  trace.duration_s, not_negative("a trace runs forward in time"));
     table.integer({"samples_per_cycle", "samples per forcing cycle, or per natural period of a cart at rest"},
@@ -36,8 +37,9 @@ void describe(Walker& table, Trace& trace) {
         trace.impact_window_s, not_negative("a window has a length"));
     table.integer({"impact_samples", "samples in that window"}, trace.impact_samples,
                   from_to<std::int64_t>(10, 1'000'000, "fewer samples show no impact"));
-    table.number({"spectrum_to_hz", "largest frequency of the spectra [Hz]"}, trace.spectrum_to_hz,
-                 positive("a spectrum has a largest frequency"));
+    table.number(
+        {"spectrum_to_hz", "largest frequency of the spectra [Hz]"}, trace.spectrum_to_hz,
+        from_to(1e-3, 1e6, "a spectrum has a largest frequency, and no stop is known beyond a megahertz"));
     table.rule({"map", "row", "column"}, [&] { return rule_of_traced_cell(trace); });
 }
 
@@ -71,6 +73,11 @@ void describe_trace_of_map(Walker& file, Job& job) {
     }
     describe_operating_point_and_start(file, job,
                                        {"operating_point", "values of the cell in the plane of a map"});
+    file.rule({"trace"}, [&] {
+        Job driven = job;  // a map's cart vibrates; its place isn't known before the file is read
+        driven.operating_point = {1, 0};
+        return rule_of_trace(driven);
+    });
 }
 
 template <typename Walker>

@@ -116,8 +116,7 @@ void TableReader::read_alternative(const Alternative& alternative) {
     alternative.value = number;
 }
 
-std::optional<std::size_t> TableReader::choose(const Key& key, const Words& names, const Words& later,
-                                               std::string_view standard) {
+std::optional<std::size_t> TableReader::choose(const Key& key, const Words& names, std::string_view standard) {
     const Value* given = ask(key);
     if (given == nullptr) return std::nullopt;
     const auto word = word_of(*given);
@@ -128,7 +127,7 @@ std::optional<std::size_t> TableReader::choose(const Key& key, const Words& name
     const auto index = index_of(*word, names);
     if (!index) {
         const std::string what = fmt::format("{} = {}", full_name(key.name), toml_text(*word));
-        fault(key.name, given->where, complain_about_choice(what, *word, names, later));
+        fault(key.name, given->where, complain_about_choice(what, *word, names));
     }
     return index;
 }
@@ -151,7 +150,7 @@ std::vector<std::size_t> TableReader::choose_several(const Key& key, const Words
                   fmt::format("{} is {}; the list takes text; choose from {}", what, element.type_in_words(),
                               quoted_list(names)));
         } else if (!index) {
-            fault(key.name, element.where, complain_about_choice(what, *word, names, {}));
+            fault(key.name, element.where, complain_about_choice(what, *word, names));
         } else if (!chosen.insert(*index).second) {
             fault(key.name, element.where,
                   fmt::format("{} stands there twice; a field is stored once; remove one", what));

@@ -35,7 +35,7 @@ class TableReader {
     // Whether the choice is known, so that what depends on it can be read.
     template <typename Choice>
     bool choice(const Key& key, Choice& value) {
-        if (const auto i = choose(key, all_names<Choice>(), Names<Choice>::later(), name(value))) {
+        if (const auto i = choose(key, all_names<Choice>(), name(value))) {
             value = Names<Choice>::all[*i].value;
         }
         return !faulty_.contains(key.name);
@@ -85,8 +85,7 @@ class TableReader {
     template <typename Number, typename ReadElement>
     void read_list(const Key& key, std::vector<Number>& values, ReadElement read_element);
     void read_alternative(const Alternative& alternative);
-    std::optional<std::size_t> choose(const Key& key, const Words& names, const Words& later,
-                                      std::string_view standard);
+    std::optional<std::size_t> choose(const Key& key, const Words& names, std::string_view standard);
     std::vector<std::size_t> choose_several(const Key& key, const Words& names);
 
     [[nodiscard]] bool sound(std::initializer_list<std::string_view> keys) const;
