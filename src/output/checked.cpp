@@ -38,7 +38,8 @@ std::string why_unwritable(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     int error = errno;
     if (descriptor >= 0) {
-        error = ::posix_fallocate(descriptor, 0, ::lseek(descriptor, 0, SEEK_END));
+        // not posix_fallocate, which writes zeros of its own where the file system has no such call
+        error = ::fallocate(descriptor, 0, 0, ::lseek(descriptor, 0, SEEK_END)) == 0 ? 0 : errno;
         ::close(descriptor);
     }
     if (error == 0 || error == EINVAL || error == EOPNOTSUPP) return "";
@@ -63,11 +64,8 @@ void Checked::fail(const char* call) const {
     if (call != std::string_view("H5Dwrite")) {
         throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}", path_.string(), call, reason));
     }
-    throw Failure(
-        ExitCode::output,
-        fmt::format("{}: {} failed: {}{}. Finished tiles are kept: run the same command again when the "
-                    "file can be written.",
-                    path_.string(), call, reason, why_unwritable(path_)));
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: {} failed: {}{}.", path_.string(), call, reason, why_unwritable(path_)));
 }
 
 }  // namespace peterka::output

@@ -81,7 +81,7 @@ void require_space(const std::filesystem::path& path, std::int64_t bytes) {
     if (bytes >= 0 && static_cast<std::uintmax_t>(bytes) <= space.available) return;
     const auto available = static_cast<std::int64_t>(space.available);
     throw Failure(ExitCode::output,
-                  fmt::format("{}: the map needs {} ({} bytes), but {} has {} left ({} bytes). Nothing was "
+                  fmt::format("{}: the file needs {} ({} bytes), but {} has {} left ({} bytes). Nothing was "
                               "created; choose another folder with --output, or fewer points or fields.",
                               path.string(), readable_bytes(bytes), bytes, folder.string(),
                               readable_bytes(available), available));

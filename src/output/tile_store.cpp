@@ -1,11 +1,14 @@
 #include "output/tile_store.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "output/block.hpp"
 #include "output/layout.hpp"
 #include "output/samples.hpp"
 #include "output/tile_bytes.hpp"
+#include "support/errors.hpp"
 
 namespace peterka::output {
 
@@ -49,6 +52,17 @@ void TileStore::write(const parallel::Tile& tile, std::span<const StoredCell> ce
     std::vector<std::byte> bytes = encode(fields_, cells);
     const auto sampled = std::as_bytes(samples);
     bytes.insert(bytes.end(), sampled.begin(), sampled.end());
+    try {
+        write_whole(tile, bytes, origin);
+    } catch (const Failure& failure) {
+        throw Failure(failure.code(), fmt::format("{} Finished tiles are kept: run the same command again when "
+                                                  "the file can be written.",
+                                                  failure.what()));
+    }
+}
+
+void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byte> bytes,
+                            const TileOrigin& origin) {
     const std::byte* next = bytes.data();
     for (const Part& part : parts(tile)) {
         write_block(check_, part.dataset, part.number, part.block, next);

@@ -45,6 +45,7 @@ class TileStore {
     [[nodiscard]] const parallel::Tiling& tiling() const { return tiling_; }
 
   private:
+    void write_whole(const parallel::Tile& tile, std::span<const std::byte> bytes, const TileOrigin& origin);
     // A part of a tile's bytes, and the dataset and block in which it lies.
     struct Part {
         hid_t dataset;

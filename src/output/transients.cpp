@@ -6,6 +6,7 @@
 namespace peterka::output {
 
 void Transients::add(const Transients& other) {
+    cells += other.cells;
     ended += other.ended;
     cycles += other.cycles;
     longest = std::max(longest, other.longest);
@@ -14,6 +15,8 @@ void Transients::add(const Transients& other) {
 
 void Transients::add(const StoredCell& cell) {
     using enum regime::Regime;
+    if (!cell.computed || cell.regime == unresolved || cell.regime == failed) return;
+    ++cells;
     const bool for_ever = cell.regime == periodic || cell.regime == chaotic;
     const std::int64_t last = cell.last_impact;
     for (std::size_t look = 0; look < looks.size(); ++look) {

@@ -14,6 +14,7 @@ struct Transients {
     // A run of so many forcing cycles would see impacts in `impacting` cells at its end.
     static constexpr std::array<std::int64_t, 6> looks{30, 100, 300, 1000, 3000, 10000};
 
+    std::int64_t cells = 0;    // that count
     std::int64_t ended = 0;    // cells that end without impact, after some
     std::int64_t cycles = 0;   // until the last impact, of all of these together
     std::int64_t longest = 0;  // of one of them

@@ -114,7 +114,7 @@ std::string transients(const SummaryInput& input) {
         const std::int64_t look = output::Transients::looks[n];
         if (look >= input.job.steady_state.max_cycles) break;
         text += fmt::format("{}{} cycles: {}", separator, readable_count(look),
-                            readable_share(ends.impacting[n], input.findings.statistics.counts.cells));
+                            readable_share(ends.impacting[n], ends.cells));
         separator = ", ";
     }
     return text + "\n";

@@ -54,10 +54,12 @@ TEST(OutputStatistics, LivesOfImpactsThatEnd) {
         cell.last_impact = cycles;
         return cell;
     };
-    StoredCell filled = cell_of(Regime::no_impact, 0, 0, 1);  // has no run, hence no last impact
+    StoredCell filled = cell_of(Regime::periodic, 1, 1, 1);  // has no run of its own
+    filled.computed = false;
     Statistics statistics = statistics_of({ends_after(0), ends_after(30), ends_after(301), filled,
                                            cell_of(Regime::periodic, 1, 1, 1), cell_of(Regime::chaotic, 1),
                                            cell_of(Regime::unresolved, 1), cell_of(Regime::failed, 1)});
+    EXPECT_EQ(statistics.transients.cells, 5);  // neither filled nor undecided
     EXPECT_EQ(statistics.transients.ended, 2);
     EXPECT_EQ(statistics.transients.cycles, 331);
     EXPECT_EQ(statistics.transients.longest, 301);

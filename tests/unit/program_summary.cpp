@@ -94,7 +94,7 @@ TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
     job::Job job = job_of(job::Kind::basin);
     job.steady_state.max_cycles = 900;
     output::Statistics statistics = statistics_of_a_hundred_cells();
-    statistics.transients = {20, 5000, 801, {50, 40, 25, 0, 0, 0}};
+    statistics.transients = {100, 20, 5000, 801, {50, 40, 25, 0, 0, 0}};
     const auto text = [&] { return summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}); };
     EXPECT_FALSE(contains(text(), "Impacts that end"));
     job.output.fields = {job::OptionalField::last_impact};
