@@ -12,6 +12,7 @@
 #include "program/trace_words.hpp"
 #include "support/print.hpp"
 #include "support/readable.hpp"
+#include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
 #include "trace/tables.hpp"
 
@@ -53,7 +54,8 @@ output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trac
 void run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
     const Stopwatch wall;
     const scene::Scene scene(plan.job);
-    const trace::Trace trace = trace::make_trace(scene);
+    const StopRequest stop(plan.max_wall_seconds);
+    const trace::Trace trace = trace::make_trace(scene, [&] { return !stop.requested(); });
     output::write_whole_file(plan.file, plan.job, output::collect_provenance(),
                              contents_of(scene, trace, plan.map_cell), {ranks, wall.seconds(), hosts});
     if (plan.quiet) return;
@@ -67,7 +69,8 @@ void run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
 ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
     const std::string hosts = parallel::host_names(session);
     parallel::on_root(session, [&] {
-        if (plan.existing == output::Existing::complete) {
+        // a cell of a map is followed anew: the map's job is known, but not which file it is
+        if (plan.existing == output::Existing::complete && !plan.map_cell) {
             if (!plan.quiet) print(fmt::format("{} is complete: nothing is computed\n", plan.file.string()));
             return;
         }

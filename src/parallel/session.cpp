@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -93,6 +94,7 @@ void catching(const std::function<void()>& task,
 
 Session::Session(int& argc, char**& argv) {
     int provided = MPI_THREAD_SINGLE;
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a limit of file sizes (ulimit -f) fails, and is told
     checked("MPI_Init_thread", MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided));
     checked("MPI_Comm_set_errhandler", MPI_Comm_set_errhandler(communicator(), MPI_ERRORS_RETURN));
     checked("MPI_Comm_rank", MPI_Comm_rank(communicator(), &rank_));

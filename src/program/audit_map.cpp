@@ -17,14 +17,10 @@ using output::AuditRow;
 using output::StoredCell;
 using regime::Regime;
 
-bool same_label(const StoredCell& a, const StoredCell& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
-}
-
 // The largest force of a motion without a period hangs on the window in which it was observed.
 double force_error(const StoredCell& cell, const StoredCell& again) {
     const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
-    if (!settled || !same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
+    if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
     return std::abs(cell.peak_force / again.peak_force - 1);
 }
 
@@ -47,7 +43,7 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const output::
             .column = column,
             .again = again,
             .force_error = force_error(first, again),
-            .agrees = same_label(first, again),
+            .agrees = regime::same_label(first, again),
             .seconds = stopwatch.seconds()};
 }
 

@@ -16,6 +16,7 @@
 #include "program/run_plan.hpp"
 #include "program/traced_cell.hpp"
 #include "refine/lattice.hpp"
+#include "regime/branch.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
 
@@ -53,7 +54,8 @@ std::int64_t branch_bytes(const job::Job& job) {
     if (job.kind != job::Kind::sweep) return 0;
     constexpr std::int64_t copies = 3;
     const std::int64_t samples = std::ssize(output::sample_variables) * job.sweep.samples;
-    return copies * job.columns.points * samples * static_cast<std::int64_t>(sizeof(double));
+    const std::int64_t point = copies * samples * static_cast<std::int64_t>(sizeof(double));
+    return job.columns.points * (point + static_cast<std::int64_t>(sizeof(regime::BranchPoint)));
 }
 
 // Of a sweep: its branches in their order.

@@ -53,13 +53,8 @@ std::vector<std::pair<MotionClass, std::int64_t>> points_by_class(std::span<cons
     return points;
 }
 
-bool has_period(const StoredCell& cell) {
-    return cell.regime == Regime::periodic || cell.regime == Regime::no_impact ||
-           cell.regime == Regime::sustained_contact;
-}
-
 bool differ(const StoredCell& a, const StoredCell& b) {
-    if (!has_period(a) || !has_period(b)) return false;
+    if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return false;
     return motion_class(a) != motion_class(b) ||
            std::abs(a.peak_force - b.peak_force) > 0.01 * std::max(a.peak_force, b.peak_force);
 }

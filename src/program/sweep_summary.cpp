@@ -93,6 +93,8 @@ class Words {
 
     // The largest ones, in the branch's direction.
     [[nodiscard]] std::string jumps(const BranchFindings& found) const {
+        const auto has_no_force = [](const StoredCell& cell) { return std::isnan(cell.peak_force); };
+        if (std::ranges::all_of(found.cells, has_no_force)) return "not looked for: no motion has a force";
         std::vector<Jump> largest = found.jumps;
         const auto size = [&](const Jump& jump) {
             return std::abs(at(found, jump.to).peak_force - at(found, jump.from).peak_force);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include "job/axis.hpp"
 #include "job/names.hpp"
@@ -32,8 +33,10 @@ std::string proof_in_words(const StoredCell& cell) {
 }
 
 // F/(m g0)
-std::string force_in_words(double ratio, const Scales& scales) {
-    if (std::isnan(ratio)) return "none (the stop is rigid)";
+std::string force_in_words(double ratio, const scene::Scene& scene) {
+    const bool rigid = std::holds_alternative<job::Restitution>(scene.job().contact);
+    if (std::isnan(ratio)) return rigid ? "none (the stop is rigid)" : "not known";
+    const Scales& scales = scene.scales();
     return fmt::format("{:.6g} N, {:.6g} mg", ratio * scales.weight_n, ratio);
 }
 
@@ -48,19 +51,18 @@ std::string place_in_words(const scene::Scene& scene, const trace::Course& cours
     text += fmt::format(", gap/A0 {:.6g} ({:.4g} mm), ", place.gap_ratio,
                         1000 * place.gap_ratio * scene.scales().length_m);
     if (place.frequency_ratio == 0) return text + fmt::format("{:.4g} s from the start", seconds);
-    const char* from = scene.job().trace.from == job::TraceBegin::start ? "the start"
-                       : course.skipped > 0                             ? "cycle {} on"
-                                                                        : "the steady state";
-    return text + fmt::format("{} cycles ({:.4g} s) from ", scene.job().trace.cycles, seconds) +
-           fmt::format(fmt::runtime(from), course.skipped);
+    const std::string from = course.period > 0    ? "the steady state"
+                             : course.skipped > 0 ? fmt::format("cycle {} on", course.skipped)
+                                                  : "the start";
+    return text + fmt::format("{} cycles ({:.4g} s) from {}", scene.job().trace.cycles, seconds, from);
 }
 
-std::string cell_in_words(const StoredCell& cell, const Scales& scales) {
+std::string cell_in_words(const StoredCell& cell, const scene::Scene& scene) {
     return fmt::format(
         "  regime           {}{}\n"
         "  peak force       {}\n"
         "  decided in       {} forcing cycles, engine {}\n",
-        regime_in_words(cell), proof_in_words(cell), force_in_words(cell.peak_force, scales), cell.cycles,
+        regime_in_words(cell), proof_in_words(cell), force_in_words(cell.peak_force, scene), cell.cycles,
         output::engine_names[static_cast<std::size_t>(cell.engine)]);
 }
 
@@ -85,11 +87,7 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
     return text;
 }
 
-bool labelled_alike(const StoredCell& a, const StoredCell& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
-}
-
-std::string map_in_words(const output::MapCell& map, const StoredCell& cell, const Scales& scales) {
+std::string map_in_words(const output::MapCell& map, const StoredCell& cell, const scene::Scene& scene) {
     const auto names = job::axis_names(map.job.kind);
     const StoredCell& stored = map.stored;
     std::string text = fmt::format(
@@ -98,9 +96,9 @@ std::string map_in_words(const output::MapCell& map, const StoredCell& cell, con
         map.job.kind == job::Kind::basin ? "Basin" : "Map", map.file.string(), map.row, names.rows,
         job::axis_value(map.job.rows, map.row), map.column, names.columns,
         job::axis_value(map.job.columns, map.column), regime_in_words(stored),
-        force_in_words(stored.peak_force, scales));
+        force_in_words(stored.peak_force, scene));
     if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
-    if (!labelled_alike(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
+    if (!regime::same_label(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
     return text + fmt::format("  this trace       agrees in regime and z{}\n",
                               std::isfinite(off) ? fmt::format(", peak force off by {:.1e}", off) : "");
@@ -115,9 +113,9 @@ std::string trace_in_words(const scene::Scene& scene, const trace::Trace& trace,
     std::string text = fmt::format("\n{}\n\nTrace {}\n", title.empty() ? "(no title)" : title,
                                    place_in_words(scene, trace.course));
     const StoredCell cell = output::in_file_units(trace.course.cell.value_or(StoredCell{}), scales);
-    if (trace.course.cell) text += cell_in_words(cell, scales);
+    if (trace.course.cell) text += cell_in_words(cell, scene);
     text += impacts_in_words(trace, scales);
-    if (map) text += map_in_words(*map, cell, scales);
+    if (map) text += map_in_words(*map, cell, scene);
     return text;
 }
 

@@ -10,12 +10,8 @@ namespace {
 using regime::CellResult;
 using regime::Regime;
 
-bool has_smooth_numbers(Regime regime) {
-    return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
-}
-
-bool same_label(const CellResult& a, const CellResult& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period && a.chatter == b.chatter;
+bool alike(const CellResult& a, const CellResult& b) {
+    return regime::same_label(a, b) && a.chatter == b.chatter;
 }
 
 template <class Condition>
@@ -108,8 +104,8 @@ std::optional<CellResult> filled(const Surroundings& around, std::span<const Num
         cell.impact_rate = regime::unknown;
         return cell;
     }
-    const auto alike = [&](const CellResult& cell) { return same_label(cell, next); };
-    if (!has_smooth_numbers(next.regime) || count_if(around, alike) < size_of(around)) return std::nullopt;
+    const auto like_next = [&](const CellResult& cell) { return alike(cell, next); };
+    if (!regime::has_period(next.regime) || count_if(around, like_next) < size_of(around)) return std::nullopt;
 
     CellResult cell{.regime = next.regime, .engine = next.engine, .computed = false};
     cell.impacts = next.impacts;

@@ -12,34 +12,12 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr int cycles_between_questions = 256;
-
-// False: given up.
-bool solve(const Task<CellResult>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
-    ScalarEngine engine;
-    search.start();
-    for (std::int64_t cycle = 0; !search.done(); ++cycle) {
-        if (cycle % cycles_between_questions == 0 && !carry_on()) return false;
-        engine.serve(desk);
-    }
-    return true;
-}
-
 // Columns in the order in which a branch visits them.
 std::vector<std::int64_t> columns_of(const scene::Scene& scene, job::Direction direction) {
     std::vector<std::int64_t> columns;
     for (std::int64_t column = 0; column < scene.columns(); ++column) columns.push_back(column);
     if (direction == job::Direction::down) std::ranges::reverse(columns);
     return columns;
-}
-
-bool has_period(const CellResult& cell) {
-    return cell.regime == Regime::periodic || cell.regime == Regime::no_impact ||
-           cell.regime == Regime::sustained_contact;
-}
-
-bool same_class(const CellResult& a, const CellResult& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
 }
 
 // Finds jumps between neighbouring columns, whatever the direction.
@@ -75,16 +53,16 @@ class JumpSearch {
     }
     // The same among motions with a period alone: how steep the force is.
     [[nodiscard]] double slope_after(std::int64_t column) const {
-        const bool steady =
-            has(column) && has(column + 1) && has_period(cell(column)) && has_period(cell(column + 1));
+        const bool steady = has(column) && has(column + 1) && has_period(cell(column).regime) &&
+                            has_period(cell(column + 1).regime);
         return steady ? change_after(column) : 0;
     }
     // Whether a motion with a period holds from a column on, in a direction.
     [[nodiscard]] bool lasts(std::int64_t column, std::int64_t step) const {
         constexpr int points = 4;
-        if (!has_period(cell(column))) return false;
+        if (!has_period(cell(column).regime)) return false;
         for (int i = 1; i < points && has(column + i * step); ++i) {
-            if (!same_class(cell(column), cell(column + i * step))) return false;
+            if (!same_label(cell(column), cell(column + i * step))) return false;
         }
         return true;
     }
@@ -108,7 +86,7 @@ std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene,
         if (state) cell.start = {(*state)[0], (*state)[1] - cart_speed};
         CycleDesk desk;
         const Task<CellResult> search = solve_cell(desk, scene.job(), cell, {}, &motion);
-        if (!solve(search, desk, carry_on)) return std::nullopt;
+        if (!run(search, desk, carry_on)) return std::nullopt;
         result = search.result();
         if (motion.end && branch.direction != job::Direction::independent) {
             state = {(*motion.end)[0], (*motion.end)[1] + cart_speed};

@@ -76,4 +76,14 @@ struct CellResult {
     std::int32_t last_impact = goes_on;
 };
 
+// Whether two cells are called the same.
+inline bool same_label(const CellResult& a, const CellResult& b) {
+    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
+}
+
+// Whether a motion of this regime repeats itself, so that its numbers hang on no window.
+inline bool has_period(Regime regime) {
+    return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
+}
+
 }  // namespace peterka::regime

@@ -51,7 +51,8 @@ CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSett
 }
 
 double effect_of_cubic(const scene::Oscillator<double>& scene, double largest_displacement) {
-    const double reach = largest_displacement + (scene.cubic_form == job::CubicForm::absolute ? 1 : 0);
+    const double reach =
+        largest_displacement + (scene.cubic_form == job::CubicForm::absolute ? scene.cart_reach() : 0);
     return 3 * std::abs(scene.cubic) * reach * reach;
 }
 
@@ -92,7 +93,9 @@ EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const j
 }
 
 bool goes_too_far(const EngineSettings& chosen, double displacement) {
-    return chosen.engine == Engine::split && displacement > 1.1 * chosen.largest_displacement;
+    constexpr double slack =
+        1.1;  // the kicks' error goes with the fourth power of it at most: half as much again
+    return chosen.engine == Engine::split && displacement > slack * chosen.largest_displacement;
 }
 
 }  // namespace peterka::regime

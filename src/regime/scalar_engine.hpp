@@ -1,6 +1,8 @@
 // Serves one search with one engine: the plain way, cycle by cycle.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <variant>
 
@@ -25,6 +27,19 @@ class ScalarEngine {
     std::optional<CycleMap> map_;
     std::int64_t engine_ = 0;
 };
+
+// Runs a search to its end, or until carry_on, asked every now and then, says to give up: then false.
+template <class Result>
+bool run(const Task<Result>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
+    constexpr int cycles_between_questions = 256;
+    ScalarEngine engine;
+    search.start();
+    for (std::int64_t cycle = 0; !search.done(); ++cycle) {
+        if (cycle % cycles_between_questions == 0 && !carry_on()) return false;
+        engine.serve(desk);
+    }
+    return true;
+}
 
 // Runs a search to its end.
 template <class Result>

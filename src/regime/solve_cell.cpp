@@ -33,6 +33,11 @@ double change_without_cubic(const scene::Oscillator<double>& scene, const CellRe
     return without.regime == Regime::periodic ? effect / (1 - without.multiplier) : effect;
 }
 
+std::int32_t sum_of_cycles(std::int64_t some, std::int64_t more) {
+    return static_cast<std::int32_t>(
+        std::min<std::int64_t>(some + more, std::numeric_limits<std::int32_t>::max()));
+}
+
 // Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
 // further than was assumed, it is solved again.
 Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, const job::Solver& solver,
@@ -40,14 +45,12 @@ Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, cons
                                   Attractors attractors) {
     constexpr int most_rounds = 3;
     CellResult result;
-    std::int64_t cycles = 0;
+    std::int32_t cycles = 0;
     for (int round = 0; round < most_rounds; ++round) {
         const EngineSettings engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
         result =
             co_await find_steady_state(desk, cell.oscillator, cell.start, budget, engine, measures, attractors);
-        cycles += result.cycles;
-        result.cycles =
-            static_cast<std::int32_t>(std::min<std::int64_t>(cycles, std::numeric_limits<std::int32_t>::max()));
+        result.cycles = cycles = sum_of_cycles(cycles, result.cycles);
         if (!goes_too_far(engine, result.largest_displacement)) break;
         largest_displacement = result.largest_displacement;
     }
@@ -98,12 +101,12 @@ Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell ce
     if (without.regime == Regime::periodic) {
         const CubicShift shift = co_await shift_by_cubic(
             desk, cell.oscillator, engine_with_cubic(cell.oscillator, solver, largest_displacement), without);
-        without.cycles += static_cast<std::int32_t>(shift.cycles);
+        without.cycles = sum_of_cycles(without.cycles, shift.cycles);
         if (shift.of_peak_force && *shift.of_peak_force <= solver.omit_tolerance) co_return without;
     }
     CellResult with =
         co_await solve_with_cubic(desk, cell, solver, budget, largest_displacement, measures, attractors);
-    with.cycles += without.cycles;
+    with.cycles = sum_of_cycles(with.cycles, without.cycles);
     co_return with;
 }
 

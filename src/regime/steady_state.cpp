@@ -58,7 +58,7 @@ class Search {
           chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
           measures_(measures),
           conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {
-        if (measures_.motion != nullptr) *measures_.motion = SteadyMotion(measures_.motion->touches.capacity());
+        forget_motion();
     }
 
     Task<CellResult> run() {
@@ -279,11 +279,12 @@ class Search {
         result.regime = Regime::failed;
         result.status = status_of(outcome);
         result.impact_rate = unknown;
-        if (measures_.motion != nullptr) {
-            measures_.motion->stroboscopic.clear();
-            measures_.motion->touches.clear();
-        }
+        forget_motion();
         return result;
+    }
+
+    void forget_motion() {
+        if (measures_.motion != nullptr) *measures_.motion = SteadyMotion(measures_.motion->touches.capacity());
     }
 
     CellResult on_orbit(const Eigen::Matrix2d& jacobian, std::int64_t period,

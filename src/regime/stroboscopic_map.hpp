@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "regime/cycle_desk.hpp"
+#include "trajectory/contact_rates.hpp"
 
 namespace peterka::regime {
 
@@ -33,7 +34,7 @@ class StroboscopicMap {
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
     StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings, CycleDesk& desk)
         : desk_(&desk), scene_(scene), settings_(settings) {
-        const double length = scene.drive() / (1 + scene.drive());
+        const double length = trajectory::response_length(scene);
         scale_ = {length, length * std::max(1.0, scene.frequency)};
         per_scale_ = scale_.cwiseInverse();
         desk.use(scene, settings);

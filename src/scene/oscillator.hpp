@@ -37,6 +37,9 @@ struct Oscillator {
         return 2 * std::numbers::pi_v<Real> / (frequency > 0 ? frequency : Real(1));
     }
 
+    // How far the cart moves from its middle: what the absolute form of the cubic adds to the hammer's reach.
+    [[nodiscard]] Real cart_reach() const { return frequency > 0 ? 1 : 0; }
+
     // The spring-dashpot stop, for what is written for it alone; std::bad_variant_access for another law.
     [[nodiscard]] const KelvinVoigt<Real>& kelvin_voigt() const { return std::get<KelvinVoigt<Real>>(contact); }
     [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }

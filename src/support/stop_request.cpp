@@ -33,12 +33,10 @@ StopRequest::StopRequest(double max_wall_seconds) : max_wall_seconds_(max_wall_s
         if (signal == SIGINT) action.sa_flags |= static_cast<int>(SA_RESETHAND);
         sigaction(signal, &action, nullptr);
     }
-    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 StopRequest::~StopRequest() {
     for (const int signal : caught_signals) std::signal(signal, SIG_DFL);
-    std::signal(SIGXFSZ, SIG_DFL);
 }
 
 bool StopRequest::requested() const {

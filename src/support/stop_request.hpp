@@ -1,8 +1,7 @@
 // Whether this process has been asked to stop: by SIGINT, SIGTERM, SIGUSR1, or because its time is up.
 //
 // The signals only set a flag; whoever computes looks at it between two cells. A second SIGINT (Ctrl-C) ends
-// the process at once, as it does without us. A write beyond the limit of file sizes (ulimit -f) is to fail,
-// not to end the process: SIGXFSZ is ignored.
+// the process at once, as it does without us.
 #pragma once
 
 #include <limits>

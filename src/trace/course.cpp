@@ -38,6 +38,11 @@ const char* in_words(Cycle<double>::Outcome outcome) {
     return "done";
 }
 
+Failure stopped_early() {
+    return {ExitCode::stopped_early,
+            "stopped early; a trace keeps nothing of an unfinished run: the same command starts over"};
+}
+
 // A cycle of one scene after the other.
 class Cycles {
   public:
@@ -46,7 +51,8 @@ class Cycles {
 
     [[nodiscard]] const State<double>& state() const { return state_; }
 
-    void advance(Recorder<double>* recorder) {
+    void advance(Recorder<double>* recorder, const CarryOn& carry_on) {
+        if (!carry_on()) throw stopped_early();
         const Cycle<double> cycle =
             std::visit([&](auto& map) -> Cycle<double> { return map(state_, recorder); }, map_);
         if (cycle.outcome != Cycle<double>::Outcome::done) {
@@ -66,18 +72,13 @@ class Cycles {
     std::int64_t done_ = 0;
 };
 
-// A watcher of nothing.
-class Blind : public Watcher {
-    void look(const Stretch& /*stretch*/) override {}
-};
-
 // The rule of maps for the cubic spring, with the largest displacement of this very motion.
 void choose_engine(Course& course, const job::Solver& solver) {
     const Oscillator<double> whole = course.scene;
     const bool may_omit = solver.engine == job::EngineChoice::automatic &&
                           (whole.cubic == 0 || solver.omit_tolerance > 0) &&
                           !regime::has_nonlinear_contact(whole);
-    Blind nobody;
+    Watcher nobody;
     double reach = EngineSettings{}.largest_displacement;
     if (may_omit) {
         course.scene.cubic = 0;
@@ -93,10 +94,11 @@ void choose_engine(Course& course, const job::Solver& solver) {
     }
 }
 
-Course at_rest(const scene::Scene& scene) {
+Course at_rest(const scene::Scene& scene, const CarryOn& carry_on) {
     const job::Job& job = scene.job();
     const scene::Cell cell = scene.cell(0, 0);
     Course course{cell.oscillator, {}, cell.start, job.trace.duration_s * scene.scales().frequency_rad_per_s};
+    course.carry_on = carry_on;
     choose_engine(course, job.solver);
     return course;
 }
@@ -108,18 +110,21 @@ std::int64_t settling_cycles(const job::SteadyState& steady) {
 
 void skip(Course& course, std::int64_t cycles) {
     Cycles passing(course.scene, course.settings, course.start);
-    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr, course.carry_on);
     course.start = passing.state();
     course.skipped = cycles;
 }
 
-Course driven(const scene::Scene& scene) {
+Course driven(const scene::Scene& scene, const CarryOn& carry_on) {
     const job::Job& job = scene.job();
     regime::CycleDesk desk;
-    const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
+    const Task<regime::CellResult> search = regime::solve_cell(desk, scene, 0, 0);
+    if (!regime::run(search, desk, carry_on)) throw stopped_early();
+    const regime::CellResult result = search.result();
     // the engine used last is that of the result, or one that only looked what the cubic spring would change
     Course course{desk.scene(), desk.settings(), scene.cell(0, 0).start,
                   static_cast<double>(job.trace.cycles) * desk.scene().period()};
+    course.carry_on = carry_on;
     if (result.engine == Engine::exact) {
         course.scene.cubic = 0;
         course.settings = {};
@@ -137,21 +142,21 @@ Course driven(const scene::Scene& scene) {
 
 }  // namespace
 
-Course prepare(const scene::Scene& scene) {
-    return scene.job().operating_point.frequency_ratio > 0 ? driven(scene) : at_rest(scene);
+Course prepare(const scene::Scene& scene, const CarryOn& carry_on) {
+    return scene.job().operating_point.frequency_ratio > 0 ? driven(scene, carry_on) : at_rest(scene, carry_on);
 }
 
 trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
+    constexpr double rounding = 1e-12;  // of a length that is meant to be whole periods
     const double period = course.scene.period();
-    const auto cycles = static_cast<std::int64_t>(std::ceil(course.length / period * (1 - 1e-12)));
+    const auto cycles = static_cast<std::int64_t>(std::ceil(course.length / period * (1 - rounding)));
     Recorder<double> recorder(trajectory::Detail::energy, watcher);
     Cycles passing(course.scene, course.settings, course.start);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
         watcher.begin_cycle(period * static_cast<double>(cycle));
-        passing.advance(&recorder);
+        passing.advance(&recorder, course.carry_on);
     }
     watcher.finish(passing.state(), trajectory::phase_of(course.scene, passing.state()));
-    recorder.finish();
     return recorder.totals();
 }
 

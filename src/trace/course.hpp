@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "regime/cell_result.hpp"
@@ -17,6 +18,8 @@
 
 namespace peterka::trace {
 
+using CarryOn = std::function<bool()>;  // asked at every cycle
+
 struct Course {
     scene::Oscillator<double> scene;
     regime::EngineSettings settings;
@@ -25,10 +28,12 @@ struct Course {
     std::int64_t skipped = 0;    // forcing cycles from the job's start to there, of a motion without a period
     std::int64_t period = 0;     // q where the trace is a stretch of a proved orbit, 0 elsewhere
     std::optional<regime::CellResult> cell = {};  // what a map says of it; none with a cart at rest
+    CarryOn carry_on = [] { return true; };
 };
 
-// Throws Failure where the motion can't be followed to where the trace begins.
-[[nodiscard]] Course prepare(const scene::Scene& scene);
+// Throws Failure where the motion can't be followed to where the trace begins, and, like `follow`, with the
+// code stopped_early where carry_on says to stop.
+[[nodiscard]] Course prepare(const scene::Scene& scene, const CarryOn& carry_on);
 
 // Lets the watcher see the motion from the beginning of the trace through all cycles that begin before its end,
 // and gives what a recorder gathers on the way. Throws Failure where the motion ends before.

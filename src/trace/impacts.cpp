@@ -1,5 +1,6 @@
 #include "trace/impacts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace peterka::trace {
@@ -22,7 +23,10 @@ std::optional<std::size_t> Impacts::hardest() const {
     const auto hardness = [](const Impact& impact) {
         return std::isnan(impact.record.peak_force) ? impact.speed : impact.record.peak_force;
     };
+    const auto is_over = [](const Impact& impact) { return !std::isnan(impact.end); };
+    const bool some_are = std::ranges::any_of(impacts_, is_over);
     for (std::size_t i = 0; i < impacts_.size(); ++i) {
+        if (some_are && !is_over(impacts_[i])) continue;
         if (!found || hardness(impacts_[i]) > (1 + equal) * hardness(impacts_[*found])) found = i;
     }
     return found;

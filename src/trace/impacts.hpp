@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "regime/cell_result.hpp"
 #include "trace/watcher.hpp"
 
 namespace peterka::trace {
@@ -14,7 +15,8 @@ struct Impact {
     double time = 0;                                        // tau of the first touch, since the trace began
     double speed = 0;                                       // delta' there
     double end = std::numeric_limits<double>::quiet_NaN();  // tau at which flight begins again
-    trajectory::ImpactRecord<double> record{};              // unknown as long as the impact lasts
+    trajectory::ImpactRecord<double> record{regime::unknown, regime::unknown, regime::unknown,
+                                            regime::unknown};  // NaN where the impact outlasts the trace
 };
 
 class Impacts : public Watcher {
@@ -23,14 +25,13 @@ class Impacts : public Watcher {
 
     [[nodiscard]] const std::vector<Impact>& all() const { return impacts_; }
     // The one with the largest peak force, or, on a rigid stop, with the largest speed; the first of equals.
+    // One that outlasts the trace only where there is no other.
     [[nodiscard]] std::optional<std::size_t> hardest() const;
 
     void touch(double speed) override;
     void leave(const trajectory::ImpactRecord<double>& impact) override;
 
   private:
-    void look(const Stretch& /*stretch*/) override {}
-
     double length_;
     std::vector<Impact> impacts_;
     bool lasts_ = false;

@@ -11,14 +11,13 @@ namespace peterka::trace {
 Quantities quantities(const scene::Oscillator<double>& scene, const Moment& moment) {
     const State<double>& x = moment.state;
     const double wave = std::sin(moment.angle);
-    const bool has_cart = scene.frequency > 0;
     const double pull =
         trajectory::acceleration(scene, Phase::flight, x, moment.angle).value;  // u'' without a stop
     const bool presses = moment.phase == Phase::contact;
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
     // at rest on a rigid stop the force balances all others
     const double force = !presses ? 0 : std::max(0.0, rigid ? pull : trajectory::contact_force(scene, x));
-    return {.cart = has_cart ? wave : 0,
+    return {.cart = wave,
             .cart_velocity = scene.frequency * std::cos(moment.angle),
             .relative = x[0] + scene.gap,
             .relative_velocity = x[1],

@@ -12,10 +12,10 @@ Spectrum spectrum_of_motion(const Course& course, double largest_frequency) {
     Course seen = course;
     if (course.period > 0) seen.length = static_cast<double>(course.period) * course.scene.period();
     Spectrum spectrum{.step = 2 * std::numbers::pi / seen.length, .force = {}, .acceleration = {}};
-    const auto lines = std::min(most_lines, static_cast<std::int64_t>(largest_frequency / spectrum.step) + 1);
-    Transform transform(seen.scene, 0, seen.length, spectrum.step * static_cast<double>(lines));
+    const double last_line = std::min(largest_frequency / spectrum.step, static_cast<double>(most_lines - 1));
+    Transform transform(seen.scene, 0, seen.length, spectrum.step, static_cast<std::int64_t>(last_line) + 1);
     follow(seen, transform);
-    for (const auto& integrals : transform.on_grid(spectrum.step, lines)) {
+    for (const auto& integrals : transform.lines()) {
         const double share = (spectrum.force.empty() ? 1 : 2) / seen.length;
         spectrum.force.push_back(share * std::abs(integrals.force));
         spectrum.acceleration.push_back(share * std::abs(integrals.acceleration));
@@ -27,15 +27,15 @@ Spectrum spectrum_of_impact(const Course& course, const Impact& impact, double n
                             double largest_frequency, std::int64_t lines) {
     Spectrum spectrum{
         .step = largest_frequency / static_cast<double>(lines - 1), .force = {}, .acceleration = {}};
-    Transform pulse(course.scene, impact.time, impact.end, largest_frequency);
+    Transform pulse(course.scene, impact.time, impact.end, spectrum.step, lines);
     follow(course, pulse);
-    Transform flight(course.scene, impact.end, next_touch, largest_frequency);
+    Transform flight(course.scene, impact.end, next_touch, spectrum.step, lines);
     follow(course, flight);
     const double per_length = 2 / (next_touch - impact.end);
-    for (const auto& integrals : pulse.on_grid(spectrum.step, lines)) {
+    for (const auto& integrals : pulse.lines()) {
         spectrum.force.push_back(std::abs(integrals.force));
     }
-    for (const auto& integrals : flight.on_grid(spectrum.step, lines)) {
+    for (const auto& integrals : flight.lines()) {
         spectrum.acceleration.push_back(per_length * std::abs(integrals.acceleration));
     }
     return spectrum;

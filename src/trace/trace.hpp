@@ -16,8 +16,9 @@ namespace peterka::trace {
 struct HardImpact {
     std::size_t index = 0;  // among all impacts
     std::vector<Moment> moments;
-    Moment peak;                       // meaningless on a rigid stop
-    std::optional<Spectrum> spectrum;  // where the impact and the flight after it are over within the trace
+    Moment peak;  // meaningless on a rigid stop
+    std::optional<Spectrum>
+        spectrum;  // where the impact is over within the trace; of the flight, as far as that
 };
 
 struct Trace {
@@ -29,8 +30,9 @@ struct Trace {
     Spectrum spectrum;
 };
 
-// Throws Failure where the motion can't be followed.
-[[nodiscard]] Trace make_trace(const scene::Scene& scene);
+// Throws Failure where the motion can't be followed, or where carry_on, asked every now and then, says to stop.
+[[nodiscard]] Trace make_trace(
+    const scene::Scene& scene, const CarryOn& carry_on = [] { return true; });
 
 // Force that the stop jumps to when it is touched at this speed.
 [[nodiscard]] double force_at_touch(const scene::Oscillator<double>& scene, double speed);

@@ -9,8 +9,16 @@
 
 namespace peterka::trace {
 
-Transform::Transform(const scene::Oscillator<double>& scene, double from, double to, double largest_frequency)
-    : scene_(scene), from_(from), to_(to), largest_frequency_(largest_frequency) {}
+Transform::Transform(const scene::Oscillator<double>& scene, double from, double to, double step,
+                     std::int64_t lines)
+    : scene_(scene), from_(from), to_(to), step_(step), lines_(static_cast<std::size_t>(lines)) {}
+
+void Transform::touch(double speed) {
+    const auto* rigid = std::get_if<scene::Restitution<double>>(&scene_.contact);
+    if (rigid == nullptr || now() < from_ || !(now() < to_)) return;
+    const double impulse = (1 + rigid->coefficient) * speed;
+    add({now() - from_, impulse, -impulse});
+}
 
 void Transform::look(const Stretch& stretch) {
     const double begin = std::max(from_ - stretch.begin, 0.0);
@@ -19,7 +27,8 @@ void Transform::look(const Stretch& stretch) {
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene_.contact);
     constexpr double most_pieces =
         10'000;  // for the contact's own rate: in a stiffer one its first part is enough
-    double rate = std::max({largest_frequency_ / 2, scene_.frequency, 1.0});
+    const double largest_frequency = step_ * static_cast<double>(lines_.size());
+    double rate = std::max({largest_frequency / 2, scene_.frequency, 1.0});
     if (stretch.phase == Phase::contact && !rigid) {
         const State<double> deepest = stretch.state_at(stretch.length / 2);
         const double own = trajectory::rates_of(trajectory::linearized_contact(scene_, deepest)).fast;
@@ -32,55 +41,40 @@ void Transform::look(const Stretch& stretch) {
 
 void Transform::add_piece(const Stretch& stretch, double begin, double length) {
     namespace rule = trajectory::gauss_legendre;
-    const auto add = [&](double time, double weight) {
+    const auto add_value = [&](double time, double weight) {
         const double in_cycle = stretch.from + time;
         const Quantities q = quantities(
             scene_, {stretch.begin + time, scene_.frequency * in_cycle, stretch.state_at(time), stretch.phase});
-        nodes_.push_back({stretch.begin + time - from_, weight * q.force, weight * q.acceleration});
+        add({stretch.begin + time - from_, weight * q.force, weight * q.acceleration});
     };
     const double half = length / 2;
     for (std::size_t i = 0; i < rule::node.size(); ++i) {
         const double offset = half * static_cast<double>(rule::node[i]);
         const double weight = half * static_cast<double>(rule::weight[i]);
-        add(begin + half - offset, weight);
-        add(begin + half + offset, weight);
+        add_value(begin + half - offset, weight);
+        add_value(begin + half + offset, weight);
     }
 }
 
-Transform::Integrals Transform::at(double frequency) const {
-    Integrals sum{};
-    for (const Node& node : nodes_) {
-        const std::complex<double> turn = std::polar(1.0, -frequency * node.time);
-        sum.force += node.force * turn;
-        sum.acceleration += node.acceleration * turn;
-    }
-    return sum;
-}
-
-// Each node turns by the same angle from line to line; it is set anew every so often, for rounding errors add
-// up.
-std::vector<Transform::Integrals> Transform::on_grid(double step, std::int64_t lines) const {
-    constexpr std::int64_t fresh_after = 64;
-    std::vector<Integrals> sums(static_cast<std::size_t>(lines));
-    for (const Node& node : nodes_) {
-        const std::complex<double> turn = std::polar(1.0, -step * node.time);
-        double re = 1;
-        double im = 0;
-        for (std::int64_t line = 0; line < lines; ++line) {
-            if (line % fresh_after == 0) {
-                const double angle = step * static_cast<double>(line) * node.time;
-                re = std::cos(angle);
-                im = -std::sin(angle);
-            }
-            Integrals& sum = sums[static_cast<std::size_t>(line)];
-            if (node.force != 0) sum.force += std::complex<double>(node.force * re, node.force * im);
-            sum.acceleration += std::complex<double>(node.acceleration * re, node.acceleration * im);
-            const double next = re * turn.real() - im * turn.imag();
-            im = re * turn.imag() + im * turn.real();
-            re = next;
+// A node turns by the same angle from line to line; it is set anew every so often, for rounding errors add up.
+void Transform::add(const Node& node) {
+    constexpr std::size_t fresh_after = 64;
+    const std::complex<double> turn = std::polar(1.0, -step_ * node.time);
+    double re = 1;
+    double im = 0;
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+        if (line % fresh_after == 0) {
+            const double angle = step_ * static_cast<double>(line) * node.time;
+            re = std::cos(angle);
+            im = -std::sin(angle);
         }
+        Integrals& sum = lines_[line];
+        if (node.force != 0) sum.force += std::complex<double>(node.force * re, node.force * im);
+        sum.acceleration += std::complex<double>(node.acceleration * re, node.acceleration * im);
+        const double next = re * turn.real() - im * turn.imag();
+        im = re * turn.imag() + im * turn.real();
+        re = next;
     }
-    return sums;
 }
 
 }  // namespace peterka::trace

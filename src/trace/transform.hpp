@@ -4,7 +4,7 @@
 //     integral of s(t) exp(-i w t) dt,   s: the force on the hammer, or the hammer's acceleration x''.
 // Nothing is sampled evenly, so nothing is aliased, and jumps of the force at touch are where they are. Pieces
 // of a stretch turn by at most 2 radians at the largest w and by 1 of the contact's own rate; eight
-// Gauss-Legendre nodes are then exact to about 1e-12.
+// Gauss-Legendre nodes are then exact to about 1e-12. A rigid stop acts by impulses: each impact adds its own.
 #pragma once
 
 #include <complex>
@@ -16,32 +16,35 @@ namespace peterka::trace {
 
 class Transform : public Watcher {
   public:
-    // Of the motion between two times since the trace began; w up to largest_frequency, in omega.
-    Transform(const scene::Oscillator<double>& scene, double from, double to, double largest_frequency);
+    // Of the motion between two times since the trace began, at w = 0, step, 2 step, ..., (lines - 1) step, in
+    // omega.
+    Transform(const scene::Oscillator<double>& scene, double from, double to, double step, std::int64_t lines);
 
     struct Integrals {
         std::complex<double> force;
         std::complex<double> acceleration;
     };
-    // At w; times count from the beginning of the part.
-    [[nodiscard]] Integrals at(double frequency) const;
-    // At w = 0, step, 2 step, ..., (lines - 1) step.
-    [[nodiscard]] std::vector<Integrals> on_grid(double step, std::int64_t lines) const;
+    // Line by line; times count from the beginning of the part.
+    [[nodiscard]] const std::vector<Integrals>& lines() const { return lines_; }
+
+    void touch(double speed) override;
 
   private:
+    // A value at a time since the beginning of the part, times its weight.
     struct Node {
-        double time;   // since the beginning of the part
-        double force;  // times the node's weight
+        double time;
+        double force;
         double acceleration;
     };
     void look(const Stretch& stretch) override;
     void add_piece(const Stretch& stretch, double begin, double length);
+    void add(const Node& node);
 
     scene::Oscillator<double> scene_;
     double from_;
     double to_;
-    double largest_frequency_;
-    std::vector<Node> nodes_;
+    double step_;
+    std::vector<Integrals> lines_;
 };
 
 }  // namespace peterka::trace

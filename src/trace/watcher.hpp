@@ -34,7 +34,7 @@ class Watcher : public trajectory::Observer<double> {
     virtual void finish(const State<double>& /*end*/, Phase /*phase*/) {}
 
   protected:
-    virtual void look(const Stretch& stretch) = 0;
+    virtual void look(const Stretch& /*stretch*/) {}
     [[nodiscard]] double now() const { return now_; }  // the end of the last stretch
     [[nodiscard]] double cycle_begin() const { return cycle_begin_; }
 

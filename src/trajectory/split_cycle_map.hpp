@@ -123,7 +123,7 @@ inline int rounded_split_steps(int steps) {
 inline int split_steps(const Oscillator<double>& scene, double largest_displacement, double tolerance) {
     if (scene.cubic == 0) return 1;
     const bool absolute = scene.cubic_form == job::CubicForm::absolute;
-    const double cart = absolute && scene.frequency > 0 ? 1 : 0;
+    const double cart = absolute ? scene.cart_reach() : 0;
     const double reach = largest_displacement + cart;
     const double share = 3 * std::abs(scene.cubic) * reach * reach;
     const double share_at_stop = 3 * std::abs(scene.cubic) * reach * (std::abs(scene.gap) + cart);

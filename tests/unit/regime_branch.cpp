@@ -145,8 +145,8 @@ TEST(Branch, SamplesAreTheWholeOrbit) {
         ASSERT_EQ(motion.touches.values().size(), static_cast<std::size_t>(cell.impacts));
         EXPECT_EQ(motion.stroboscopic.values().front()[0], cell.orbit_displacement);  // gap 0
         EXPECT_EQ(motion.stroboscopic.values().front()[1], cell.orbit_velocity);
-        const auto fastest =
-            std::ranges::max_element(motion.touches.values(), {}, &trajectory::Touch<double>::speed);
+        const auto touches = motion.touches.values();
+        const auto fastest = std::ranges::max_element(touches, {}, &trajectory::Touch<double>::speed);
         EXPECT_NEAR(fastest->speed, cell.impact_speed, 1e-12 * cell.impact_speed);
         doubled += cell.period > 1 ? 1 : 0;
     }
@@ -161,7 +161,7 @@ TEST(Branch, TouchesLieOnTheOrbit) {
     const scene::Scene scene(job);
     const auto oscillator = scene.cell(0, 0).oscillator;
     ASSERT_TRUE(is(points[0].cell, 1, 1));
-    const auto& touch = points[0].motion.touches.values().front();
+    const auto touch = points[0].motion.touches.values().front();
     const double phase = touch.phase;
     ASSERT_GT(phase, 0);
     ASSERT_LT(phase, 2 * std::numbers::pi);

@@ -66,10 +66,6 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
     return results;
 }
 
-bool same_label(const CellResult& a, const CellResult& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
-}
-
 // All numbers that a file may hold.
 std::vector<double> numbers(const CellResult& c) {
     return {static_cast<double>(c.regime),

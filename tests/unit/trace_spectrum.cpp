@@ -18,14 +18,15 @@ using Complex = std::complex<double>;
 // The stop holds the hammer at a constant depth for a while: a rectangular pulse of force.
 TEST(Spectrum, OfARectangularPulse) {
     const scene::Oscillator<double> scene{.contact = scene::KelvinVoigt<double>{7, 0}, .frequency = 1};
-    Transform transform(scene, 1, 5, 40);
+    Transform transform(scene, 1, 5, 0.1, 401);
     transform.stretch(Phase::flight, 0, 2, [](double) { return State<double>(-1, 0); });
     transform.stretch(Phase::contact, 2, 0.5, [](double) { return State<double>(1, 0); });
-    for (const double w : {0.0, 0.3, 5.0, 40.0}) {
+    for (const std::size_t n : {0, 3, 50, 400}) {
+        const double w = 0.1 * static_cast<double>(n);
         const Complex expected = w == 0 ? 3.5
                                         : 7.0 * std::polar(1.0, -w * 1.25) * 2.0 * std::sin(w * 0.25) /
                                               w;  // begins 1 after the part
-        EXPECT_LT(std::abs(transform.at(w).force - expected), 1e-12) << w;
+        EXPECT_LT(std::abs(transform.lines()[n].force - expected), 1e-12) << w;
     }
 }
 
@@ -33,13 +34,13 @@ TEST(Spectrum, OfARectangularPulse) {
 TEST(Spectrum, OfASine) {
     const scene::Oscillator<double> scene{.contact = scene::KelvinVoigt<double>{1, 0}, .gap = 10};
     const double length = 7;
-    Transform transform(scene, 0, length, 20);
+    Transform transform(scene, 0, length, 0.1, 200);
     transform.stretch(Phase::flight, 0, 9,
                       [](double t) { return State<double>(std::cos(t) - 10, -std::sin(t)); });
     const auto swing = [&](double w) {  // integral of exp(i w t)
         return w == 0 ? Complex(length) : (std::polar(1.0, w * length) - 1.0) / Complex(0, w);
     };
-    const auto lines = transform.on_grid(0.1, 200);
+    const auto& lines = transform.lines();
     for (const int n : {0, 3, 10, 77, 199}) {
         const double w = 0.1 * n;
         const Complex expected = -(swing(1 - w) + swing(-1 - w)) / 2.0;
@@ -77,6 +78,21 @@ TEST(Spectrum, OfAnOrbitObeysTheEquationOfMotion) {
     for (std::size_t n = 0; n < 2; ++n) impulses += trace.impacts[n].record.impulse;
     EXPECT_NEAR(spectrum.force[0], impulses / (2 * scene.period()), 1e-9 * spectrum.force[0]);
     EXPECT_NEAR(spectrum.acceleration[0], 0, 1e-8 * spectrum.force[0]);
+}
+
+// z = 1/1 on a rigid stop, r = 0.6 and zeta = 0.02: its speed at touch is known in closed form.
+TEST(Spectrum, OfImpulses) {
+    job::Job job = alternating();
+    job.hammer.damping_ns_per_m.reset();
+    job.hammer.damping_ratio = 0.02;
+    job.contact = job::Restitution{0.6};
+    job.operating_point = {2, 0};
+    const Trace trace = make_trace(scene::Scene(job));
+    ASSERT_EQ(trace.course.period, 1);
+    const double impulse = 1.6 * 11.841323894932;
+    EXPECT_NEAR(trace.spectrum.force[0], impulse / trace.course.scene.period(), 1e-9);
+    EXPECT_NEAR(trace.spectrum.force[7], 2 * impulse / trace.course.scene.period(), 1e-9);
+    EXPECT_NEAR(trace.spectrum.acceleration[0], 0, 1e-9);
 }
 
 TEST(Spectrum, OfAnImpactBeginsWithItsImpulse) {
