@@ -22,6 +22,7 @@ class Toll:
     kills: Counter = field(default_factory=Counter)  # by victim
     maps: int = 0  # that came to their end
     before_the_file: int = 0  # kills before there was a file
+    half_done: int = 0  # kills that met a file with some tiles done, and some not
     unreadable: int = 0
     wrong_tiles: int = 0  # marked as done, and not what they should be
     different_maps: int = 0
@@ -70,6 +71,7 @@ def look(file, whole, toll):
         toll.before_the_file += 1
         return
     try:
+        toll.half_done += 0 < map_contents.done_tiles(file) < map_contents.tile_count(file)
         toll.wrong_tiles += map_contents.wrong_tiles(file, whole)
     except OSError:
         toll.unreadable += 1
@@ -96,4 +98,5 @@ def campaign(folder, whole, kills, random):
         else:
             finish(folder, whole, toll)
     finish(folder, whole, toll)
+    assert toll.half_done > 0, toll  # else nothing was tried
     return toll

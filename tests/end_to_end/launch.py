@@ -8,18 +8,17 @@ BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
 MPIEXEC = os.environ.get("MPIEXEC", "mpirun")
 DEALING_CHECK = BINARY.with_name("dealing_check")
 
-# More ranks than cores, as root, in a container: what Open MPI wants to be told before it allows that.
-MPI_SETTINGS = {
-    "OMPI_ALLOW_RUN_AS_ROOT": "1",
-    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-    "OMPI_MCA_rmaps_base_oversubscribe": "1",
-    "OMPI_MCA_hwloc_base_binding_policy": "none",
-    "OMPI_MCA_mpi_yield_when_idle": "1",
-    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-    "PMIX_MCA_gds": "hash",
-}
-ENVIRONMENT = os.environ | MPI_SETTINGS
+MPI_SETTINGS = Path(__file__).parents[2] / "jobs" / "mpi_environment.sh"
 HANGING = 300  # seconds after which a run is taken to hang
+
+
+def environment():
+    """The environment of a shell that has sourced jobs/mpi_environment.sh, as users do before mpirun."""
+    shell = subprocess.run(["sh", "-c", '. "$0" && env -0', MPI_SETTINGS], capture_output=True, text=True, check=True)
+    return dict(entry.split("=", 1) for entry in shell.stdout.split("\0") if entry)
+
+
+ENVIRONMENT = environment()
 
 
 def command(*arguments, ranks=None, binary=BINARY):

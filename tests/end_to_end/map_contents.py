@@ -37,14 +37,18 @@ def tile_count(path):
 
 
 def tile_of_cells(file):
-    """The number of the tile in which each cell lies."""
+    """The number of the tile in which each cell lies; in a sweep the branch."""
     rows, columns = file["regime"].shape
+    if "direction" in file:
+        return np.repeat(np.arange(rows)[:, None], columns, axis=1)
     across = -(-columns // TILE)
     return np.arange(rows)[:, None] // TILE * across + np.arange(columns) // TILE
 
 
 def cell_fields(file):
-    return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape == file["regime"].shape]
+    """Names of what is stored for each cell, be it a number or several."""
+    cells = file["regime"].shape
+    return [name for name in file if isinstance(file[name], h5py.Dataset) and file[name].shape[:2] == cells]
 
 
 def wrong_tiles(path, expected):
@@ -53,7 +57,7 @@ def wrong_tiles(path, expected):
         tile = tile_of_cells(file)
         differs = np.zeros(tile.shape, dtype=bool)
         for name in cell_fields(whole):
-            one, other = (array[name][()][..., None].view(np.uint8) for array in (file, whole))
+            one, other = (array[name][()][..., None].view(np.uint8).reshape(*tile.shape, -1) for array in (file, whole))
             differs |= (one != other).any(axis=-1)
         done = file["tiles/done"][()] == 1
         return len(np.unique(tile[differs & done[tile]]))

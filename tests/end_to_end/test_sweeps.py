@@ -57,6 +57,19 @@ def test_a_stop_in_the_middle_of_a_branch_drops_it(tmp_path, long_sweep_file):
     map_contents.assert_same_map(tmp_path / "job.h5", long_sweep_file)
 
 
+@pytest.mark.parametrize("missing", [[4], [0, 1, 3, 5]])
+def test_a_half_done_sweep_is_completed(tmp_path, small_sweep_file, missing):
+    jobs.write(tmp_path, jobs.small_sweep())
+    path = shutil.copy(small_sweep_file, tmp_path / "job.h5")
+    map_contents.take_out(path, missing)
+    assert map_contents.wrong_tiles(path, small_sweep_file) == 0  # what is marked as done is still right
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=3)
+    assert finished.returncode == 0, finished.stderr
+    there = 6 - len(missing)
+    assert f"{41 * len(missing)} cells to compute, {41 * there} already in the file" in finished.stderr
+    map_contents.assert_same_map(path, small_sweep_file)
+
+
 @pytest.mark.parametrize("name", ["peak_force_ratio", "stroboscopic_displacement"])
 def test_a_damaged_branch_is_computed_again(tmp_path, small_sweep_file, name):
     jobs.write(tmp_path, jobs.small_sweep())
