@@ -24,11 +24,17 @@ row "two hosts, 2 ranks on each, over TCP" 1 "the same bytes as on one host"
 broken_by() {
     rm -f "$folder/map.h5"
     mpirun_on_both "$PETERKA_BINARY" "${job[@]}" --output "$folder/map.h5" >"$folder/log" 2>&1 &
-    until grep -q "cells to compute" "$folder/log"; do sleep 0.1; done
-    local begin=$SECONDS
+    local begin=$SECONDS code=0
+    until grep -q "cells to compute" "$folder/log"; do
+        [ $((SECONDS - begin)) -lt 60 ] || { echo "the run doesn't begin:" >&2; cat "$folder/log" >&2; return 1; }
+        sleep 0.1
+    done
+    begin=$SECONDS
     "$@"
-    wait $! && { echo "the run was over before it could be broken" >&2; return 1; }
+    wait $! || code=$?
     seconds=$((SECONDS - begin))
+    [ $code != 0 ] || { echo "the run was over before it could be broken" >&2; return 1; }
+    [ $code != 124 ] || { echo "the broken run hangs" >&2; return 1; }
 }
 
 for try in 1 2 3; do

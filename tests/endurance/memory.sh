@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# valgrind, with Open MPI's suppressions: runs with each engine, a resumed run, a basin, and the tests on several ranks.
+# valgrind, with Open MPI's suppressions: runs with each engine, a resumed run, a basin, and the tests on several ranks,
+# if they were built: then they lie in tests/ beside the program.
 set -euo pipefail
 command -v valgrind >/dev/null || { echo "skipped: valgrind is missing"; exit 77; }
 suppressions=$(find /usr/share -name openmpi-valgrind.supp | head -n 1)
@@ -32,8 +33,12 @@ checked 0 "$PETERKA_BINARY" run jobs/basin_150mm_coexisting.toml --set axes.disp
     --set axes.velocity_ratio.points=12 --quiet --output "$folder/basin.h5"
 checked 2 "$PETERKA_BINARY" run jobs/smoke.toml --set hammer.mass_kg=-1
 tests=$(dirname "$PETERKA_BINARY")/tests/mpi_tests
-[ ! -x "$tests" ] || checked 0 "$tests" --gtest_brief=1
+of_tests="the MPI tests not tried: they were not built"
+if [ -x "$tests" ]; then
+    checked 0 "$tests" --gtest_brief=1
+    of_tests="the MPI tests"
+fi
 
-echo "valgrind on 2 ranks: every engine, resume, refinement, audit, basin, a bad job | $runs | \
+echo "valgrind on 2 ranks: every engine, resume, refinement, audit, basin, a bad job; $of_tests | $runs | \
 $((runs - wrong)) without any error" >>"$ENDURANCE_ROWS"
 [ $wrong = 0 ]

@@ -15,8 +15,13 @@ start_cluster "$folder"
 
 field() { scontrol show job "$id" | grep -o "$1=[^ ]*" | cut -d= -f2; }
 until_true() {
+    local deadline=$((SECONDS + 300))
     until "$@"; do
-        if [ "$(field JobState)" = FAILED ]; then cat "$folder/log" >&2; exit 1; fi
+        if [ "$(field JobState)" = FAILED ] || [ $SECONDS -gt $deadline ]; then
+            echo "waited for '$*'; the job is $(field JobState)" >&2
+            cat "$folder/log" >&2
+            exit 1
+        fi
         sleep 0.2
     done
 }
