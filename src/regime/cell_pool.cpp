@@ -29,6 +29,7 @@ struct CellPool::Cell {
     CycleDesk desk;
     std::vector<FoundAttractor> found;
     Task<CellResult> search;
+    std::size_t served = 0;      // cycles of the order that waits
     std::int64_t engine = 0;     // of desk.engines_used(): that for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
@@ -144,12 +145,15 @@ void CellPool::advance(Group& group) {
 
 void CellPool::serve(Group& group, std::size_t slot) {
     Cell& cell = *group.cells[slot];
-    const trajectory::Cycle<double> cycle = group.map.cycle(slot);
+    const CycleOrder& order = cell.desk.order();
+    trajectory::Cycle<double>& cycle = order.into[cell.served++];
+    cycle = group.map.cycle(slot);
     if (group.measures) {
-        cell.desk.order().recorder->cycle(cycle.impacts, group.map.peak_force(slot),
-                                          group.map.displacement_bound(slot));
+        order.recorder->cycle(cycle.impacts, group.map.peak_force(slot), group.map.displacement_bound(slot));
     }
-    cell.desk.serve(cycle);
+    const bool failed = cycle.outcome != trajectory::Cycle<double>::Outcome::done;
+    if (!failed && cell.served < order.into.size()) return;
+    cell.desk.serve(std::exchange(cell.served, 0));
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
     if (cell.wants_measure() != group.measures) return move(group, slot);

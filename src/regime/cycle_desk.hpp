@@ -1,11 +1,13 @@
 // Where a search leaves its orders of forcing cycles, and whoever has an engine serves them.
 //
-// A search is written as if it integrated by itself, but pauses at every cycle: so one engine can carry a
+// A search is written as if it integrated by itself, but pauses at every order: so one engine can carry a
 // thousand searches at once (regime/cell_pool.hpp), and another one alone (regime/scalar_engine.hpp).
 #pragma once
 
 #include <coroutine>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "regime/engine.hpp"
@@ -15,11 +17,12 @@
 
 namespace peterka::regime {
 
-// One forcing cycle from a state (delta, delta') at forcing phase 0; a recorder gathers what happens on the
-// way.
+// Forcing cycles in a row, from a state (delta, delta') at forcing phase 0; a recorder gathers what happens on
+// the way. Each cycle has its place in `into`; after one that fails there are no more.
 struct CycleOrder {
     scene::State<double> from;
     trajectory::Recorder<double>* recorder = nullptr;
+    std::span<trajectory::Cycle<double>> into;
 };
 
 class CycleDesk {
@@ -31,16 +34,16 @@ class CycleDesk {
         ++engines_used_;
     }
 
-    // co_await desk.cycle(order) gives a trajectory::Cycle<double>.
-    [[nodiscard]] auto cycle(const CycleOrder& order) {
+    // co_await desk.cycles(order) gives what was served of order.into.
+    [[nodiscard]] auto cycles(const CycleOrder& order) {
         struct Served {
             CycleDesk* desk;
             [[nodiscard]] bool await_ready() const noexcept { return false; }
             void await_suspend(std::coroutine_handle<> searching) const noexcept {
                 desk->searching_ = searching;
             }
-            [[nodiscard]] const trajectory::Cycle<double>& await_resume() const noexcept {
-                return *desk->answer_;
+            [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const noexcept {
+                return desk->order_.into.first(desk->served_);
             }
         };
         order_ = order;
@@ -52,9 +55,9 @@ class CycleDesk {
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // another number: another engine
     [[nodiscard]] const CycleOrder& order() const { return order_; }
-    // The search goes on up to its next order, or to its end.
-    void serve(const trajectory::Cycle<double>& answer) {
-        answer_ = &answer;
+    // So many cycles are in their places: the search goes on up to its next order, or to its end.
+    void serve(std::size_t cycles) {
+        served_ = cycles;
         std::exchange(searching_, {}).resume();
     }
 
@@ -63,7 +66,7 @@ class CycleDesk {
     EngineSettings settings_;
     std::int64_t engines_used_ = 0;
     CycleOrder order_;
-    const trajectory::Cycle<double>* answer_ = nullptr;  // while a search is being served
+    std::size_t served_ = 0;  // of the last order
     std::coroutine_handle<> searching_;
 };
 

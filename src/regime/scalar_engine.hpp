@@ -1,6 +1,7 @@
-// Serves one search with one engine: the plain way, cycle by cycle.
+// Serves one search with one engine: the plain way, order by order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -19,11 +20,22 @@ class ScalarEngine {
             map_.emplace(make_cycle_map(desk.scene(), desk.settings()));
             engine_ = desk.engines_used();
         }
-        const CycleOrder& order = desk.order();
-        desk.serve(std::visit([&](auto& map) { return map(order.from, order.recorder); }, *map_));
+        desk.serve(std::visit([&](auto& map) { return serve(desk.order(), map); }, *map_));
     }
 
   private:
+    template <class Map>
+    static std::size_t serve(const CycleOrder& order, Map& map) {
+        const scene::State<double>* from = &order.from;
+        for (std::size_t n = 0; n < order.into.size(); ++n) {
+            trajectory::Cycle<double>& cycle = order.into[n];
+            cycle = map(*from, order.recorder);
+            if (cycle.outcome != trajectory::Cycle<double>::Outcome::done) return n + 1;
+            from = &cycle.end;
+        }
+        return order.into.size();
+    }
+
     std::optional<CycleMap> map_;
     std::int64_t engine_ = 0;
 };
@@ -31,11 +43,11 @@ class ScalarEngine {
 // Runs a search to its end, or until carry_on, asked every now and then, says to give up: then false.
 template <class Result>
 bool run(const Task<Result>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
-    constexpr int cycles_between_questions = 256;
+    constexpr int orders_between_questions = 64;
     ScalarEngine engine;
     search.start();
-    for (std::int64_t cycle = 0; !search.done(); ++cycle) {
-        if (cycle % cycles_between_questions == 0 && !carry_on()) return false;
+    for (std::int64_t order = 0; !search.done(); ++order) {
+        if (order % orders_between_questions == 0 && !carry_on()) return false;
         engine.serve(desk);
     }
     return true;

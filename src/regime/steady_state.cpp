@@ -1,9 +1,11 @@
 #include "regime/steady_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "regime/growth.hpp"
@@ -42,12 +44,15 @@ struct Touches {
     Cycle<double>::Outcome outcome = Cycle<double>::Outcome::done;  // of the first cycle that failed
 };
 
+bool is_conservative(const scene::Oscillator<double>& scene) {
+    return scene.damping_ratio == 0 && scene::is_lossless(scene.contact);
+}
+
 class Search {
   public:
     Search(const scene::Oscillator<double>& scene, const scene::State<double>& start, const Budget& budget,
            const EngineSettings& engine, Measures measures, const AttractorTable* known, CycleDesk& desk)
         : scene_(scene),
-          budget_(budget),
           map_(scene, engine, desk),
           known_(known != nullptr ? known->of(scene, engine) : nullptr),
           settling_(map_),
@@ -56,8 +61,13 @@ class Search {
           window_(measures.detail, touch_log(measures)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
           chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
+          last_cycle_(is_conservative(scene) ? std::min(budget.chaos_cycles, budget.max_cycles)
+                                             : budget.max_cycles),
+          several_from_(measures.force_per_cycle || measures.motion != nullptr
+                            ? std::numeric_limits<std::int64_t>::max()
+                            : 40),
           measures_(measures),
-          conservative_(scene.damping_ratio == 0 && scene::is_lossless(scene.contact)) {
+          conservative_(is_conservative(scene)) {
         forget_motion();
     }
 
@@ -73,11 +83,15 @@ class Search {
             if (const auto contact = settling_.stays_in_contact(state)) {
                 co_return co_await settled(*contact, Regime::sustained_contact);
             }
-            const bool ends = cycle == budget_.max_cycles || (conservative_ && cycle == budget_.chaos_cycles);
-            if (ends)
-                co_return unproved(Regime::unresolved, conservative_ ? Status::conservative : Status::budget);
             const bool counts = cycle >= measure_from_;
-            const Passage passage = co_await map_.cycle(state_, counts ? &window_ : nullptr);
+            if (ahead_.empty()) {
+                if (cycle == last_cycle_)
+                    co_return unproved(Regime::unresolved,
+                                       conservative_ ? Status::conservative : Status::budget);
+                ahead_ = co_await map_.cycles(state_, counts ? &window_ : nullptr, room_from(cycle));
+            }
+            const Passage passage = map_.passage(ahead_.front());
+            ahead_ = ahead_.subspan(1);
             if (!passage.ok) co_return failed(passage.outcome);
             state_ = passage.end;
             if (passage.touched) last_touched_ = cycle + 1;
@@ -98,14 +112,23 @@ class Search {
             }
             const bool repeats =
                 growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
-            if (cycle + 1 >= chaos_from_ && !repeats && growth_.block_just_closed() &&
-                growth_.surely_positive()) {
+            grows_ |= growth_.block_just_closed() && growth_.surely_positive();
+            if (!ahead_.empty()) continue;
+            if (cycle + 1 >= chaos_from_ && !repeats && grows_)
                 co_return unproved(Regime::chaotic, Status::proved);
-            }
+            grows_ = false;
         }
     }
 
   private:
+    // A motion that didn't settle at once is carried on by a few cycles at a time.
+    std::span<Cycle<double>> room_from(std::int64_t cycle) {
+        const auto most = static_cast<std::int64_t>(room_.size());
+        if (cycle < several_from_) return std::span(room_).first(1);
+        const std::int64_t turn = cycle < measure_from_ ? std::min(measure_from_, last_cycle_) : last_cycle_;
+        return std::span(room_).first(static_cast<std::size_t>(std::min(most - cycle % most, turn - cycle)));
+    }
+
     // Tests with the cycles already there first. True: that is proof enough.
     bool converged(const PeriodicOrbit& orbit) {
         const std::int64_t q = orbit.period;
@@ -307,7 +330,6 @@ class Search {
     }
 
     scene::Oscillator<double> scene_;
-    Budget budget_;
     StroboscopicMap map_;
     const AttractorTable::OfOneMap* known_;  // nullptr: none
     Settling settling_;
@@ -323,6 +345,11 @@ class Search {
     std::int64_t last_touched_ = 0;  // cycle of the trajectory, the first being 1; 0: none
     std::int64_t measure_from_;
     std::int64_t chaos_from_;
+    std::int64_t last_cycle_;
+    std::int64_t several_from_;  // so many cycles at a time; what is measured of each wants them one by one
+    std::array<Cycle<double>, 5> room_;
+    std::span<const Cycle<double>> ahead_;  // integrated, and not looked at yet
+    bool grows_ = false;                    // since the last order
     Measures measures_;
     bool conservative_;
 };

@@ -1,11 +1,13 @@
 // The stroboscopic map as the decision procedure sees it: scaled to states of order one, and counting its
-// cycles. Whoever serves the desk integrates them.
+// cycles. Whoever serves the desk integrates them. Scales are powers of two, so that scaling changes no digit.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <coroutine>
 #include <cstdint>
+#include <span>
 
 #include "regime/cycle_desk.hpp"
 #include "trajectory/contact_rates.hpp"
@@ -35,7 +37,7 @@ class StroboscopicMap {
     StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings, CycleDesk& desk)
         : desk_(&desk), scene_(scene), settings_(settings) {
         const double length = trajectory::response_length(scene);
-        scale_ = {length, length * std::max(1.0, scene.frequency)};
+        scale_ = {power_of_two(length), power_of_two(length * std::max(1.0, scene.frequency))};
         per_scale_ = scale_.cwiseInverse();
         desk.use(scene, settings);
     }
@@ -60,16 +62,34 @@ class StroboscopicMap {
 
     // co_await map.cycle(from) gives the Passage of one cycle.
     [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
-        using Served = decltype(desk_->cycle({}));
-        struct Scaled : Served {
-            const StroboscopicMap* map;
-            [[nodiscard]] Passage await_resume() const { return map->passage(Served::await_resume()); }
+        struct Scaled {
+            StroboscopicMap* map;
+            scene::State<double> from;
+            Recorder<double>* recorder;
+            trajectory::Cycle<double> cycle;
+            [[nodiscard]] bool await_ready() const noexcept { return false; }
+            void await_suspend(std::coroutine_handle<> searching) {
+                map->desk_->cycles({from, recorder, {&cycle, 1}}).await_suspend(searching);
+            }
+            [[nodiscard]] Passage await_resume() const { return map->passage(cycle); }
         };
         ++spent_;
-        return Scaled{desk_->cycle({unscaled(from), recorder}), this};
+        return Scaled{this, unscaled(from), recorder, {}};
     }
-
-  private:
+    // co_await map.cycles(from, recorder, into) gives cycles in a row; passage() tells of each.
+    [[nodiscard]] auto cycles(const Point& from, Recorder<double>* recorder,
+                              std::span<trajectory::Cycle<double>> into) {
+        using Served = decltype(desk_->cycles({from, recorder, into}));
+        struct Counted : Served {
+            StroboscopicMap* map;
+            [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const {
+                const auto cycles = Served::await_resume();
+                map->spent_ += static_cast<std::int64_t>(cycles.size());
+                return cycles;
+            }
+        };
+        return Counted{desk_->cycles({unscaled(from), recorder, into}), this};
+    }
     [[nodiscard]] Passage passage(const trajectory::Cycle<double>& cycle) const {
         return {cycle.outcome == trajectory::Cycle<double>::Outcome::done,
                 cycle.outcome,
@@ -79,6 +99,9 @@ class StroboscopicMap {
                 cycle.touched,
                 cycle.separated};
     }
+
+  private:
+    static double power_of_two(double size) { return std::exp2(std::round(std::log2(size))); }
 
     CycleDesk* desk_;
     scene::Oscillator<double> scene_;

@@ -48,11 +48,18 @@ CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = O
     const auto search = find_steady_state(desk, cell.scene, testing::start_at(cell.scene), {}, cell.settings,
                                           {cell.detail}, {});
     search.start();
-    for (std::int64_t n = 0; !search.done(); ++n) {
+    for (std::int64_t n = 0; !search.done();) {
         const CycleOrder& order = desk.order();
-        desk.serve(n == broken
-                       ? broken_cycle(outcome)
-                       : std::visit([&](auto& engine) { return engine(order.from, order.recorder); }, map));
+        scene::State<double> from = order.from;
+        std::size_t served = 0;
+        for (bool goes_on = true; goes_on && served < order.into.size(); ++n, ++served) {
+            Cycle<double>& cycle = order.into[served];
+            cycle = n == broken ? broken_cycle(outcome)
+                                : std::visit([&](auto& engine) { return engine(from, order.recorder); }, map);
+            from = cycle.end;
+            goes_on = cycle.outcome == Outcome::done;
+        }
+        desk.serve(served);
     }
     return search.result();
 }

@@ -21,7 +21,7 @@ TEST(Spectrum, OfARectangularPulse) {
     Transform transform(scene, 1, 5, 0.1, 401);
     transform.stretch(Phase::flight, 0, 2, [](double) { return State<double>(-1, 0); });
     transform.stretch(Phase::contact, 2, 0.5, [](double) { return State<double>(1, 0); });
-    for (const std::size_t n : {0, 3, 50, 400}) {
+    for (const std::size_t n : {0U, 3U, 50U, 400U}) {
         const double w = 0.1 * static_cast<double>(n);
         const Complex expected = w == 0 ? 3.5
                                         : 7.0 * std::polar(1.0, -w * 1.25) * 2.0 * std::sin(w * 0.25) /
