@@ -8,7 +8,6 @@ pictures/, and as claims.html in one file. A claim whose file is missing is list
 Exit codes: 0 done, whatever the verdicts; 2 a file cannot be read; 3 the page cannot be written.
 """
 
-import argparse
 import os
 import shutil
 import sys
@@ -16,7 +15,6 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-from draw import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser  # noqa: E402
 from peterka_claims import starts_picture  # noqa: E402
 from peterka_claims.claims import all_claims  # noqa: E402
 from peterka_claims.folder import Folder  # noqa: E402
@@ -25,6 +23,7 @@ from peterka_claims.markdown import markdown  # noqa: E402
 from peterka_claims.page import Pictures, blocks  # noqa: E402
 from peterka_claims.sensitivity import rows  # noqa: E402
 from peterka_pictures import axes  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.read import PeterkaFile  # noqa: E402
 
@@ -53,7 +52,7 @@ def main():
 
 
 def read_arguments():
-    parser = OneLineParser(prog="claims.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLineParser(__doc__)
     parser.add_argument("folder", metavar="FOLDER", type=Path)
     parser.add_argument("--page", metavar="DIR", type=Path)
     arguments = parser.parse_args()
@@ -78,10 +77,6 @@ def write(text, pictures, page):
                 shutil.copyfile(pictures / f"{name}.png", page / "pictures" / f"{name}.png")
     (page / "claims.md").write_text(markdown(text, "pictures"), encoding="utf-8")
     (page / "claims.html").write_text(html(text, pictures), encoding="utf-8")
-
-
-def complain(message):
-    print(f"claims.py: {' '.join(str(message).split())}", file=sys.stderr)
 
 
 if __name__ == "__main__":

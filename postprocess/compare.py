@@ -9,15 +9,16 @@ Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or thei
 written.
 """
 
-import argparse
 import os
 import sys
 from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-from draw import BAD_INPUT, BAD_OUTPUT, DONE, FORMATS, OneLineParser, read_formats, tell  # noqa: E402
-from peterka_pictures import axes, comparison, comparison_map  # noqa: E402
+from peterka_pictures import comparison, comparison_map  # noqa: E402
+from peterka_pictures.command_line import (  # noqa: E402
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,
+)
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.read import PeterkaFile  # noqa: E402
 
@@ -33,29 +34,20 @@ def main():
         complain(refusal)
         return BAD_INPUT
     try:
-        arguments.output_dir.mkdir(parents=True, exist_ok=True)
-        for suffix in arguments.formats:
-            picture = arguments.output_dir / f"{arguments.first.stem}_against_{arguments.second.stem}.{suffix}"
-            axes.save(figure, picture)
-            tell(picture)
+        name = f"{arguments.first.stem}_against_{arguments.second.stem}"
+        save_all(figure, arguments.output_dir, name, arguments.formats)
     except OSError as error:
-        complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+        complain_of_folder(arguments.output_dir, error)
         return BAD_OUTPUT
     return DONE
 
 
 def read_arguments():
-    parser = OneLineParser(prog="compare.py", description=__doc__,
-                           formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLineParser(__doc__)
     parser.add_argument("first", metavar="A.h5", type=Path)
     parser.add_argument("second", metavar="B.h5", type=Path)
-    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
-    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    parser.add_picture_arguments()
     return parser.parse_args()
-
-
-def complain(message):
-    print(f"compare.py: {' '.join(str(message).split())}", file=sys.stderr)
 
 
 if __name__ == "__main__":

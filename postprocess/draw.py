@@ -25,17 +25,12 @@ from pathlib import Path
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from peterka_pictures import axes  # noqa: E402
+from peterka_pictures.command_line import (  # noqa: E402
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,
+)
 from peterka_pictures.measured import Measurements, read_measurements  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.pictures import open_file, picture_name, pictures_of  # noqa: E402
-
-FORMATS = ("png", "pdf")
-DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
-
-
-class OneLineParser(argparse.ArgumentParser):
-    def error(self, message):
-        self.exit(BAD_INPUT, f"{self.prog}: {message}; --help shows the arguments\n")
 
 
 def main():
@@ -49,16 +44,15 @@ def main():
             complain(refusal)
             outcome = outcome or BAD_INPUT
         except OSError as error:
-            complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+            complain_of_folder(arguments.output_dir, error)
             return BAD_OUTPUT
     return outcome
 
 
 def read_arguments():
-    parser = OneLineParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
-    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
-    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    parser.add_picture_arguments()
     parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep; peterka_pictures/measured.py names the columns")
@@ -69,13 +63,6 @@ def read_arguments():
     return arguments
 
 
-def read_formats(text):
-    formats = text.split(",")
-    if not set(formats) <= set(FORMATS):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
-    return formats
-
-
 def read_cycles(text):
     if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
         raise argparse.ArgumentTypeError(f"'{text}' is not a number of forcing cycles")
@@ -83,7 +70,6 @@ def read_cycles(text):
 
 
 def draw_file(path, arguments):
-    output_dir, formats = arguments.output_dir, arguments.formats
     with open_file(path) as file:
         measured = Measurements([], [])
         if arguments.measured:
@@ -92,31 +78,15 @@ def draw_file(path, arguments):
             tell(sentence)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        output_dir.mkdir(parents=True, exist_ok=True)
         for name, draw in pictures_of(file, arguments.after, measured).items():
             figure = draw(file)
             if figure is None:
                 tell(f"{path}: no value to draw, {name} is left out")
                 continue
-            for suffix in formats:
-                picture = output_dir / f"{picture_name(file, name)}.{suffix}"
-                axes.save(figure, picture)
-                tell(picture)
+            save_all(figure, arguments.output_dir, picture_name(file, name), arguments.formats)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
             del figure
             gc.collect()
-
-
-def tell(line):
-    """Prints a line; who reads the list only in part (draw.py ... | head) gets all pictures nevertheless."""
-    try:
-        print(line, flush=True)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def complain(message):
-    print(f"draw.py: {' '.join(str(message).split())}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ The pictures of the studies must lie in DIR, where draw.py put them; those that 
 Exit codes: 0 done; 2 a file cannot be read; 3 the page cannot be written.
 """
 
-import argparse
 import os
 import shutil
 import sys
@@ -17,14 +16,13 @@ from pathlib import Path
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from peterka_pictures import results_page  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.pictures import open_file  # noqa: E402
 
-DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
-
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_argument("--page", metavar="PAGE.md", type=Path, required=True)
     parser.add_argument("--pictures", metavar="DIR", type=Path, required=True)
@@ -35,10 +33,10 @@ def main():
             text, pictures = results_page.page(files), results_page.pictures(files)
         write(text, pictures, arguments.page, arguments.pictures)
     except NotDrawable as refusal:
-        print(f"results.py: {refusal}", file=sys.stderr)
+        complain(refusal)
         return BAD_INPUT
     except OSError as error:
-        print(f"results.py: cannot write the page: {error.filename}: {error.strerror}", file=sys.stderr)
+        complain(f"cannot write the page: {error.filename}: {error.strerror or error}")
         return BAD_OUTPUT
     return DONE
 

@@ -19,8 +19,10 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-from draw import BAD_INPUT, BAD_OUTPUT, DONE, FORMATS, OneLineParser, read_formats, tell  # noqa: E402
-from peterka_pictures import axes, remedies, scaling  # noqa: E402
+from peterka_pictures import remedies, scaling  # noqa: E402
+from peterka_pictures.command_line import (  # noqa: E402
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,
+)
 from peterka_pictures.dealing import Machine  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.run_record import read_record  # noqa: E402
@@ -45,21 +47,16 @@ def main():
     if arguments.remedies:
         tell(remedies.text(record, curves, machine))
     try:
-        arguments.output_dir.mkdir(parents=True, exist_ok=True)
         figure = scaling.draw(record, curves, measured, machine)
-        for suffix in arguments.formats:
-            picture = arguments.output_dir / f"{arguments.file.stem}_scaling.{suffix}"
-            axes.save(figure, picture)
-            tell(picture)
+        save_all(figure, arguments.output_dir, f"{arguments.file.stem}_scaling", arguments.formats)
     except OSError as error:
-        complain(f"cannot write into {arguments.output_dir}: {error.strerror or error}")
+        complain_of_folder(arguments.output_dir, error)
         return BAD_OUTPUT
     return DONE
 
 
 def read_arguments():
-    parser = OneLineParser(prog="scaling.py", description=__doc__,
-                           formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLineParser(__doc__)
     parser.add_argument("file", metavar="FILE.h5", type=Path)
     parser.add_argument("--measured", metavar="FILE.h5", nargs="+", type=Path, default=[])
     parser.add_argument("--cells", type=read_cells, default="1e6,1e8,1e10", help="default: 1e6,1e8,1e10")
@@ -69,8 +66,7 @@ def read_arguments():
         parser.add_argument(f"--{name}", metavar="US", type=microseconds, default=default,
                             help=f"{what} [µs], default: {default:g}")
     parser.add_argument("--remedies", action="store_true", help="compare ways out where rank 0 is too slow")
-    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
-    parser.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+    parser.add_picture_arguments()
     return parser.parse_args()
 
 
@@ -100,10 +96,6 @@ def number_in(text):
         return float(text)
     except ValueError:
         return float("nan")
-
-
-def complain(message):
-    print(f"scaling.py: {' '.join(str(message).split())}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -17,4 +17,5 @@ tile_costs, dealing   times of tiles, and the replay of their dealing to ranks
 run_record, scaling, remedies   parallel efficiency against ranks: what was measured, the picture, ways out
 results_page  the results page in Markdown
 pictures      which pictures a file gives
+command_line  what the programs share: exit codes, arguments, messages, saving
 """

@@ -1,5 +1,6 @@
-"""Makes the programs in postprocess/ importable and runs draw.py inside the test's process."""
+"""Makes the programs in postprocess/ importable and runs them inside the test's process."""
 
+import importlib
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,19 +25,30 @@ class Outcome:
 
 
 @pytest.fixture
-def draw(tmp_path, monkeypatch, capsys):
-    """Calls draw.py with these arguments and `tmp_path/out` as output folder."""
-    import draw as program
+def run_program(tmp_path, monkeypatch, capsys):
+    """Calls the program of this name in tmp_path: (exit code, stdout, stderr)."""
 
-    def run(*arguments):
-        output = tmp_path / "out"
-        monkeypatch.setattr(sys, "argv", ["draw.py", *map(str, arguments), "--output-dir", str(output)])
+    def run(name, *arguments):
+        program = importlib.import_module(name)
+        monkeypatch.chdir(tmp_path)
+        monkeypatch.setattr(sys, "argv", [f"{name}.py", *map(str, arguments)])
         try:
             code = program.main()
         except SystemExit as stop:
             code = stop.code
-        printed = capsys.readouterr()
+        return code, *capsys.readouterr()
+
+    return run
+
+
+@pytest.fixture
+def draw(tmp_path, run_program):
+    """Calls draw.py with these arguments and `tmp_path/out` as output folder."""
+
+    def run(*arguments):
+        output = tmp_path / "out"
+        printed = run_program("draw", *arguments, "--output-dir", output)
         names = sorted(path.name for path in output.iterdir()) if output.is_dir() else []
-        return Outcome(code, printed.out, printed.err, names)
+        return Outcome(*printed, names)
 
     return run

@@ -12,20 +12,9 @@ FORCES = [[10.0, 10, 10, 10], [10, 10, 10, 10], [10, 0, 0, 0], [0, 0, 0, 0]]
 
 
 @pytest.fixture
-def run_compare(tmp_path, monkeypatch, capsys):
+def run_compare(run_program):
     """Calls compare.py in tmp_path: (code, stdout, stderr)."""
-    import compare as program
-
-    def run(*arguments):
-        monkeypatch.chdir(tmp_path)
-        monkeypatch.setattr("sys.argv", ["compare.py", *map(str, arguments), "--formats", "png"])
-        try:
-            code = program.main()
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return run
+    return lambda *arguments: run_program("compare", *arguments, "--formats", "png")
 
 
 def changed(cells, **changes):

@@ -191,20 +191,9 @@ def test_the_picture_shows_the_replays_and_what_was_measured(tmp_path):
 
 
 @pytest.fixture
-def run_scaling(tmp_path, monkeypatch, capsys):
-    """Calls scaling.py inside the test's process, in tmp_path; returns its exit code, stdout and stderr."""
-    import scaling as program
-
-    def run(*arguments):
-        monkeypatch.chdir(tmp_path)
-        monkeypatch.setattr(sys, "argv", ["scaling.py", *map(str, arguments)])
-        try:
-            code = program.main()
-        except SystemExit as stop:
-            code = stop.code
-        return code, *capsys.readouterr()
-
-    return run
+def run_scaling(run_program):
+    """Calls scaling.py in tmp_path: (code, stdout, stderr)."""
+    return lambda *arguments: run_program("scaling", *arguments)
 
 
 def test_the_program_prints_a_table_and_draws(tmp_path):
