@@ -48,7 +48,7 @@ def compare(first, second):
     moves, ratios, places = Counter(), [], []
     for row, a, b in bands(first, second):
         both = there(a) & there(b)
-        codes = label_codes(a), label_codes(b)
+        codes = label_codes(**a), label_codes(**b)
         same = both & (codes[0] == codes[1])
         cells += int(both.sum())
         same_regime += int(np.sum(both & (a["regime"] == b["regime"])))
@@ -81,10 +81,10 @@ def there(band):
     return band["regime"] != NOT_COMPUTED
 
 
-def label_codes(band):
-    """A number for each label: the regime, or p and q of an orbit."""
-    orbits = _ORBIT + (band["impacts"].astype(np.int64) << 32) + band["period"]
-    return np.where(band["regime"] == PERIODIC, orbits, band["regime"])
+def label_codes(regime, impacts, period, **_):
+    """A number for each label: the regime, or p and q of an orbit. Arrays of one shape."""
+    orbits = _ORBIT + (impacts.astype(np.int64) << 32) + period
+    return np.where(regime == PERIODIC, orbits, regime)
 
 
 def has_lasting_force(a, b):

@@ -42,7 +42,7 @@ def _names(scale):
 
 
 def _kinds(a, b, scale):
-    same = label_codes(a) == label_codes(b)
+    same = label_codes(**a) == label_codes(**b)
     forced = same & has_lasting_force(a, b)
     difference = np.zeros(same.shape)
     difference[forced] = force_difference(b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced], scale)

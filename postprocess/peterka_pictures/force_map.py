@@ -8,8 +8,6 @@ from . import field_map
 from .classes import PERIODIC
 from .field_map import Field, Scale
 
-STANDARD_GRAVITY = 9.80665  # m/s^2
-
 
 def draw_single_impact(file):
     """Force where one impact comes in each forcing cycle; None where no cell has one."""
@@ -23,11 +21,10 @@ def draw_all_impacts(file):
 
 
 def _draw(file, carries, what, apart):
-    label, mass = f"peak force $F/(m\\,g)$, {what}", file.positive("hammer_mass_kg")
-    weight = (mass or 0) * STANDARD_GRAVITY
-    second = ("peak force (N)", weight) if mass else None
+    label, newtons = f"peak force $F/(m\\,g)$, {what}", file.newtons
+    second = ("peak force (N)", newtons) if newtons else None
 
     def text(force):
-        return f"{force:.3g}" + (f" ({force * weight:.3g} N)" if mass else "")
+        return f"{force:.3g}" + (f" ({force * newtons:.3g} N)" if newtons else "")
 
     return field_map.draw(file, Field("peak_force_ratio", carries, apart, lambda _: Scale(label, 1, text, second)))

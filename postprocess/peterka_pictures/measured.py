@@ -28,7 +28,6 @@ PAIRS = {
 COLUMNS = (*(name for pair in PAIRS.values() for name in pair), "natural_frequency_hz", "label")
 MAX_BYTES, MAX_LABEL = 2**24, 60
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
-STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 @dataclass(frozen=True)
@@ -118,8 +117,7 @@ def _check_names(path, names):
 def _factors(path, file, names):
     """Of each column in SI-like units: how many of them are a ratio of 1."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    mass = file.positive("hammer_mass_kg")
-    factors = {"frequency_hz": hertz, "force_n": mass and mass * STANDARD_GRAVITY,
+    factors = {"frequency_hz": hertz, "force_n": file.newtons,
                "displacement_mm": metres and 1000 * metres, "gap_mm": metres and 1000 * metres}
     for name in names:
         if name in factors and factors[name] is None:

@@ -9,11 +9,12 @@ import numpy as np
 
 from .checked_hdf5 import CheckedFile, NotDrawable, is_number, printable, shown
 
-__all__ = ["KINDS", "NotDrawable", "OpenedFile"]
+__all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
 LAYOUT = 1
 KINDS = ("map", "basin", "sweep", "trace", "study")
 TITLE_LENGTH = 160
+STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 class OpenedFile:
@@ -55,6 +56,12 @@ class OpenedFile:
         """The same for a number that must be above zero."""
         value = self.number(name)
         return value if value is not None and value > 0 else None
+
+    @property
+    def newtons(self):
+        """N in the hammer's weight; None where the file doesn't tell."""
+        mass = self.positive("hammer_mass_kg")
+        return mass * STANDARD_GRAVITY if mass else None
 
     def _checked_kind(self):
         layout, kind = self.data.attribute("peterka_layout"), self.data.attribute("peterka_kind")

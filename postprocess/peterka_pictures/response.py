@@ -7,8 +7,7 @@ Motions with a period are lines; largest forces of those without one, over the w
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import axes, sweep_panels
-from .force_map import STANDARD_GRAVITY
+from . import sweep_panels
 from .sweep_panels import LOOKS
 
 MOST_LABELLED = 3  # jumps of a branch
@@ -20,8 +19,7 @@ def draw(file, measured):
     """The response as a Figure; None where no point has a force."""
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
-    mass = file.positive("hammer_mass_kg")
-    second = ("peak force (N)", mass * STANDARD_GRAVITY) if mass else None
+    second = ("peak force (N)", file.newtons) if file.newtons else None
     has_measured = any(point.force is not None for point in measured.points)
     figure, panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured)
     for gap, ax in panels.items():
@@ -30,7 +28,7 @@ def draw(file, measured):
         points = measured.at_gap(gap)
         top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
                   + [point.force for point in points if point.force is not None])
-        notes = [*_jump_notes(file, gap), *_mark_resonances(ax, file, gap, mass)]
+        notes = [*_jump_notes(file, gap), *_mark_resonances(ax, file, gap)]
         sweep_panels.head_notes(ax, notes, 1.05 * top if top > 0 else 1)
         sweep_panels.draw_measured(ax, points, lambda point: point.force)
     return figure
@@ -84,7 +82,7 @@ def _jump_notes(file, gap):
     return notes
 
 
-def _mark_resonances(ax, file, gap, mass):
+def _mark_resonances(ax, file, gap):
     """A star at the resonance of each branch; gives their notes."""
     notes = []
     for branch in file.at_gap(gap):
@@ -93,7 +91,7 @@ def _mark_resonances(ax, file, gap, mass):
             continue
         x, force = file.frequency_ratio[at], branch.force[at]
         ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **RESONANCE)
-        newtons = f" = {force * mass * STANDARD_GRAVITY:.3g} N" if mass else ""
+        newtons = f" = {force * file.newtons:.3g} N" if file.newtons else ""
         _add(notes, file, (x, force, f"★ {force:.3g}{newtons} at {sweep_panels.frequency_text(file, x)}", "black"))
     return notes
 

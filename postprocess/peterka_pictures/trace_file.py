@@ -21,7 +21,6 @@ IMPACTS = ("touch_time", "impact_speed", "touch_force_ratio", "peak_force_ratio"
 SPECTRUM = ("frequency", "force_amplitude", "acceleration_amplitude")
 IMPACT_SPECTRUM = ("frequency", "force_spectrum", "flight_acceleration_amplitude")
 MAX_ROWS = 10_000_000
-STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 @dataclass(frozen=True)
@@ -54,12 +53,6 @@ class TraceFile(OpenedFile):
         """mm in A0; None where the file doesn't tell."""
         metres = self.positive("cart_amplitude_m")
         return 1000 * metres if metres else None
-
-    @property
-    def newtons(self):
-        """N in the hammer's weight; None where the file doesn't tell."""
-        mass = self.positive("hammer_mass_kg")
-        return mass * STANDARD_GRAVITY if mass else None
 
     @property
     def excitation_hz(self):
