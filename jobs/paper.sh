@@ -30,12 +30,10 @@ all_files() {
     for rig in 170mm 150mm 135mm; do
         compute "peterka_$rig" "peterka_$rig" $(points frequency_ratio 512 96) $(points gap_ratio 512 64) \
             --set audit.cells=0
-        compute "gaps_$rig" "peterka_$rig" $(points frequency_ratio 4001 501) $(points gap_ratio 4 4) \
-            --set audit.cells=0 --set axes.gap_ratio.to=3.370786516853933 --set "title=Gaps of 0 to 3 mm, $rig"
-    done
-    for rig in 170mm 150mm 135mm; do
         compute "sweep_$rig" "sweep_$rig" $(points frequency_ratio 1401 281)
     done
+    compute gaps_170mm peterka_170mm $(points frequency_ratio 4001 501) $(points gap_ratio 4 4) \
+        --set audit.cells=0 --set axes.gap_ratio.to=3.370786516853933 --set "title=Gaps of 0 to 3 mm, 170 mm"
     for job in jobs/trace_*.toml; do
         job=$(basename "$job" .toml)
         compute "$job" "$job"

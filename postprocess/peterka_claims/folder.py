@@ -9,10 +9,11 @@ from pathlib import Path
 
 import numpy as np
 from peterka_pictures.classes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from peterka_pictures.opened import NotDrawable
+from peterka_pictures.comparison import label_codes
+from peterka_pictures.opened import STANDARD_GRAVITY, NotDrawable
 from peterka_pictures.read import PeterkaFile
 
-STANDARD_GRAVITY = 9.80665  # m/s^2
+from .record import SOME
 
 
 @dataclass(frozen=True)
@@ -63,9 +64,8 @@ class Plane:
 
     @property
     def label_code(self):
-        """A number for each label: the regime, or one of p and q."""
-        orbits = (self.impacts.astype(np.int64) << 32) + self.period
-        return np.where(self.regime == PERIODIC, orbits, self.regime)
+        """A number for each label."""
+        return label_codes(self.regime, self.impacts, self.period)
 
     @property
     def is_settled(self):
@@ -80,6 +80,11 @@ class Plane:
     def strikes(self):
         """Impacts go on: proved orbits and chaos."""
         return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
+
+    @property
+    def has_both(self):
+        """Whether some of the starts of a basin end in impacts and some in none."""
+        return min(self.share(self.strikes), self.share(self.quiet)) >= SOME
 
     def share(self, mask):
         return float(np.mean(mask))

@@ -3,7 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 
-from .record import AGREES, ALL, DIFFERS, FREQUENCY, OPEN, SHARE
+from .record import AGREES, DIFFERS, LIMITS, OPEN, SETTLED
 from .sensitivity import PARAMETERS
 
 SHOWN_FACTORS = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)  # of the sensitivity table
@@ -41,7 +41,8 @@ class Pictures:
 def blocks(groups, sensitivity_rows, has_picture):
     """Of groups of claims, rows of the sensitivity, and a function that tells whether a picture is there."""
     claims = [claim for _, group in groups for claim in group]
-    out = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), _overview(claims)]
+    out = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), Fields(LIMITS), Paragraph(SETTLED),
+           _overview(claims)]
     shown = set()
     for title, group in groups:
         out.append(Heading(2, title))
@@ -60,11 +61,7 @@ def _introduction(claims):
     text = (f"Written by `jobs/paper.sh` from the files that the program computes: {len(claims)} claims of Aguiar and "
             f"Weber, in our words; {counts[AGREES]} agree, {counts[DIFFERS]} differ")
     text += f", {counts[OPEN]} not computed" if counts[OPEN] else ""
-    return (text + f". A frequency agrees within {FREQUENCY} Hz, the step of the printed ones; a force or a ratio within "
-            f"{100 * SHARE:.0f} %, the largest error that the paper calls satisfactory; `all`, `identical` and `robust` are "
-            f"{100 * ALL:.0f} %. The model has the printed parameters, and none is tuned. Frequency and force limits were set "
-            "before the numbers were seen; what counts as inside the band, as a jump at 1 mm and as the region where the "
-            "maps differ was settled after a first look.")
+    return text + ". The model has the printed parameters, and none is tuned. Limits that verdicts go by:"
 
 
 def _overview(claims):
@@ -90,8 +87,9 @@ def _sensitivity(rows):
     return [
         Heading(2, "Which parameter would remove a difference"),
         Paragraph("One parameter at a time is multiplied by a factor, everything else stays as printed, gaps in mm too. "
-                  "The column in the middle says which factor, nearest to 1, brings the number to the paper's; the others "
-                  "give the number itself."),
+                  "The column in the middle says which factor, nearest to 1, brings the number to the paper's, or, where the "
+                  "paper has some starts of each kind, which of those tried has them, too; the others give the number "
+                  "itself."),
         table,
     ]
 

@@ -1,14 +1,27 @@
-"""A claim of the paper and how it fared.
-
-A verdict comes from a tolerance that is stated with the claim ; these follow from the paper, not from the numbers:
-- FREQUENCY: the paper prints frequencies in steps of 0.25 Hz;
-- SHARE: what the paper calls satisfactory agreement goes up to an error of 10 %, forces and frequency ratios alike;
-- ALL: `all`, `identical` and `robust` are taken for 95 % of the cells or starts that are looked at.
-"""
+"""A claim of the paper, how it fared, and the limits that verdicts go by."""
 
 from dataclasses import dataclass
 
-FREQUENCY, SHARE, ALL = 0.25, 0.10, 0.95
+FREQUENCY = 0.25  # Hz
+SHARE, ALL, SOME = 0.10, 0.95, 0.10
+HIGH_GAP = 1.5  # A0
+WIDE = 0.05  # of the columns
+LIMITS = (
+    ("Frequencies", f"agree within {FREQUENCY} Hz, the step of the printed ones; what is higher, or a hysteresis, differs by "
+     "more than that"),
+    ("Forces and ratios", f"agree within {100 * SHARE:.0f} %, the largest error that the paper calls satisfactory; what is "
+     "larger, changed much, or lost at the end of a band, differs by more than that"),
+    ("All, identical, robust", f"{100 * ALL:.0f} % of the cells, gaps or starts that are looked at"),
+    ("Some", f"{100 * SOME:.0f} % of the starts, or of a gap's cells between the bands; where some starts end in impacts and "
+     f"others in none, {100 * SOME:.0f} % of each"),
+    ("High gaps", f"from gap/A0 = {HIGH_GAP:g} up, the only number that the paper gives for them"),
+    ("Between the bands", "from the end of the widest z = 1/1 of a gap to the beginning of its widest z = 1/2; a gap with no "
+     f"z = 1/1, or with none of z = 1/2 as wide as {100 * WIDE:.0f} % of the frequencies, takes those of the next lower gap"),
+    ("Jumps of a sweep", "change the force by more than a twentieth of the branch's largest one and, between motions with a "
+     "period, by more than twice as much as the steps beside it; a motion of four points or more begins or ends there"),
+)
+SETTLED = ("The limits of frequencies, forces and ratios were set before the numbers were seen. The others, and what is "
+           "asked of the claims that print no number, were settled after a first look.")
 AGREES, DIFFERS, OPEN = "agrees", "differs", "not computed"
 
 
@@ -40,6 +53,11 @@ def not_computed(key, place, says, missing):
 def off_by(value, printed, unit):
     """How far a computed number is from the printed one."""
     return f"{value - printed:+.3g} {unit} ({100 * (value / printed - 1):+.1f} %)"
+
+
+def near(value, other, share=SHARE):
+    """Whether a force or a ratio agrees with another one."""
+    return abs(value / other - 1) <= share
 
 
 def percent(share):

@@ -1,35 +1,28 @@
-"""Gap 0 against other gaps: what makes it robust (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
+"""Gap 0 against higher gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
 
 from .gap_zero import limits_hz, resonance
 from .record import ALL, SHARE, claim, not_computed, percent
 from .spans import widest
 
 PLACE = "section 5; section 4.2"
-SAYS = "Gap 0 is robust: force as at other gaps, a wide band, no jump; other gaps want a careful tuning of the frequency."
+SAYS = {
+    "gap_0_robust": "Gap 0 is robust: a force as at other gaps, no jump, and z = 1/1 from nearly all starts, from no fewer "
+                    "than at 3 mm.",
+    "higher_gaps_jump": "At higher gaps the force jumps, which demands a careful tuning of the frequency.",
+}
 FILES = ("gaps_170mm", "basin_170mm_gap_0", "basin_170mm_gap_3")
 
 
 def claims(folder):
     planes = [folder.plane(name) for name in FILES]
     if None in planes:
-        return [not_computed("gap_0_robust", PLACE, SAYS, f"{FILES[planes.index(None)]}.h5")]
-    gaps, basin_0, basin_3 = planes
-    rows = range(len(gaps.rows))
-    bands = [limits_hz(gaps, 1, 1, row=row) for row in rows]
-    forces = [resonance(gaps, 1, 1, row)[1] for row in rows]
-    widths = [high - low for low, high in bands]
-    drops = [drop_after(gaps, row) for row in rows]
-    reached = [basin.share(basin.is_orbit(1, 1)) for basin in (basin_0, basin_3)]
-    millimetres = [f"{gap * gaps.amplitude_mm:.2g} mm" for gap in gaps.rows]
-    listed = "; ".join(f"gap {gap}: {force:.4g} N, band {width:.2f} Hz wide, {percent(drop)} of the force is lost at its upper end" for gap, force, width, drop in
-                       zip(millimetres, forces, widths, drops))
-    holds = (forces[0] >= (1 - SHARE) * max(forces) and widths[0] == max(widths) and drops[0] <= 0.05
-             and reached[0] >= ALL)
-    return [claim("gap_0_robust", PLACE, SAYS,
-                  f"{listed}. z = 1/1 is reached from {percent(reached[0])} of the starts at gap 0 and Ω/ω = "
-                  f"{basin_0.frequency_ratio:g}, from {percent(reached[1])} at 3 mm and Ω/ω = {basin_3.frequency_ratio:g}",
-                  holds, f"the band at gap 0 is {widths[0] / max(widths[1:]):.2f} times as wide as the next widest", "",
-                  ["basin_170mm_gap_0_basin", "basin_170mm_gap_3_basin"])]
+        return [not_computed(key, PLACE, says, f"{FILES[planes.index(None)]}.h5") for key, says in SAYS.items()]
+    gaps, *basins = planes
+    without = [_millimetres(gaps, row) for row in range(len(gaps.rows)) if resonance(gaps, 1, 1, row) is None]
+    if without:
+        return [claim(key, PLACE, says, f"no z = 1/1 at a gap of {', '.join(without)}", False) for key, says in SAYS.items()]
+    drops = [drop_after(gaps, row) for row in range(len(gaps.rows))]
+    return [_robust(gaps, basins, drops), _higher(gaps, drops)]
 
 
 def drop_after(plane, row):
@@ -38,3 +31,33 @@ def drop_after(plane, row):
     if last + 1 >= len(plane.columns):
         return 0.0
     return float(max(0.0, 1 - plane.force_n[row, last + 1] / plane.force_n[row, last]))
+
+
+def _robust(gaps, basins, drops):
+    forces = [resonance(gaps, 1, 1, row)[1] for row in range(len(gaps.rows))]
+    reached = [basin.share(basin.is_orbit(1, 1)) for basin in basins]
+    listed = ", ".join(f"{force:.4g} N at {_millimetres(gaps, row)}" for row, force in enumerate(forces))
+    return claim(
+        "gap_0_robust", PLACE, SAYS["gap_0_robust"],
+        f"largest forces of z = 1/1: {listed}; {percent(drops[0])} of it is lost at the upper end of the band at gap 0; z = "
+        f"1/1 is reached from {percent(reached[0])} of the starts at gap 0 and Ω/ω = {basins[0].frequency_ratio:g}, from "
+        f"{percent(reached[1])} at 3 mm and Ω/ω = {basins[1].frequency_ratio:g}",
+        forces[0] >= (1 - SHARE) * max(forces) and drops[0] <= SHARE and reached[0] >= max(ALL, reached[1]),
+        f"the force at gap 0 is {100 * (1 - forces[0] / max(forces)):.1f} % less than the largest at any gap", "",
+        ["basin_170mm_gap_0_basin", "basin_170mm_gap_3_basin"])
+
+
+def _higher(gaps, drops):
+    """A narrow band wants tuning, too, but only what is lost at its end is judged."""
+    widths = [high - low for low, high in (limits_hz(gaps, 1, 1, row=row) for row in range(len(gaps.rows)))]
+    listed = "; ".join(f"{_millimetres(gaps, row)}: {percent(drop)}, band {width:.2f} Hz wide"
+                       for row, (drop, width) in enumerate(zip(drops, widths)))
+    smooth = [_millimetres(gaps, row) for row in range(1, len(drops)) if drops[row] <= SHARE]
+    return claim("higher_gaps_jump", PLACE, SAYS["higher_gaps_jump"],
+                 f"share of the force that is lost at the upper end of z = 1/1, by gap: {listed}", not smooth,
+                 f"no jump at {', '.join(smooth)}" if smooth else "",
+                 "at small gaps the band ends by a period doubling, as at gap 0, and not by a fold")
+
+
+def _millimetres(gaps, row):
+    return f"{gaps.rows[row] * gaps.amplitude_mm:.2g} mm"

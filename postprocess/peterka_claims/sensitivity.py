@@ -16,33 +16,34 @@ PARAMETERS = {
     "A0": ("cart", "amplitude_m", "cart's amplitude A0"),
     "zeta": ("hammer", "damping_ns_per_m", "hammer's damping ζ"),
 }
-NOTABLE = 10  # % of the starts
 
 
 @dataclass(frozen=True)
 class Row:
-    """How one number moves with one parameter. `values` at `factors` times the parameter, 1 among them."""
+    """How one number moves with one parameter. `values` at `factors` times the parameter, 1 among them.
+
+    Without a printed number the paper has both outcomes of a basin, as it `has_both` in the model at some of the factors."""
 
     what: str
     unit: str
-    printed: float | None  # None: the paper has a notable share
+    printed: float | None
     parameter: str
     factors: np.ndarray
     values: np.ndarray
+    has_both: np.ndarray
 
     @property
     def answer(self):
         """The factor, nearest to 1, at which the number is the paper's; in words."""
         factor = self.needed
         if factor is None:
-            return f"no factor from {self.factors[0]:g} to {self.factors[-1]:g}"
+            return f"{'none tried' if self.printed is None else 'no factor'} from {self.factors[0]:g} to {self.factors[-1]:g}"
         return f"{factor:.3g} times"
 
     @property
     def needed(self):
         if self.printed is None:
-            carried = self.factors[self.values >= NOTABLE]
-            return None if not len(carried) else float(min(carried, key=lambda factor: abs(np.log(factor))))
+            return min(self.factors[self.has_both].tolist(), key=_distance, default=None)
         return _crossing(self.factors, self.values - self.printed)
 
 
@@ -61,17 +62,17 @@ def rows(folder):
     return found
 
 
-def contact_damping_that_carries(folder, prefix):
-    """Words on the contact damping at which impacts last at the place of a basin; '' where none was found."""
+def contact_damping_with_both(folder, prefix):
+    """Words on the contact damping that gives both outcomes at the place of a basin; '' where none was found."""
     base = folder.plane(f"basin_{prefix.split('/')[1].rstrip('_')}")
     if base is None:
         return ""
     moved = sorted((plane for plane in folder.planes(prefix) if _moved(plane, base) == "ci"),
-                   key=lambda plane: abs(np.log(_factor(plane, base, "ci"))))
+                   key=lambda plane: _distance(_factor(plane, base, "ci")))
     for plane in moved:
-        if 100 * plane.share(plane.strikes) >= NOTABLE:
+        if plane.has_both:
             return (f"with ci = {plane.job['contact']['damping_ns_per_m']:.4g} Ns/m instead of "
-                    f"{base.job['contact']['damping_ns_per_m']:.4g} impacts last there, from "
+                    f"{base.job['contact']['damping_ns_per_m']:.4g} both are there, impacts from "
                     f"{percent(plane.share(plane.strikes))} of the starts")
     return ""
 
@@ -93,13 +94,18 @@ _NUMBERS = [
 
 
 def _rows_of(folder, prefix, base, what, unit, printed, number):
-    by_parameter = {name: {1.0: number(base)} for name in PARAMETERS}
+    by_parameter = {name: {1.0: base} for name in PARAMETERS}
     for plane in folder.planes(prefix):
         name = _moved(plane, base)
         if name:
-            by_parameter[name][_factor(plane, base, name)] = number(plane)
-    return [Row(what, unit, printed, name, np.array(sorted(values)), np.array([values[key] for key in sorted(values)]))
-            for name, values in by_parameter.items() if len(values) > 1]
+            by_parameter[name][_factor(plane, base, name)] = plane
+    return [_row(what, unit, printed, number, name, dict(sorted(planes.items())))
+            for name, planes in by_parameter.items() if len(planes) > 1]
+
+
+def _row(what, unit, printed, number, name, planes):
+    return Row(what, unit, printed, name, np.array(list(planes)), np.array([number(plane) for plane in planes.values()]),
+               np.array([plane.has_both for plane in planes.values()]))
 
 
 def _parameter(plane, name):
@@ -124,4 +130,8 @@ def _crossing(factors, off):
         a, b = off[n], off[n + 1]
         if np.isfinite([a, b]).all() and a * b <= 0 and a != b:
             found.append(factors[n] + (factors[n + 1] - factors[n]) * a / (a - b))
-    return float(min(found, key=lambda factor: abs(np.log(factor)))) if found else None
+    return min(map(float, found), key=_distance, default=None)
+
+
+def _distance(factor):
+    return abs(np.log(factor))

@@ -1,6 +1,8 @@
-"""Neighbouring points of an axis that have something in common."""
+"""Neighbouring points of an axis that have something in common, and what lies between the bands of a map."""
 
 import numpy as np
+
+from .record import WIDE
 
 
 def spans(mask):
@@ -17,3 +19,18 @@ def span_around(mask, index):
 def widest(mask):
     """None without any."""
     return max(spans(mask), key=lambda span: span[1] - span[0], default=None)
+
+
+def around_bands(plane):
+    """Three masks of a map, (rows, columns): up to the end of the widest band z = 1/1, between it and z = 1/2, and from the
+    beginning of z = 1/2 on. A gap without a band has the limit of the next lower gap."""
+    ends, starts = [], []
+    for row in range(len(plane.rows)):
+        one, half = (widest(plane.is_orbit(1, q)[row]) for q in (1, 2))
+        ends.append(one[1] if one else ends[-1] if ends else 0)
+        wide = half is not None and half[1] - half[0] >= WIDE * len(plane.columns)
+        starts.append(half[0] if wide else starts[-1] if starts else len(plane.columns))
+    columns = np.arange(len(plane.columns))
+    lower = columns <= np.array(ends)[:, None]
+    beyond = ~lower & (columns >= np.array(starts)[:, None])
+    return lower, ~lower & ~beyond, beyond

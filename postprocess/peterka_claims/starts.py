@@ -3,14 +3,14 @@
 
 import numpy as np
 
-from .record import ALL, SHARE, claim, not_computed, off_by, percent
-from .sensitivity import contact_damping_that_carries
+from .record import HIGH_GAP, SOME, claim, near, not_computed, off_by, percent
+from .sensitivity import contact_damping_with_both
+from .spans import around_bands
 
 PLACE = "section 4.2, Fig. 24"
-FROM_GAP = 1.5  # as printed
-NOTABLE = 0.10  # of the cells of a gap
 SAYS = {
-    "starts_region": "Above gap/A0 of about 1.5, between z = 1/1 and z = 1/2, the regime depends on the start.",
+    "starts_region": "Above gap/A0 of about 1.5 there is an area between z = 1/1 and z = 1/2 where the regime depends on the "
+                     "start.",
     "fig_24a": "150 mm, Ω/ω = 1.80, gap/A0 = 1.74: some starts end in impacts, others in no impact.",
     "fig_24b": "135 mm, Ω/ω = 2.15, gap/A0 = 1.60: some starts end in impacts, others in no impact.",
 }
@@ -36,44 +36,54 @@ def depends_on_start(planes):
 
 
 def _region(folder):
+    place, says = "section 4.2, Fig. 22", SAYS["starts_region"]
     planes = folder.planes("starts/start_")
     if len(planes) < 2:
-        return not_computed("starts_region", "section 4.2, Fig. 22", SAYS["starts_region"], "starts/start_*.h5")
-    depends, gaps, ratios = depends_on_start(planes), planes[0].rows, planes[0].columns
-    shares = depends.mean(axis=1)
-    few = np.flatnonzero(shares < NOTABLE)
-    first = int(few[-1]) + 1 if len(few) else 0
-    if first == len(gaps):
-        return claim("starts_region", "section 4.2, Fig. 22", SAYS["starts_region"],
-                     f"at the highest gap {percent(shares[-1])} of the cells depend on the start", False)
-    where = ratios[np.argwhere(depends[first:])[:, 1]]
-    low, high = np.quantile(where, [0.05, 0.95])
+        return not_computed("starts_region", place, says, "starts/start_*.h5")
+    depends, gaps, (_, between, _) = depends_on_start(planes), planes[0].rows, around_bands(planes[0])
+    shares = (depends & between).sum(axis=1) / np.maximum(between.sum(axis=1), 1)
+    first = first_of_the_rest(shares, SOME)
+    if first is None:
+        return claim("starts_region", place, says, f"at the highest gap {percent(shares[-1])} of the cells between the bands "
+                     "depend on the start", False)
+    elsewhere = np.sum((depends & ~between)[first:]) / np.sum(depends[first:])
     return claim(
-        "starts_region", "section 4.2, Fig. 22", SAYS["starts_region"],
+        "starts_region", place, says,
         f"{len(planes)} starts in each cell: from gap/A0 = {gaps[first]:.3g} up {percent(shares[first:].min())} to "
-        f"{percent(shares[first:].max())} of the cells depend on the start, below {percent(shares[:first].max(initial=0))} "
-        f"at most; 90 % of them lie at Ω/ω = {low:.2f} to {high:.2f}",
-        abs(gaps[first] / FROM_GAP - 1) <= SHARE, f"from {off_by(gaps[first], FROM_GAP, 'A0')}", "", ["starts_170mm"])
+        f"{percent(shares[first:].max())} of the cells between the bands of the start at rest depend on the start, below "
+        f"{percent(shares[:first].max(initial=0))} at most ({_other_limits(shares, gaps)}). From this gap up "
+        f"{percent(elsewhere)} of all cells that depend on the start lie elsewhere, which the paper leaves open",
+        near(gaps[first], HIGH_GAP), f"from {off_by(gaps[first], HIGH_GAP, 'A0')}", "", ["starts_170mm"])
+
+
+def first_of_the_rest(shares, limit):
+    """The row from which on all shares reach a limit; None where the last one doesn't."""
+    few = np.flatnonzero(np.asarray(shares) < limit)
+    first = int(few[-1]) + 1 if len(few) else 0
+    return first if first < len(shares) else None
+
+
+def _other_limits(shares, gaps):
+    """The gap at which the area would begin if less or more of the cells were asked for."""
+    rows = {limit: first_of_the_rest(shares, limit) for limit in (SOME / 2, 2 * SOME)}
+    return ", ".join(f"{percent(limit)} or more from " + ("no gap" if row is None else f"{gaps[row]:.3g} A0") + " up"
+                     for limit, row in rows.items())
 
 
 def _first_basin(folder):
     plane = folder.plane("basin_150mm")
     if plane is None:
         return not_computed("fig_24a", f"{PLACE}a", SAYS["fig_24a"], "basin_150mm.h5")
-    striking = plane.share(plane.strikes)
-    near, beyond = both_nearest(folder, "nearby_150mm/gap_", plane.gap_ratio)
-    text = f"{percent(1 - striking)} of the starts end in no impact"
-    if near:
-        text += (f"; the nearest gap with both is gap/A0 = {near.gap_ratio:.4g}, where {percent(near.share(near.strikes))} "
-                 "of the starts end in impacts")
-    why = ""
-    if near and beyond:
-        why = (f"lasting impacts end between gap/A0 = {near.gap_ratio:.4g} and {beyond.gap_ratio:.4g}, a little below the "
-               "paper's point")
-        damping = contact_damping_that_carries(folder, "sensitivity/150mm_")
-        why += f"; {damping}" if damping else ""
-    return claim("fig_24a", f"{PLACE}a", SAYS["fig_24a"], text, 0 < striking < 1,
-                 f"{off_by(near.gap_ratio, plane.gap_ratio, 'A0')} for the nearest such gap" if near else "", why,
+    planes = folder.planes("nearby_150mm/gap_")
+    both = nearest(planes, plane.gap_ratio, lambda other: other.has_both)
+    lasting = nearest(planes, plane.gap_ratio, lambda other: other.strikes.any())
+    why = []
+    if lasting:
+        why.append(f"the last gap towards the paper's point where any of the starts tried ends in impacts is gap/A0 = "
+                   f"{lasting.gap_ratio:.4g}, and there {percent(lasting.share(lasting.strikes))} of them do")
+    why += [words for words in [contact_damping_with_both(folder, "sensitivity/150mm_")] if words]
+    return claim("fig_24a", f"{PLACE}a", SAYS["fig_24a"], _outcomes(plane) + _nearest_with_both(both, planes), plane.has_both,
+                 f"{off_by(both.gap_ratio, plane.gap_ratio, 'A0')} for the nearest such gap" if both else "", "; ".join(why),
                  ["basin_150mm_basin_impact", "basin_150mm_coexisting_basin_impact"])
 
 
@@ -81,31 +91,35 @@ def _second_basin(folder):
     plane = folder.plane("basin_135mm")
     if plane is None or plane.last_impact is None:
         return not_computed("fig_24b", f"{PLACE}b", SAYS["fig_24b"], "basin_135mm.h5")
-    striking = plane.share(plane.strikes)
     lives = plane.last_impact[plane.quiet & (plane.last_impact > 0)]
     late = plane.share(plane.strikes | (plane.last_impact > MANY))
-    near, _ = both_nearest(folder, "nearby_135mm/gap_", plane.gap_ratio)
-    text = f"{percent(plane.share(plane.quiet))} of the starts end in no impact"
+    planes = folder.planes("nearby_135mm/gap_")
+    both = nearest(planes, plane.gap_ratio, lambda other: other.has_both)
+    text = _outcomes(plane)
     if len(lives):
         text += f", after {lives.mean():.4g} cycles with impacts on average, {lives.max()} at most"
-    text += f"; after {MANY} cycles {percent(late)} still impact"
-    if near:
-        text += f"; the nearest gap with lasting impacts beside no impact is gap/A0 = {near.gap_ratio:.4g}"
-    return claim("fig_24b", f"{PLACE}b", SAYS["fig_24b"], text, 0 < striking < ALL,
-                 f"{percent(striking)} of the starts end in lasting impacts",
+    text += f"; after {MANY} cycles {percent(late)} still impact" + _nearest_with_both(both, planes)
+    return claim("fig_24b", f"{PLACE}b", SAYS["fig_24b"], text, plane.has_both,
+                 f"{percent(plane.share(plane.strikes))} of the starts end in lasting impacts",
                  "impacts are a chaotic transient here, which a run of some hundred cycles takes for an attractor: what "
                  f"is seen then is the picture after {MANY} cycles", [f"basin_135mm_impact_after_{MANY}",
                                                                      "basin_135mm_last_impact"])
 
 
-def both_nearest(folder, prefix, gap_ratio):
-    """(the basin with both outcomes whose gap is nearest, the one next to it towards gap_ratio) among those of the prefix;
-    (None, None) without any."""
-    planes = folder.planes(prefix)
-    both = [plane for plane in planes if 0 < plane.share(plane.strikes) < 1]
-    if not both:
-        return None, None
-    near = min(both, key=lambda plane: abs(plane.gap_ratio - gap_ratio))
-    low, high = sorted([near.gap_ratio, gap_ratio])
-    between = [plane for plane in planes if low < plane.gap_ratio < high]
-    return near, min(between, key=lambda plane: abs(plane.gap_ratio - near.gap_ratio), default=None)
+def nearest(planes, gap_ratio, suits):
+    """The basin that suits whose gap is nearest; None without any."""
+    return min(filter(suits, planes), key=lambda plane: abs(plane.gap_ratio - gap_ratio), default=None)
+
+
+def _outcomes(plane):
+    undecided = plane.share(~(plane.quiet | plane.strikes))
+    return (f"{percent(plane.share(plane.quiet))} of the starts end in no impact"
+            + (f", {percent(undecided)} in lasting contact or undecided" if undecided > 0 else ""))
+
+
+def _nearest_with_both(both, planes):
+    if both:
+        return (f"; the nearest gap with both is gap/A0 = {both.gap_ratio:.4g}, where {percent(both.share(both.strikes))} of "
+                "the starts end in impacts")
+    gaps = [plane.gap_ratio for plane in planes]
+    return f"; no gap that was tried, gap/A0 = {min(gaps):g} to {max(gaps):g}, has both" if gaps else ""

@@ -1,18 +1,16 @@
 """The claims report: how claims are told, in Markdown and HTML, and the arithmetic behind them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from claim_samples import CHAOS, HALF, ONE, QUIET, plane
 from peterka_claims import jumps, page, spans
-from peterka_claims.folder import Plane
 from peterka_claims.force_map import _best_turn
 from peterka_claims.gap_zero import label, limits_hz, resonance
 from peterka_claims.html import html
 from peterka_claims.markdown import markdown
-from peterka_claims.record import AGREES, DIFFERS, OPEN, claim, not_computed, off_by
+from peterka_claims.record import AGREES, DIFFERS, LIMITS, OPEN, claim, not_computed, off_by
 from peterka_claims.sensitivity import Row
-from peterka_claims.starts import both_nearest, depends_on_start
+from peterka_claims.starts import depends_on_start, first_of_the_rest
 from picture_samples import write_map
 from sweep_samples import write_sweep
 
@@ -21,20 +19,6 @@ CLAIMS = [("Group", [
     claim("b", "section 2", "Forces are small.", "5 N", False, "+2 %", "a cause", ["seen"]),
     not_computed("c", "section 3", "Forces are zero.", "c.h5"),
 ])]
-
-
-def plane(labels, force=None, gap_ratio=1.0, rows=None):
-    """`labels`: (regime, p, q) by row and column; 1 Hz steps of the columns."""
-    labels = np.array(labels)
-    job = {"hammer": {"natural_frequency_hz": 1.0, "mass_kg": 1 / 9.80665}, "cart": {"amplitude_m": 1e-3},
-           "operating_point": {"gap_ratio": gap_ratio, "frequency_ratio": 2.0}}
-    count = labels.shape[1]
-    force = np.ones(labels.shape[:2]) if force is None else np.array(force, dtype=float)
-    return Plane(Path("a.h5"), "map", job, np.arange(labels.shape[0]) if rows is None else rows, 1.0 + np.arange(count),
-                 labels[..., 0], labels[..., 1], labels[..., 2], force, None)
-
-
-ONE, HALF, QUIET, CHAOS = (1, 1, 1), (1, 1, 2), (0, 0, 1), (2, 0, 0)
 
 
 def test_the_reason_is_told_where_a_claim_differs_and_only_there():
@@ -51,6 +35,7 @@ def test_markdown_has_table_fields_and_pictures_once():
     assert "| Forces are &lt;large&gt; \\| or not. | section 1 | agrees |" in text
     assert "- Verdict: **differs**\n- By how much: +2 %\n- Likely why: a cause" in text
     assert text.count("](pictures/seen.png)") == 1 and "missing" not in text
+    assert all(f"- {name}: {limit}" in text for name, limit in LIMITS)
 
 
 def test_html_is_one_file_with_its_pictures(tmp_path):
@@ -89,22 +74,23 @@ def test_only_proved_labels_depend_on_the_start():
     assert found.tolist() == [[False, True, False, False]]
 
 
-def test_the_nearest_basin_with_both_outcomes(monkeypatch):
-    basins = [plane([[ONE, QUIET]], gap_ratio=1.5), plane([[QUIET, QUIET]], gap_ratio=1.6),
-              plane([[ONE, QUIET]], gap_ratio=2.5)]
-
-    class Few:
-        def planes(self, _):
-            return basins
-
-    near, beyond = both_nearest(Few(), "", 1.7)
-    assert (near.gap_ratio, beyond.gap_ratio) == (1.5, 1.6)
-    basins = basins[1:2]
-    assert both_nearest(Few(), "", 1.7) == (None, None)
+def test_the_row_from_which_all_reach_a_limit():
+    assert first_of_the_rest([0.2, 0.05, 0.1, 0.3], 0.1) == 2
+    assert first_of_the_rest([0.1, 0.3], 0.1) == 0
+    assert first_of_the_rest([0.3, 0.05], 0.1) is None
 
 
-def row(printed, factors, values):
-    return Row("force", "N", printed, "ci", np.array(factors), np.array(values, dtype=float))
+def test_what_lies_between_the_bands():
+    rows = [[ONE] * 3 + [CHAOS] * 2 + [HALF] * 3, [ONE] * 2 + [QUIET] * 6, [QUIET] * 8]
+    lower, between, beyond = spans.around_bands(plane(rows))
+    assert lower.sum(axis=1).tolist() == [3, 2, 2]  # the last row takes the limits of the one before
+    assert between.sum(axis=1).tolist() == [2, 3, 3] and beyond.sum(axis=1).tolist() == [3, 3, 3]
+    assert (lower.astype(int) + between + beyond == 1).all()
+
+
+def row(printed, factors, values, has_both=None):
+    values = np.array(values, dtype=float)
+    return Row("force", "N", printed, "ci", np.array(factors), values, np.array(has_both or [False] * len(values)))
 
 
 def test_jumps_of_a_sweep(tmp_path):
@@ -121,28 +107,18 @@ def test_the_factor_that_removes_a_difference():
     assert row(204, [0.5, 1, 2], [104, 304, 604]).needed == pytest.approx(0.75)
     assert row(204, [0.5, 1, 2], [304, 304, np.nan]).answer == "no factor from 0.5 to 2"
     assert row(10, [0.25, 0.5, 1, 2], [20, 8, 12, 9]).needed == pytest.approx(0.75)  # the nearest of three
-    assert row(None, [0.5, 0.75, 1, 2], [50, 9, 0, 30]).needed == 0.5
-    assert row(None, [0.5, 1], [0, 9]).needed is None
+    assert row(None, [0.5, 0.75, 1, 2], [50, 99, 0, 30], [True, False, False, True]).needed == 0.5
+    assert row(None, [0.5, 1], [99, 0]).answer == "none tried from 0.5 to 1"
 
 
-def test_a_folder_without_files_gives_a_page_that_says_so(tmp_path, monkeypatch, capsys):
-    import claims as program
-
-    monkeypatch.setattr("sys.argv", ["claims.py", str(tmp_path), "--page", str(tmp_path / "page")])
-    assert program.main() == 0
-    assert "agrees" not in capsys.readouterr().out
+def test_a_folder_without_files_gives_a_page_that_says_so(tmp_path, run_program):
+    code, told, _ = run_program("claims", tmp_path, "--page", tmp_path / "page")
+    assert code == 0 and "not computed  gap_0_robust" in told and "agrees" not in told and "differs" not in told
     assert "peterka_170mm.h5 is not in the folder" in (tmp_path / "page" / "claims.md").read_text(encoding="utf-8")
 
 
-def test_bad_files_and_folders_are_told_in_one_line(tmp_path, monkeypatch, capsys):
-    import claims as program
-
+@pytest.mark.parametrize("folder, words", [(".", "gaps_170mm.h5 holds no job that can be read"), ("no", "is no folder")])
+def test_bad_files_and_folders_are_told_in_one_line(tmp_path, run_program, folder, words):
     write_map(tmp_path / "gaps_170mm.h5")  # without its job
-    for argument, words in ((tmp_path, "gaps_170mm.h5 holds no job that can be read"), (tmp_path / "no", "is no folder")):
-        monkeypatch.setattr("sys.argv", ["claims.py", str(argument)])
-        try:
-            code = program.main()
-        except SystemExit as stop:
-            code = stop.code
-        complaint = capsys.readouterr().err
-        assert code == 2 and words in complaint and complaint.startswith("claims.py: ") and complaint.count("\n") == 1
+    code, _, complaint = run_program("claims", folder)
+    assert code == 2 and words in complaint and complaint.startswith("claims.py: ") and complaint.count("\n") == 1
