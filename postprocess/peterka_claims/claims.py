@@ -1,9 +1,10 @@
 """All groups of claims, in the order of the page."""
 
-from . import force_map, gap_zero, jumps, robust, starts, stiffness
+from . import force_map, gap_zero, jumps, pulse, robust, starts, stiffness
 
 GROUPS = [
     ("Bands and forces at gap 0", gap_zero),
+    ("Single impacts", pulse),
     ("Forces over frequency and gap", force_map),
     ("Jumps and impact resonances", jumps),
     ("Gap 0 against other gaps", robust),

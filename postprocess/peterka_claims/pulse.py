@@ -1,0 +1,123 @@
+"""Single impacts: the release test with the cart at rest, the flight after an impact, and the spectrum at its moment
+(sections 4, 4.2; Figs. 13, 20, 21)."""
+
+import numpy as np
+from peterka_pictures.trace_file import TraceFile
+
+from .folder import read_job
+from .record import CLOSED_FORM, SHARE, claim, near, not_computed
+
+RELEASE, STRONGEST = "trace_170mm_release", "trace_170mm_9hz"
+STIFFNESS, DAMPING = 5.5e6, 1.2e3  # N/m, Ns/m; these and the frequencies as printed
+LOW_HZ, AXIAL_HZ, ENVELOPE_HZ, PEAKS_HZ = 1000, 7000, 1000, (3000, 6000)
+SAYS = {
+    "fig_13_parameters": ("section 4, Fig. 13, Table 2", "A release with the cart at rest identifies the stop: ki = 5.5e6 "
+                          "N/m, ci = 1.2e3 Ns/m."),
+    "fig_13_profile": ("section 4, Fig. 13", "The force of the model jumps at first touch, by its damping, as the real one "
+                       "doesn't."),
+    "fig_20_flight": ("section 4.2, Fig. 20", "In the flight after an impact the hammer has several peaks at low "
+                      "frequencies, from bending modes of the beam springs, and one around 7 kHz."),
+    "fig_21_envelope": ("section 4.2, Fig. 21", "The envelope of the acceleration at the moment of impact lies in the 1 kHz "
+                        "range."),
+    "fig_21_peaks": ("section 4.2, Fig. 21", "The spectrum at the moment of impact has a peak of the envelope, and two more "
+                     "at around 3 and 6 kHz."),
+}
+ONE_MODE = ("the model has one mode: bending modes of the beam springs and the axial vibration of the hammer are not in it, "
+            "and nothing else rings")
+
+
+def claims(folder):
+    files = [f"{name}.h5" for name in (RELEASE, STRONGEST)]
+    missing = [name for name in files if not (folder.path / name).exists()]
+    if missing:
+        return [not_computed(key, place, says, missing[0]) for key, (place, says) in SAYS.items()]
+    release, strongest = (Strike(folder.path / name) for name in files)
+    return [_parameters(release), _profile(release), _flight(release), _envelope(strongest), _peaks(strongest)]
+
+
+class Strike:
+    """The hardest impact of a trace, alone; spectra of its force and of the flight after it over `frequency` [Hz]."""
+
+    def __init__(self, path):
+        with TraceFile(path) as file:
+            if file.impact_spectrum is None or file.impact is None or file.newtons is None:
+                raise file.refusal("shows no impact with the flight after it, or tells no mass")
+            hardest = {name: float(values[file.impact.number]) for name, values in file.impacts.items()}
+            if not min(hardest["contact_time"], hardest["impact_speed"]) > 0:
+                raise file.refusal("has an impact without speed or time of contact")
+            self.mass = read_job(file)["hammer"]["mass_kg"]
+            self.speed, self.contact_s = hardest["impact_speed"], hardest["contact_time"]
+            self.restitution = hardest["impulse"] / (self.mass * self.speed) - 1
+            self.peak_n = hardest["peak_force_ratio"] * file.newtons
+            self.touch_n = hardest["touch_force_ratio"] * file.newtons
+            self.frequency, self.force, self.flight = file.impact_spectrum.values()
+
+
+def identified(mass, restitution, contact_s):
+    """(stiffness, damping) of the spring and dashpot that send a free mass back so fast after so long a contact.
+
+    With a damping ratio cos φ the restitution is exp(-2 φ/tan φ), and contact lasts 2 φ/(ω sin φ)."""
+    angles = np.linspace(np.pi / 2, 1e-6, 100_001)
+    angle = np.interp(-np.log(restitution) / 2, angles / np.tan(angles), angles)
+    omega = 2 * angle / (contact_s * np.sin(angle))
+    return float(mass * omega**2), float(2 * np.cos(angle) * mass * omega)
+
+
+def peaks(frequency, spectrum, least):
+    """Frequencies of the maxima inside a spectrum that reach a share of its largest value."""
+    inner = spectrum[1:-1]
+    found = (inner > spectrum[:-2]) & (inner >= spectrum[2:]) & (inner >= least * spectrum.max())
+    return frequency[1:-1][found].tolist()
+
+
+def _claim(key, computed, holds, difference="", why="", pictures=()):
+    return claim(key, *SAYS[key], computed, holds, difference, why, pictures)
+
+
+def _parameters(strike):
+    stiffness, damping = identified(strike.mass, strike.restitution, strike.contact_s)
+    return _claim(
+        "fig_13_parameters",
+        f"an impact at {strike.speed:.4g} m/s has a restitution of {strike.restitution:.4g} and "
+        f"{1e3 * strike.contact_s:.4g} ms of contact, which in closed form are ki = {stiffness:.4g} N/m and ci = "
+        f"{damping:.4g} Ns/m. The paper prints neither how far the hammer was drawn back nor the measured curve as numbers: "
+        "tested is that an impact tells both parameters, not the measurement",
+        near(stiffness, STIFFNESS, CLOSED_FORM) and near(damping, DAMPING, CLOSED_FORM),
+        f"ki {100 * (stiffness / STIFFNESS - 1):+.1g} %, ci {100 * (damping / DAMPING - 1):+.1g} %", "",
+        [f"{RELEASE}_impact", f"{RELEASE}_motion"])
+
+
+def _profile(strike):
+    return _claim("fig_13_profile", f"the force jumps to {strike.touch_n:.4g} N at first touch, "
+                  f"{100 * strike.touch_n / strike.peak_n:.3g} % of its peak of {strike.peak_n:.4g} N; of the real one the "
+                  "paper prints no numbers", strike.touch_n > SHARE * strike.peak_n)
+
+
+def _flight(strike):
+    found = peaks(strike.frequency, strike.flight, SHARE)
+    low, axial = [hertz for hertz in found if hertz < LOW_HZ], [hertz for hertz in found if near(hertz, AXIAL_HZ)]
+    return _claim(
+        "fig_20_flight", f"{_listed(found)} that reach a tenth of the largest value, which is at "
+        f"{strike.frequency[np.argmax(strike.flight)]:.0f} Hz, in steps of {strike.frequency[1]:.3g} Hz: the swing of the "
+        f"springs' only mode; low is what lies below {LOW_HZ} Hz", len(low) > 1 and len(axial) == 1, "", ONE_MODE,
+        [f"{RELEASE}_spectrum"])
+
+
+def _envelope(strike):
+    half_wave = 0.5 / strike.contact_s
+    return _claim(
+        "fig_21_envelope", f"contact lasts {1e3 * strike.contact_s:.3g} ms, which is a half wave of {half_wave:.0f} Hz; "
+        f"{ENVELOPE_HZ / 2:.0f} to {1.5 * ENVELOPE_HZ:.0f} Hz count as that range", near(half_wave, ENVELOPE_HZ, 0.5), "", "",
+        [f"{STRONGEST}_spectrum"])
+
+
+def _peaks(strike):
+    found = peaks(strike.frequency, strike.force, 0)
+    falls = strike.frequency[np.argmax(strike.force < strike.force[0] / 2)]
+    return _claim("fig_21_peaks", f"{_listed(found)} in the spectrum of the force; it is half of its value at 0 Hz at "
+                  f"{falls:.0f} Hz", all(any(near(hertz, printed) for hertz in found) for printed in PEAKS_HZ), "",
+                  f"{ONE_MODE}; the spectrum of a single pulse that begins with a jump falls smoothly")
+
+
+def _listed(found):
+    return f"peaks at {', '.join(f'{hertz:.0f}' for hertz in found)} Hz" if found else "no peaks"
