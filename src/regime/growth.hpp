@@ -43,6 +43,8 @@ class Growth {
     [[nodiscard]] bool block_just_closed() const {
         return blocks_ > 1 && (cycles_ - settling_cycles) % block_cycles == 0;
     }
+    // So many cycles end the present block.
+    [[nodiscard]] long cycles_to_block_end() const { return block_cycles - cycles_ % block_cycles; }
     // Positive by more than three standard errors, and a perturbation really grew: blocks of a slow drift
     // scatter little.
     [[nodiscard]] bool surely_positive() const {

@@ -16,6 +16,8 @@ namespace peterka::regime {
 
 class Recurrence {
   public:
+    static constexpr std::int64_t early_cycles = 40;  // in which most motions settle that ever do
+
     // untouched: whether motions without contact are candidates too.
     Recurrence(std::int64_t longest, bool untouched)
         : longest_(longest),
@@ -92,9 +94,8 @@ class Recurrence {
     static constexpr double first_distance = 0.1 / retry_factor;
     // On the way to a stable orbit the Jacobian comes close to the orbit's, whose spectral radius is below 1.
     static constexpr double largest_stretch = 1.2;
-    // A motion that didn't settle at once is looked at ever more rarely, and must have repeated four patterns
-    // even where q is smaller.
-    static constexpr std::int64_t early_cycles = 40;
+    // A motion that didn't settle at once must have repeated four patterns even where q is smaller; it is
+    // looked at ever more rarely.
     static constexpr std::int64_t late_repeats = 4;
     [[nodiscard]] std::int64_t interval() const {  // a power of two
         return static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(recorded_ / 32) | 1U));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -65,7 +66,7 @@ class Search {
                                              : budget.max_cycles),
           several_from_(measures.force_per_cycle || measures.motion != nullptr
                             ? std::numeric_limits<std::int64_t>::max()
-                            : 40),
+                            : Recurrence::early_cycles),
           measures_(measures),
           conservative_(is_conservative(scene)) {
         forget_motion();
@@ -112,21 +113,22 @@ class Search {
             }
             const bool repeats =
                 growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
-            grows_ |= growth_.block_just_closed() && growth_.surely_positive();
-            if (!ahead_.empty()) continue;
-            if (cycle + 1 >= chaos_from_ && !repeats && grows_)
+            if (cycle + 1 >= chaos_from_ && !repeats && growth_.block_just_closed() &&
+                growth_.surely_positive()) {
                 co_return unproved(Regime::chaotic, Status::proved);
-            grows_ = false;
+            }
         }
     }
 
   private:
-    // A motion that didn't settle at once is carried on by a few cycles at a time.
+    // A motion that didn't settle at once is carried on by a few cycles at a time. None of them goes beyond the
+    // end of a block of growth, where chaos is called, nor beyond the cycle from which on they count.
     std::span<Cycle<double>> room_from(std::int64_t cycle) {
-        const auto most = static_cast<std::int64_t>(room_.size());
         if (cycle < several_from_) return std::span(room_).first(1);
         const std::int64_t turn = cycle < measure_from_ ? std::min(measure_from_, last_cycle_) : last_cycle_;
-        return std::span(room_).first(static_cast<std::size_t>(std::min(most - cycle % most, turn - cycle)));
+        const auto cycles =
+            std::min<std::int64_t>({std::ssize(room_), turn - cycle, growth_.cycles_to_block_end()});
+        return std::span(room_).first(static_cast<std::size_t>(cycles));
     }
 
     // Tests with the cycles already there first. True: that is proof enough.
@@ -346,10 +348,9 @@ class Search {
     std::int64_t measure_from_;
     std::int64_t chaos_from_;
     std::int64_t last_cycle_;
-    std::int64_t several_from_;  // so many cycles at a time; what is measured of each wants them one by one
-    std::array<Cycle<double>, 5> room_;
+    std::int64_t several_from_;  // from here on several cycles are ordered at once; never if each is measured
+    std::array<Cycle<double>, 5> room_;     // for cycles ordered at once
     std::span<const Cycle<double>> ahead_;  // integrated, and not looked at yet
-    bool grows_ = false;                    // since the last order
     Measures measures_;
     bool conservative_;
 };

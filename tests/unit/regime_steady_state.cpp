@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -108,6 +109,43 @@ TEST(Regimes, SlowDriftIsNotChaos) {
     EXPECT_EQ(std::make_pair(doubled.impacts, doubled.period), std::make_pair(2, 4));
     const CellResult alternating = solve(paper_rig(beam_170mm, 0.5 + 4.0 * 10 / 99, 5.0 * 37 / 99));
     EXPECT_EQ(std::make_pair(alternating.impacts, alternating.period), std::make_pair(2, 2));
+}
+
+// A search orders several cycles at a time, unless it wants each one's largest force.
+TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
+    std::mt19937 random(6);
+    std::map<Regime, int> found;
+    int went_ahead = 0;
+    for (int n = 0; n < 600; ++n) {
+        auto scene = paper_rig(beam_170mm, std::uniform_real_distribution(2.6, 4.4)(random),
+                               std::uniform_real_distribution(0.0, 1.0)(random));
+        if (n % 3 == 2) scene.contact = scene::Restitution<double>{0.3 + 0.001 * n};
+        const auto detail = n % 3 == 1 ? trajectory::Detail::contacts : trajectory::Detail::force;
+        Budget budget;
+        if (n % 2 == 1)
+            budget = {.max_cycles = 186 + n % 14, .max_period = 64, .chaos_cycles = 150};  // any turn
+        const auto start = testing::start_at(scene);
+        const CellResult many = find_steady_state(scene, start, budget, {}, {.detail = detail});
+        const CellResult single =
+            find_steady_state(scene, start, budget, {}, {.detail = detail, .force_per_cycle = true});
+        EXPECT_TRUE(same_label(many, single)) << n;
+        EXPECT_EQ(many.status, single.status) << n;
+        for (const auto number : {&CellResult::peak_force, &CellResult::impact_rate, &CellResult::lyapunov,
+                                  &CellResult::impulse, &CellResult::sensitivity}) {
+            EXPECT_EQ(std::isnan(many.*number), std::isnan(single.*number)) << n;
+            if (!std::isnan(many.*number)) {
+                EXPECT_EQ(many.*number, single.*number) << n;
+            }
+        }
+        EXPECT_GE(many.cycles, single.cycles) << n;
+        EXPECT_LT(many.cycles, single.cycles + 5) << n;
+        went_ahead += many.cycles > single.cycles ? 1 : 0;
+        ++found[many.regime];
+    }
+    EXPECT_GT(went_ahead, 0);
+    EXPECT_GT(found[Regime::periodic], 0);
+    EXPECT_GT(found[Regime::chaotic], 0);
+    EXPECT_GT(found[Regime::unresolved], 0);
 }
 
 TEST(Regimes, BudgetEndsInUnresolved) {
