@@ -51,10 +51,9 @@ output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trac
     return contents;
 }
 
-void run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
+void run_alone(const RunPlan& plan, const StopRequest& stop, int ranks, const std::string& hosts) {
     const Stopwatch wall;
     const scene::Scene scene(plan.job);
-    const StopRequest stop(plan.max_wall_seconds);
     const trace::Trace trace = trace::make_trace(scene, [&] { return !stop.requested(); });
     output::write_whole_file(plan.file, plan.job, output::collect_provenance(),
                              contents_of(scene, trace, plan.map_cell), {ranks, wall.seconds(), hosts});
@@ -67,6 +66,7 @@ void run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
 }  // namespace
 
 ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
+    const StopRequest stop(plan.max_wall_seconds);  // on all ranks: mpirun hands signals on to each
     const std::string hosts = parallel::host_names(session);
     parallel::on_root(session, [&] {
         // a cell of a map is followed anew: the map's job is known, but not which file it is
@@ -77,7 +77,15 @@ ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
         const job::Trace& trace = plan.job.trace;
         const double natural = trace.duration_s * scene::scales_of(plan.job).frequency_rad_per_s / 6;
         output::require_place(plan.file, largest_trace(trace, static_cast<double>(trace.cycles) + natural));
-        run_alone(plan, session.size(), hosts);
+        try {
+            run_alone(plan, stop, session.size(), hosts);
+        } catch (const trace::Stopped&) {
+            throw Failure(
+                ExitCode::stopped_early,
+                fmt::format("stopped early ({}); a trace keeps nothing of an unfinished run: the same "
+                            "command starts over",
+                            stop.reason()));
+        }
     });
     return ExitCode::done;
 }

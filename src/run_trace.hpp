@@ -7,7 +7,7 @@
 
 namespace peterka {
 
-// Collective. Returns done; throws Failure.
+// Collective. Returns done; throws Failure, with the code stopped_early where it was asked to stop.
 [[nodiscard]] ExitCode run_trace(const parallel::Session& session, const RunPlan& plan);
 
 }  // namespace peterka

@@ -38,11 +38,6 @@ const char* in_words(Cycle<double>::Outcome outcome) {
     return "done";
 }
 
-Failure stopped_early() {
-    return {ExitCode::stopped_early,
-            "stopped early; a trace keeps nothing of an unfinished run: the same command starts over"};
-}
-
 // A cycle of one scene after the other.
 class Cycles {
   public:
@@ -52,7 +47,7 @@ class Cycles {
     [[nodiscard]] const State<double>& state() const { return state_; }
 
     void advance(Recorder<double>* recorder, const CarryOn& carry_on) {
-        if (!carry_on()) throw stopped_early();
+        if (!carry_on()) throw Stopped();
         const Cycle<double> cycle =
             std::visit([&](auto& map) -> Cycle<double> { return map(state_, recorder); }, map_);
         if (cycle.outcome != Cycle<double>::Outcome::done) {
@@ -119,7 +114,7 @@ Course driven(const scene::Scene& scene, const CarryOn& carry_on) {
     const job::Job& job = scene.job();
     regime::CycleDesk desk;
     const Task<regime::CellResult> search = regime::solve_cell(desk, scene, 0, 0);
-    if (!regime::run(search, desk, carry_on)) throw stopped_early();
+    if (!regime::run(search, desk, carry_on)) throw Stopped();
     const regime::CellResult result = search.result();
     // the engine used last is that of the result, or one that only looked what the cubic spring would change
     Course course{desk.scene(), desk.settings(), scene.cell(0, 0).start,

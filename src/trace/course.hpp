@@ -18,7 +18,8 @@
 
 namespace peterka::trace {
 
-using CarryOn = std::function<bool()>;  // asked at every cycle
+using CarryOn = std::function<bool()>;  // asked every now and then
+struct Stopped {};                      // thrown where carry_on says to stop
 
 struct Course {
     scene::Oscillator<double> scene;
@@ -31,8 +32,7 @@ struct Course {
     CarryOn carry_on = [] { return true; };
 };
 
-// Throws Failure where the motion can't be followed to where the trace begins, and, like `follow`, with the
-// code stopped_early where carry_on says to stop.
+// Throws Failure where the motion can't be followed to where the trace begins, and, like `follow`, Stopped.
 [[nodiscard]] Course prepare(const scene::Scene& scene, const CarryOn& carry_on);
 
 // Lets the watcher see the motion from the beginning of the trace through all cycles that begin before its end,

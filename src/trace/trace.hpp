@@ -30,7 +30,7 @@ struct Trace {
     Spectrum spectrum;
 };
 
-// Throws Failure where the motion can't be followed, or where carry_on, asked every now and then, says to stop.
+// Throws Failure where the motion can't be followed, and Stopped.
 [[nodiscard]] Trace make_trace(
     const scene::Scene& scene, const CarryOn& carry_on = [] { return true; });
 

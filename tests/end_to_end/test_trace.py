@@ -1,6 +1,9 @@
 """Traces: the same at any number of ranks, open in xarray, and true to the map whose cell they follow."""
 
 import shutil
+import signal
+import time
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -191,3 +194,37 @@ def test_check_tells_the_cell_and_writes_nothing(tmp_path, small_map_file):
     assert checked.returncode == 0, checked.stderr
     assert "row 3, column 7" in checked.stdout and "[hammer]" in checked.stdout
     assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
+
+
+LONG_TRACE = jobs.trace(2.0, settings="cycles = 10_000\n[solver]\nengine = \"cvode\"").replace(
+    "samples_per_cycle = 200", "samples_per_cycle = 10")  # minutes
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_a_trace_whose_time_is_over_keeps_the_file_that_was_there(tmp_path, trace, ranks):
+    jobs.write(tmp_path, jobs.trace(2.0, settings="cycles = 5"))
+    shutil.copy(trace[0], tmp_path / "job.h5")
+    finished = launch.run("run", "job.toml", "--fresh", "--max-wall", "1e-9", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 5, finished.stderr
+    assert "stopped early (--max-wall" in " ".join(launch.messages(finished))
+    map_contents.assert_same_map(tmp_path / "job.h5", trace[0])
+
+
+def catches_usr1(process):
+    status = Path(f"/proc/{process}/status").read_text()
+    caught = next(line for line in status.splitlines() if line.startswith("SigCgt")).split()[1]
+    return int(caught, 16) >> (signal.SIGUSR1 - 1) & 1
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_usr1_ends_a_trace_on_all_ranks(tmp_path, ranks):
+    jobs.write(tmp_path, LONG_TRACE)
+    process = launch.start("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    deadline = time.monotonic() + launch.HANGING
+    while not (len(found := launch.computing(process)) == (ranks or 1) and all(map(catches_usr1, found))):
+        assert process.poll() is None and time.monotonic() < deadline
+    process.send_signal(signal.SIGUSR1)
+    _, errors = process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 5, errors
+    assert errors.count("stopped early (signal SIGUSR1)") == 1
+    assert not (tmp_path / "job.h5").exists()
