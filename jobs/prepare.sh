@@ -29,7 +29,8 @@ if [ ${#missing[@]} -gt 0 ]; then
         -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
 fi
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" >build.log 2>&1 ||
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" \
+    -DPETERKA_UNITY_TESTS=ON >build.log 2>&1 ||
     { cat build.log; exit 1; }
 cmake --build build
 rm -f build.log

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test: C++ units, MPI tests, the program under mpirun, the pictures,
+# Installs what is missing, builds, and runs the tests of every commit: C++ units, MPI tests, the program under mpirun, the pictures,
 # formatting and static analysis. Safe to repeat.
 #   tests/run.sh              everything
 #   tests/run.sh -R pattern   only the tests whose name matches, no analysis (arguments go to ctest)

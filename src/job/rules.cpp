@@ -94,8 +94,9 @@ std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
     if (frequencies.points <= most / std::max(sweep.samples, least_samples)) return {};
     return fmt::format(
         "a branch has {} points with up to {} samples each; a rank keeps a branch in memory until it is whole, "
-        "so their product is at most {}; give fewer points or sweep.samples",
-        frequencies.points, sweep.samples, most);
+        "so their product is at most {}, where each point counts as {} samples at least; give fewer points or "
+        "sweep.samples",
+        frequencies.points, sweep.samples, most, least_samples);
 }
 
 std::string rule_of_cells(const Study& study) {

@@ -61,11 +61,8 @@ Checked::Checked(std::filesystem::path path) : path_(std::move(path)) {
 
 void Checked::fail(const char* call) const {
     const std::string reason = hdf5_reason();
-    if (call != std::string_view("H5Dwrite")) {
-        throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}", path_.string(), call, reason));
-    }
-    throw Failure(ExitCode::output,
-                  fmt::format("{}: {} failed: {}{}.", path_.string(), call, reason, why_unwritable(path_)));
+    const std::string why = call == std::string_view("H5Dwrite") ? why_unwritable(path_) : "";
+    throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}{}.", path_.string(), call, reason, why));
 }
 
 }  // namespace peterka::output

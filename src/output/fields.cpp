@@ -42,7 +42,7 @@ constexpr Field fields[] = {
     {{"peak_force_mean_ratio", Number::float64, regime::unknown, "1", "mean of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_mean>},
     {{"peak_force_q95_ratio", Number::float64, regime::unknown, "1", "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_q95>},
     {{"window_cycles", Number::int32, -1, "1", "forcing cycles of which these are mean and quantile"}, OptionalField::force_per_cycle, member<&CellResult::window_cycles>},
-    {{"last_impact", Number::int32, regime::goes_on, "1", "forcing cycles until the last impact; none where impacts go on"}, OptionalField::last_impact, member<&CellResult::last_impact>},
+    {{"last_impact", Number::int32, regime::goes_on, "1", "forcing cycles until the last impact; none where impacts go on or the cell was filled"}, OptionalField::last_impact, member<&CellResult::last_impact>},
 };
 // clang-format on
 

@@ -27,6 +27,8 @@ WAYS = [(None, "SIGUSR1"), (None, "SIGTERM"), (None, "SIGINT"), (None, "--max-wa
         (3, "SIGUSR1"), (3, "SIGTERM"), (3, "SIGINT"), (3, "--max-wall")]
 LONGEST_WAIT = 0.5  # seconds of work before the wish to stop
 PROMPT = 0.5  # seconds from the wish to the end of a run of its own
+PROMPT_OF_MPIRUN = 5
+OF_MPIRUN = {"SIGTERM": (1, 128 + signal.SIGTERM), "SIGINT": (1, 128 + signal.SIGINT)}  # its exit codes upon these
 STOPPED_EARLY = 5
 TRIES = 4
 
@@ -69,7 +71,7 @@ def stopped_on_the_way(text, arguments, ranks, way):
 def as_it_should_be(ranks, way, code, end):
     if ranks is None:
         return code == STOPPED_EARLY and end <= PROMPT
-    return code == STOPPED_EARLY or way in ("SIGTERM", "SIGINT")  # upon which mpirun has a code of its own
+    return code in (STOPPED_EARLY, *OF_MPIRUN.get(way, ())) and end <= PROMPT_OF_MPIRUN
 
 
 def main():

@@ -1,6 +1,7 @@
 # Two hosts on this machine: network namespaces with a cable between them, each with a host name of its own. To be
 # sourced; needs root. on_host N COMMAND... runs a command there, mpirun_on_both ... starts from host 1 and
-# gives up after 5 minutes, with code 124.
+# gives up after $patience seconds.
+patience=300
 
 host_name() { echo "peterka-$1"; }
 
@@ -33,7 +34,7 @@ on_host() {
 }
 
 mpirun_on_both() {
-    on_host 1 timeout --kill-after=10 300 mpirun --host 10.77.0.1:2,10.77.0.2:2 -n 4 --bind-to none "$@"
+    on_host 1 timeout --kill-after=10 "$patience" mpirun --host 10.77.0.1:2,10.77.0.2:2 -n 4 --bind-to none "$@"
 }
 
 kill_all_on_host() {
