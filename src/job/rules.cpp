@@ -143,11 +143,12 @@ std::string rule_of_trace(const Job& job) {
         return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
                "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }
-    const bool is_complete = job.hammer.natural_frequency_hz || job.hammer.stiffness_n_per_m;
+    const Hammer& hammer = job.hammer;
+    const bool is_complete = hammer.mass_kg > 0 && (hammer.natural_frequency_hz || hammer.stiffness_n_per_m) &&
+                             (hammer.damping_ns_per_m || hammer.damping_ratio);
     if (eta == 0 && !is_complete) return {};  // that is told already
-    const double cycles = eta > 0
-                              ? static_cast<double>(trace.cycles)
-                              : trace.duration_s * derive(job.hammer).omega_rad_per_s / (2 * std::numbers::pi);
+    const double cycles = eta > 0 ? static_cast<double>(trace.cycles)
+                                  : trace.duration_s * derive(hammer).omega_rad_per_s / (2 * std::numbers::pi);
     const double samples = cycles * static_cast<double>(trace.samples_per_cycle);
     if (samples <= most_samples) return {};
     return fmt::format(
