@@ -52,10 +52,10 @@ all_files() {
             --set "start.displacement_ratio=${start%:*}" --set "start.velocity_ratio=${start#*:}"
     done
     for gap in $(pick "1.60 1.64 1.66 1.67 1.68 1.70 1.72" "1.60 1.70"); do
-        compute "nearby_150mm/gap_$gap" basin_150mm --set "operating_point.gap_ratio=$gap" $(few)
+        compute "nearby_150mm/gap_$gap" basin_150mm $(stop_at "$gap") $(few)
     done
     for gap in $(pick "1.30 1.40 1.45 1.50 1.52 1.54 1.56 1.58" "1.40 1.50"); do
-        compute "nearby_135mm/gap_$gap" basin_135mm --set "operating_point.gap_ratio=$gap" $(few)
+        compute "nearby_135mm/gap_$gap" basin_135mm $(stop_at "$gap") $(few)
     done
     for factor in $(pick "0.4 0.5 0.6 0.7 0.75 0.8 0.9 1.1 1.25 1.5 2" "0.75"); do
         moved "$factor" gap_0 peterka_170mm 170mm --set audit.cells=0 $(points frequency_ratio 2001 501) $(points gap_ratio 2 2)
@@ -64,20 +64,24 @@ all_files() {
     done
 }
 few() { points displacement_ratio 32 12 && points velocity_ratio 32 12; }
+# The gap of a basin, whose starts end at the stop: beyond it they would be shot away.
+stop_at() { # GAP_RATIO
+    echo --set "operating_point.gap_ratio=$1" --set "axes.displacement_ratio.to=$1"
+}
 at_170mm() { # NAME FREQUENCY_RATIO GAP_RATIO
     compute "$1" basin_150mm --set hammer.natural_frequency_hz=4.5 --set hammer.damping_ns_per_m=0.06 \
         --set hammer.cubic_stiffness_n_per_m3=238.23 --set "operating_point.frequency_ratio=$2" \
-        --set "operating_point.gap_ratio=$3" --set "axes.displacement_ratio.to=$3" --set "title=Basins of attraction, 170 mm" \
+        $(stop_at "$3") --set "title=Basins of attraction, 170 mm" \
         $(points displacement_ratio 128 24) $(points velocity_ratio 128 24)
 }
-# Each parameter in turn times FACTOR. Gaps stay what they are in mm.
+# Each parameter in turn times FACTOR. Gaps stay what they are in mm; starts are in A0, but for their end at the stop.
 moved() { # FACTOR WHAT JOB RIG [--set ...]
-    local name="sensitivity/${2}_$1" gap=()
-    case $2 in 150mm) gap=(--set "operating_point.gap_ratio=$(times 1.74 "1/$1")") ;;
-               135mm) gap=(--set "operating_point.gap_ratio=$(times 1.60 "1/$1")") ;; esac
+    local name="sensitivity/${2}_$1" gap=""
+    case $2 in 150mm) gap=$(stop_at "$(times 1.74 "1/$1")") ;;
+               135mm) gap=$(stop_at "$(times 1.60 "1/$1")") ;; esac
     compute "${name}_ci" "$3" --set "contact.damping_ns_per_m=$(times 1200 "$1")" "${@:5}"
     compute "${name}_ki" "$3" --set "contact.stiffness_n_per_m=$(times 5.5e6 "$1")" "${@:5}"
-    compute "${name}_A0" "$3" --set "cart.amplitude_m=$(times 0.89e-3 "$1")" "${gap[@]}" "${@:5}"
+    compute "${name}_A0" "$3" --set "cart.amplitude_m=$(times 0.89e-3 "$1")" $gap "${@:5}"
     compute "${name}_zeta" "$3" --set "hammer.damping_ns_per_m=$(times "$(damping "$4")" "$1")" "${@:5}"
 }
 
