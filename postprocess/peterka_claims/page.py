@@ -3,7 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 
-from .record import AGREES, DIFFERS, LIMITS, OPEN, SETTLED
+from .record import AGREES, DIFFERS, LIMITS, OPEN, SETTLED, SOME, percent
 from .sensitivity import PARAMETERS
 
 SHOWN_FACTORS = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)  # of the sensitivity table
@@ -86,22 +86,25 @@ def _sensitivity(rows):
     table = Table(header, tuple(_sensitivity_row(row, factors) for row in rows))
     return [
         Heading(2, "Which parameter would remove a difference"),
-        Paragraph("One parameter at a time is multiplied by a factor, everything else stays as printed, gaps in mm too. "
-                  "The column in the middle says which factor, nearest to 1, brings the number to the paper's, or, where the "
-                  "paper has some starts of each kind, which of those tried has them, too; the others give the number "
-                  "itself."),
+        Paragraph("One parameter at a time is multiplied by a factor, everything else stays as printed, gaps in mm too. Only "
+                  "the plane of starts, which is in A0 and A0 ω and ends at the stop, grows and shrinks with the cart's "
+                  "amplitude. The column in the middle says which factor, nearest to 1, brings the number to the paper's, or, "
+                  "where the paper has some starts of each kind, which of those tried has them, too (some = at least "
+                  f"{percent(SOME)} of the starts of each kind); the others give the number itself, of starts the shares that "
+                  "end in impacts / in none."),
         table,
     ]
 
 
 def _sensitivity_row(row, factors):
-    values = dict(zip(row.factors.tolist(), row.values.tolist()))
-    printed = "some" if row.printed is None else f"{row.printed:g} {row.unit}"
+    values = dict(zip(row.factors.tolist(), zip(row.values.tolist(), row.quiet.tolist())))
+    is_basin = row.printed is None
+    printed = "some of each" if is_basin else f"{row.printed:g} {row.unit}"
     return (row.what, printed, PARAMETERS[row.parameter][2], row.answer,
-            *(_value(values.get(factor), row.unit) for factor in factors))
+            *(_value(*values[factor], row.unit, is_basin) if factor in values else "" for factor in factors))
 
 
-def _value(value, unit):
-    if value is None:
-        return ""
+def _value(value, quiet, unit, is_basin):
+    if is_basin:
+        return f"{value:.4g} / {quiet:.4g} {unit}"
     return f"{value:.4g} {unit}" if value == value else "no band"

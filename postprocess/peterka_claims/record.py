@@ -6,6 +6,7 @@ FREQUENCY = 0.25  # Hz
 SHARE, ALL, SOME = 0.10, 0.95, 0.10
 HIGH_GAP = 1.5  # A0
 CLOSED_FORM = 0.01
+RANGE = 0.5
 WIDE = 0.05  # of the columns
 LIMITS = (
     ("Frequencies", f"agree within {FREQUENCY} Hz, the step of the printed ones; what is higher, or a hysteresis, differs by "
@@ -16,6 +17,8 @@ LIMITS = (
     ("Some", f"{100 * SOME:.0f} % of the starts, or of a gap's cells between the bands; where some starts end in impacts and "
      f"others in none, {100 * SOME:.0f} % of each"),
     ("Closed forms", f"agree within {100 * CLOSED_FORM:.0f} %"),
+    ("Spectra", f"a peak reaches {100 * SHARE:.0f} % of the largest value; its frequency agrees within {100 * SHARE:.0f} %, "
+     f"in the paper's range of 1 kHz within {100 * RANGE:.0f} %"),
     ("High gaps", f"from gap/A0 = {HIGH_GAP:g} up, the only number that the paper gives for them"),
     ("Between the bands", "from the end of the widest z = 1/1 of a gap to the beginning of its widest z = 1/2; a gap with no "
      f"z = 1/1, or with none of z = 1/2 as wide as {100 * WIDE:.0f} % of the frequencies, takes those of the next lower gap"),

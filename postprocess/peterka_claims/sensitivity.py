@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, force_at, limits_hz
-from .record import percent
+from .record import SOME, percent
 
 PARAMETERS = {
     "ci": ("contact", "damping_ns_per_m", "stop's damping ci"),
@@ -22,7 +22,8 @@ PARAMETERS = {
 class Row:
     """How one number moves with one parameter. `values` at `factors` times the parameter, 1 among them.
 
-    Without a printed number the paper has both outcomes of a basin, as it `has_both` in the model at some of the factors."""
+    Of a basin, where the paper prints no number but has both outcomes: shares of the starts that end in impacts, and `quiet`
+    of those that end in none, in %; `has_both` tells where both are there."""
 
     what: str
     unit: str
@@ -30,15 +31,17 @@ class Row:
     parameter: str
     factors: np.ndarray
     values: np.ndarray
+    quiet: np.ndarray
     has_both: np.ndarray
 
     @property
     def answer(self):
         """The factor, nearest to 1, at which the number is the paper's; in words."""
         factor = self.needed
-        if factor is None:
-            return f"{'none tried' if self.printed is None else 'no factor'} from {self.factors[0]:g} to {self.factors[-1]:g}"
-        return f"{factor:.3g} times"
+        if factor is not None:
+            return f"{factor:.3g} times"
+        tried = f"from {self.factors[0]:g} to {self.factors[-1]:g}"
+        return f"none tried {tried} has {percent(SOME)} of each" if self.printed is None else f"no factor {tried}"
 
     @property
     def needed(self):
@@ -57,7 +60,8 @@ def rows(folder):
     for rig, figure in (("150mm", "24a"), ("135mm", "24b")):
         base = folder.plane(f"basin_{rig}")
         if base is not None:
-            found += _rows_of(folder, f"sensitivity/{rig}_", base, f"starts that end in impacts, Fig. {figure}", "%", None,
+            what = f"starts that end in impacts / in none, Fig. {figure}"
+            found += _rows_of(folder, f"sensitivity/{rig}_", base, what, "%", None,
                               lambda plane: 100 * plane.share(plane.strikes))
     return found
 
@@ -72,9 +76,15 @@ def contact_damping_with_both(folder, prefix):
     for plane in moved:
         if plane.has_both:
             return (f"with ci = {plane.job['contact']['damping_ns_per_m']:.4g} Ns/m instead of "
-                    f"{base.job['contact']['damping_ns_per_m']:.4g} both are there, impacts from "
-                    f"{percent(plane.share(plane.strikes))} of the starts")
+                    f"{base.job['contact']['damping_ns_per_m']:.4g} both are there: {outcomes(plane)}")
     return ""
+
+
+def outcomes(plane):
+    """Words on how many starts of a basin end in what."""
+    left = plane.share(~(plane.quiet | plane.strikes))
+    return (f"{percent(plane.share(plane.strikes))} of the starts end in impacts, {percent(plane.share(plane.quiet))} in none"
+            + (f", {percent(left)} in lasting contact or undecided" if left > 0 else ""))
 
 
 def _limit(number, z, inside, end):
@@ -105,6 +115,7 @@ def _rows_of(folder, prefix, base, what, unit, printed, number):
 
 def _row(what, unit, printed, number, name, planes):
     return Row(what, unit, printed, name, np.array(list(planes)), np.array([number(plane) for plane in planes.values()]),
+               np.array([100 * plane.share(plane.quiet) for plane in planes.values()]),
                np.array([plane.has_both for plane in planes.values()]))
 
 

@@ -3,8 +3,9 @@
 
 import numpy as np
 
+from .folder import NotDrawable
 from .record import HIGH_GAP, SOME, claim, near, not_computed, off_by, percent
-from .sensitivity import contact_damping_with_both
+from .sensitivity import contact_damping_with_both, outcomes
 from .spans import around_bands
 
 PLACE = "section 4.2, Fig. 24"
@@ -80,27 +81,30 @@ def _first_basin(folder):
     why = []
     if lasting:
         why.append(f"the last gap towards the paper's point where any of the starts tried ends in impacts is gap/A0 = "
-                   f"{lasting.gap_ratio:.4g}, and there {percent(lasting.share(lasting.strikes))} of them do")
+                   f"{lasting.gap_ratio:.4g}, where {outcomes(lasting)}")
     why += [words for words in [contact_damping_with_both(folder, "sensitivity/150mm_")] if words]
-    return claim("fig_24a", f"{PLACE}a", SAYS["fig_24a"], _outcomes(plane) + _nearest_with_both(both, planes), plane.has_both,
+    return claim("fig_24a", f"{PLACE}a", SAYS["fig_24a"], outcomes(plane) + _nearest_with_both(both, planes), plane.has_both,
                  f"{off_by(both.gap_ratio, plane.gap_ratio, 'A0')} for the nearest such gap" if both else "", "; ".join(why),
                  ["basin_150mm_basin_impact", "basin_150mm_coexisting_basin_impact"])
 
 
 def _second_basin(folder):
     plane = folder.plane("basin_135mm")
-    if plane is None or plane.last_impact is None:
+    if plane is None:
         return not_computed("fig_24b", f"{PLACE}b", SAYS["fig_24b"], "basin_135mm.h5")
+    if plane.last_impact is None:
+        raise NotDrawable(f"{plane.path} holds no last_impact")
     lives = plane.last_impact[plane.quiet & (plane.last_impact > 0)]
     late = plane.share(plane.strikes | (plane.last_impact > MANY))
     planes = folder.planes("nearby_135mm/gap_")
     both = nearest(planes, plane.gap_ratio, lambda other: other.has_both)
-    text = _outcomes(plane)
+    text = outcomes(plane)
     if len(lives):
-        text += f", after {lives.mean():.4g} cycles with impacts on average, {lives.max()} at most"
-    text += f"; after {MANY} cycles {percent(late)} still impact" + _nearest_with_both(both, planes)
+        text += f"; impacts end after {lives.mean():.4g} cycles on average, {lives.max()} at most"
+    text += f"; after {MANY} cycles {percent(late)} still impact, {percent(1 - late)} don't" + _nearest_with_both(both, planes)
     return claim("fig_24b", f"{PLACE}b", SAYS["fig_24b"], text, plane.has_both,
-                 f"{percent(plane.share(plane.strikes))} of the starts end in lasting impacts",
+                 f"{percent(plane.share(plane.strikes))} of the starts end in lasting impacts; {percent(SOME)} of each "
+                 "kind count as some",
                  "impacts are a chaotic transient here, which a run of some hundred cycles takes for an attractor: what "
                  f"is seen then is the picture after {MANY} cycles", [f"basin_135mm_impact_after_{MANY}",
                                                                      "basin_135mm_last_impact"])
@@ -111,15 +115,9 @@ def nearest(planes, gap_ratio, suits):
     return min(filter(suits, planes), key=lambda plane: abs(plane.gap_ratio - gap_ratio), default=None)
 
 
-def _outcomes(plane):
-    undecided = plane.share(~(plane.quiet | plane.strikes))
-    return (f"{percent(plane.share(plane.quiet))} of the starts end in no impact"
-            + (f", {percent(undecided)} in lasting contact or undecided" if undecided > 0 else ""))
-
-
 def _nearest_with_both(both, planes):
     if both:
-        return (f"; the nearest gap with both is gap/A0 = {both.gap_ratio:.4g}, where {percent(both.share(both.strikes))} of "
-                "the starts end in impacts")
+        return (f"; the nearest gap with at least {percent(SOME)} of each is gap/A0 = {both.gap_ratio:.4g}, where "
+                f"{outcomes(both)}")
     gaps = [plane.gap_ratio for plane in planes]
-    return f"; no gap that was tried, gap/A0 = {min(gaps):g} to {max(gaps):g}, has both" if gaps else ""
+    return f"; no gap that was tried, gap/A0 = {min(gaps):g} to {max(gaps):g}, has {percent(SOME)} of each" if gaps else ""

@@ -9,7 +9,7 @@ from peterka_claims.folder import Folder, NotDrawable
 from peterka_claims.record import AGREES, DIFFERS
 from peterka_claims.sensitivity import contact_damping_with_both, rows
 from picture_samples import PLAIN, write_map
-from sweep_samples import write_sweep
+from sweep_samples import FREQUENCY, write_sweep
 
 MILLIMETRE = 1 / 0.89  # A0
 RIGS = [f"peterka_{rig}" for rig in force_map.RIGS]
@@ -19,10 +19,10 @@ def judged(agrees):
     return AGREES if agrees else DIFFERS
 
 
-def bands_at_gap_0(first=(4.0, 11.5), peak=204.0, peak_hz=9.0, second=230.0):
-    """z = 1/1, then 2/2 up to 12.25 Hz, then 1/2 up to 16.5 Hz, in steps of 0.25 Hz."""
+def bands_at_gap_0(first=(4.0, 11.5), peak=204.0, peak_hz=9.0, second=230.0, half=(12.5, 16.5)):
+    """z = 1/1, then 2/2, then 1/2, in steps of 0.25 Hz."""
     hertz = np.arange(2, 20, 0.25)
-    cells = [ONE if first[0] <= f <= first[1] else TWICE if 11.5 < f <= 12.25 else HALF if 12.25 < f <= 16.5 else CHAOS
+    cells = [ONE if first[0] <= f <= first[1] else TWICE if 11.5 < f < half[0] else HALF if half[0] <= f <= half[1] else CHAOS
              for f in hertz]
     force = np.where(hertz > 12.25, second, peak - 5 * np.abs(hertz - peak_hz))
     return verdicts(gap_zero.claims(Held(gaps_170mm=plane([cells], [force], columns=hertz))))
@@ -37,6 +37,18 @@ def test_bands_and_forces_at_gap_0():
     assert bands_at_gap_0(peak=226, second=225)["gap_0_peak_force"] == DIFFERS
     assert bands_at_gap_0(peak_hz=9.5)["gap_0_peak_frequency"] == DIFFERS
     assert bands_at_gap_0(second=203)["gap_0_half_is_stronger"] == DIFFERS
+    earlier = bands_at_gap_0(half=(12.0, 16.0))
+    assert (earlier["gap_0_second_band"], earlier["gap_0_alternating"]) == (AGREES, DIFFERS)
+    assert bands_at_gap_0(half=(15.5, 16.5))["gap_0_half"] == DIFFERS
+
+
+@pytest.mark.parametrize("beyond, words", [
+    (300, "exceed those of z = 1/1 only at higher frequencies: 300 N at 18.00 Hz"),
+    (150, "nowhere exceed those of z = 1/1: at most 150 N, at 15.00 Hz")])
+def test_where_the_second_band_is_stronger_is_told_as_it_is(beyond, words):
+    gaps = plane([[ONE, HALF, HALF]], [[200, 150, beyond]], columns=[9, 15, 18])
+    found = {claim.key: claim for claim in gap_zero.claims(Held(gaps_170mm=gaps))}["gap_0_half_is_stronger"]
+    assert found.verdict == DIFFERS and words in found.why
 
 
 def three_maps(labels, force, gaps):
@@ -108,7 +120,8 @@ def test_some_starts_of_each_kind_are_a_tenth_of_each(striking, quiet, agrees):
     folder = Held(basin_150mm=basin(striking, quiet), basin_135mm=basin(striking, quiet))
     found = starts.claims(folder)[1:]
     assert [claim.verdict for claim in found] == 2 * [judged(agrees)]
-    told = f"{100 * quiet / (striking + quiet):.4g} % of the starts end in no impact"
+    strike, none = (100 * count / (striking + quiet) for count in (striking, quiet))
+    told = f"{strike:.4g} % of the starts end in impacts, {none:.4g} % in none"
     assert all(told in claim.computed for claim in found)
 
 
@@ -118,11 +131,18 @@ def test_the_nearest_basin_with_both_outcomes_is_told():
 
     found = told(**{"nearby_150mm/gap_1": basin(5, 5, 1.5), "nearby_150mm/gap_2": basin(0, 9, 1.6),
                     "nearby_150mm/gap_3": basin(5, 5, 2.5)})
-    assert "the nearest gap with both is gap/A0 = 1.5, where 50 % of the starts end in impacts" in found.computed
+    assert "the nearest gap with at least 10 % of each is gap/A0 = 1.5, where 50 % of the starts end in impacts, 50 % in none" \
+        in found.computed
     assert found.difference.startswith("-0.2 A0")
     found = told(**{"nearby_150mm/gap_1": basin(19, 1, 1.6)})
-    assert "no gap that was tried, gap/A0 = 1.6 to 1.6, has both" in found.computed
-    assert "gap/A0 = 1.6, and there 95 % of them do" in found.why
+    assert "no gap that was tried, gap/A0 = 1.6 to 1.6, has 10 % of each" in found.computed
+    assert "gap/A0 = 1.6, where 95 % of the starts end in impacts, 5 % in none" in found.why
+
+
+def test_a_basin_of_the_second_place_without_lives_is_refused():
+    without = plane([[ONE, QUIET]], last_impact=None)
+    with pytest.raises(NotDrawable, match="a.h5 holds no last_impact"):
+        starts._second_basin(Held(basin_135mm=without))
 
 
 def damped(striking, quiet, damping):
@@ -136,8 +156,9 @@ def test_the_sensitivity_asks_for_both_outcomes_too():
     folder = Held(**{"basin_150mm": damped(0, 20, 1200.0), "sensitivity/150mm_1_ci": damped(20, 0, 1080.0),
                      "sensitivity/150mm_2_ci": damped(16, 4, 900.0), "sensitivity/150mm_3_ci": damped(10, 10, 600.0)})
     (row,) = rows(folder)
-    assert row.needed == 0.75 and row.values.tolist() == [50, 80, 100, 0]
-    assert "with ci = 900 Ns/m instead of 1200 both are there" in contact_damping_with_both(folder, "sensitivity/150mm_")
+    assert row.needed == 0.75 and row.values.tolist() == [50, 80, 100, 0] and row.quiet.tolist() == [50, 20, 0, 100]
+    assert "with ci = 900 Ns/m instead of 1200 both are there: 80 % of the starts end in impacts, 20 % in none" in (
+        contact_damping_with_both(folder, "sensitivity/150mm_"))
 
 
 @pytest.mark.parametrize("factors, agrees", [((1, 1.04, 1.08), True), ((1, 1.05, 1.2), False), ((1, 1, 0.8), False)])
@@ -162,10 +183,10 @@ def test_maps_of_springs_that_differ_between_the_bands_or_elsewhere(tmp_path):
     assert compared(30, 31, 32, 33) == (DIFFERS, AGREES)
 
 
-def sweeps(folder, **changes):
-    """Claims on three sweeps that are alike, at 0, 1 and 3 mm."""
-    for name in jumps.FILES.values():
-        write_sweep(folder / f"{name}.h5", gaps=(0.0, MILLIMETRE, 3 * MILLIMETRE), **changes)
+def sweeps(folder, natural=(4.5, 4.5, 4.5), **changes):
+    """Sweeps of the three rigs at 0, 1 and 3 mm, alike but for their natural frequencies."""
+    for name, hertz in zip(jumps.FILES.values(), natural):
+        write_sweep(folder / f"{name}.h5", gaps=(0.0, MILLIMETRE, 3 * MILLIMETRE), natural_frequency_hz=hertz, **changes)
     return folder
 
 
@@ -185,6 +206,44 @@ def test_jumps_and_hysteresis(tmp_path):
     change(path, "peak_force_ratio", [0], [40.0] * 12 + [20.0])
     found = verdicts(jumps.claims(Folder(tmp_path)))
     assert (found["jump_3mm"], found["jump_1mm"], found["no_jump_0mm"]) == (DIFFERS, DIFFERS, DIFFERS)
+
+
+def test_each_direction_tells_the_resonance_that_its_jump_lies_beyond(tmp_path):
+    found = {claim.key: claim for claim in jumps.claims(Folder(sweeps(tmp_path)))}["jump_3mm"]
+    assert found.computed == (
+        "with rising frequency a jump between 175.3 and 0 N at 8.16 Hz, beyond the impact resonance at 7.88 Hz (175.3 N); "
+        "with falling frequency a jump between 146.1 and 0 N at 7.03 Hz, beyond the impact resonance at 6.75 Hz (146.1 N)")
+    resonance = (5.372, 163.1)
+    assert jumps._jump_words((5.374, 163.1, 0.0), resonance).endswith("next to the impact resonance at 5.37 Hz (163.1 N)")
+    assert jumps._jump_words(None, resonance) == "no jump beyond the impact resonance at 5.37 Hz (163.1 N)"
+    assert jumps._jump_words(None, None) == "no z = 1/1"
+
+
+@pytest.mark.parametrize("natural, agrees", [(1.1, True), (0.9, False)])  # a quarter of it is the hysteresis
+def test_a_hysteresis_is_wider_than_the_steps_of_the_paper(tmp_path, natural, agrees):
+    assert verdicts(jumps.claims(Folder(sweeps(tmp_path, (natural, 5, 6)))))["jump_3mm"] == judged(agrees)
+
+
+@pytest.mark.parametrize("peaks, agrees", [
+    ((2.0, 1.75, 1.75), True), ((2.0, 2.0, 2.0), False), ((1.875, 1.75, 1.75), False),  # moved much
+    ((2.0, 1.75, 1.125), True), ((2.0, 1.75, 1.0), False), ((1.125, 0.875, 0.75), True), ((1.25, 1.0, 0.75), False)])
+def test_gaps_move_the_resonance_away_from_the_natural_frequency(tmp_path, peaks, agrees):
+    """`peaks`: where the force is largest at 0, 1 and 3 mm, in natural frequencies."""
+    path, frequency = sweeps(tmp_path) / "sweep_170mm.h5", FREQUENCY - 0.5
+    change(path, "frequency_ratio", [...], frequency)
+    for branch, peak in zip((0, 2, 4), peaks):
+        change(path, "peak_force_ratio", [branch], 40 - 10 * np.abs(frequency - peak))
+        for name in ("regime", "impacts", "period"):
+            change(path, name, [branch], 1)
+    assert verdicts(jumps.claims(Folder(tmp_path)))["gap_moves_resonance"] == judged(agrees)
+
+
+@pytest.mark.parametrize("natural, agrees", [
+    ((4.5, 5.25, 6.5), True), ((4.5, 4.65, 4.80), True), ((4.5, 4.63, 4.8), False), ((4.5, 4.65, 4.78), False),
+    ((6.5, 5.25, 4.5), False)])
+def test_stiffer_springs_raise_the_resonance_at_each_gap(tmp_path, natural, agrees):
+    """Resonances lie at 2 natural frequencies at gap 0, and at 1.75 at the others."""
+    assert verdicts(jumps.claims(Folder(sweeps(tmp_path, natural))))["stiffness_raises_resonance"] == judged(agrees)
 
 
 def test_a_sweep_without_single_impacts_differs(tmp_path):

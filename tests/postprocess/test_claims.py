@@ -90,7 +90,8 @@ def test_what_lies_between_the_bands():
 
 def row(printed, factors, values, has_both=None):
     values = np.array(values, dtype=float)
-    return Row("force", "N", printed, "ci", np.array(factors), values, np.array(has_both or [False] * len(values)))
+    return Row("force", "N", printed, "ci", np.array(factors), values, 100 - values,
+               np.array(has_both or [False] * len(values)))
 
 
 def test_jumps_of_a_sweep(tmp_path):
@@ -100,6 +101,8 @@ def test_jumps_of_a_sweep(tmp_path):
     assert sweep.end_of_band(0, "up") is None and sweep.end_of_band(0, "down") is None
     assert sweep.end_of_band(1.3, "up") == pytest.approx((1.8125 * 4.5, 60 * weight, 0))  # chaos above doesn't count
     assert sweep.end_of_band(1.3, "down") == pytest.approx((1.5625 * 4.5, 50 * weight, 0))
+    assert sweep.resonance(1.3, "up")[0] == pytest.approx(1.75 * 4.5)
+    assert sweep.resonance(1.3, "down")[0] == pytest.approx(1.5 * 4.5)
     assert sweep.doubling(1.3) == pytest.approx((1.75 * 4.5, 60 * weight))
 
 
@@ -108,7 +111,14 @@ def test_the_factor_that_removes_a_difference():
     assert row(204, [0.5, 1, 2], [304, 304, np.nan]).answer == "no factor from 0.5 to 2"
     assert row(10, [0.25, 0.5, 1, 2], [20, 8, 12, 9]).needed == pytest.approx(0.75)  # the nearest of three
     assert row(None, [0.5, 0.75, 1, 2], [50, 99, 0, 30], [True, False, False, True]).needed == 0.5
-    assert row(None, [0.5, 1], [99, 0]).answer == "none tried from 0.5 to 1"
+    assert row(None, [0.5, 1], [99, 0]).answer == "none tried from 0.5 to 1 has 10 % of each"
+
+
+def test_the_sensitivity_table_gives_both_shares_of_a_basin_and_says_what_some_are():
+    text = markdown(page.blocks([], [row(204, [0.5, 1], [104, np.nan]), row(None, [0.5, 1], [98, 0])], bool), "pictures")
+    assert "(some = at least 10 % of the starts of each kind)" in text
+    assert "| no factor from 0.5 to 1 | 104 N | no band |" in text
+    assert "| some of each | stop's damping ci | none tried from 0.5 to 1 has 10 % of each | 98 / 2 N | 0 / 100 N |" in text
 
 
 def test_a_folder_without_files_gives_a_page_that_says_so(tmp_path, run_program):
