@@ -23,7 +23,7 @@ from peterka_claims.markdown import markdown  # noqa: E402
 from peterka_claims.page import Pictures, blocks  # noqa: E402
 from peterka_claims.sensitivity import rows  # noqa: E402
 from peterka_pictures import axes  # noqa: E402
-from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, tell  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.read import PeterkaFile  # noqa: E402
 
@@ -44,10 +44,11 @@ def main():
         complain(f"cannot write the page: {error.filename}: {error.strerror or error}")
         return BAD_OUTPUT
     for title, claims in groups:
-        print(title)
+        tell(title)
         for claim in claims:
-            print(f"  {claim.verdict:<12}  {claim.key}")
-    print(f"{page / 'claims.md'}\n{page / 'claims.html'}")
+            tell(f"  {claim.verdict:<12}  {claim.key}")
+    for name in ("claims.md", "claims.html"):
+        tell(page / name)
     return DONE
 
 

@@ -1,5 +1,10 @@
 """The claims report: how claims are told, in Markdown and HTML, and the arithmetic behind them."""
 
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from claim_samples import CHAOS, HALF, ONE, QUIET, plane
@@ -125,6 +130,17 @@ def test_a_folder_without_files_gives_a_page_that_says_so(tmp_path, run_program)
     code, told, _ = run_program("claims", tmp_path, "--page", tmp_path / "page")
     assert code == 0 and "not computed  gap_0_robust" in told and "agrees" not in told and "differs" not in told
     assert "peterka_170mm.h5 is not in the folder" in (tmp_path / "page" / "claims.md").read_text(encoding="utf-8")
+
+
+def test_verdicts_that_nobody_reads_to_the_end_leave_the_page_and_no_traceback(tmp_path):
+    program = Path(__file__).resolve().parents[2] / "postprocess" / "claims.py"
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run([sys.executable, program, tmp_path], stdout=writing, stderr=subprocess.PIPE, text=True, timeout=60,
+                          check=False)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "claims.md").exists()
 
 
 @pytest.mark.parametrize("folder, words", [(".", "gaps_170mm.h5 holds no job that can be read"), ("no", "is no folder")])
