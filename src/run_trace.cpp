@@ -14,6 +14,7 @@
 #include "support/readable.hpp"
 #include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
+#include "support/tell.hpp"
 #include "trace/tables.hpp"
 
 namespace peterka {
@@ -51,9 +52,15 @@ output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trac
     return contents;
 }
 
+std::string length_in_words(const job::Job& job) {
+    if (job.operating_point.frequency_ratio == 0) return fmt::format("{:.4g} s", job.trace.duration_s);
+    return fmt::format("{} forcing cycles", job.trace.cycles);
+}
+
 void run_alone(const RunPlan& plan, const StopRequest& stop, int ranks, const std::string& hosts) {
     const Stopwatch wall;
     const scene::Scene scene(plan.job);
+    if (!plan.quiet) tell("{} to follow\n", length_in_words(plan.job));
     const trace::Trace trace = trace::make_trace(scene, [&] { return !stop.requested(); });
     output::write_whole_file(plan.file, plan.job, output::collect_provenance(),
                              contents_of(scene, trace, plan.map_cell), {ranks, wall.seconds(), hosts});

@@ -9,8 +9,11 @@ done
 cmake -S . -B build/mpich -G Ninja -DCMAKE_BUILD_TYPE=Release -DMPI_C_COMPILER=mpicc.mpich \
     -DMPIEXEC_EXECUTABLE="$(command -v mpiexec.mpich)" -DHDF5_C_COMPILER_EXECUTABLE="$(command -v h5pcc.mpich)"
 cmake --build build/mpich
+bin=$(mktemp -d)  # where scripts find the mpirun that belongs to it
+trap 'rm -rf "$bin"' EXIT
+ln -s "$(command -v mpiexec.mpich)" "$bin/mpirun"
 code=0
-ctest --test-dir build/mpich --output-on-failure | tee build/mpich/tests.log || code=$?
+PATH=$bin:$PATH ctest --test-dir build/mpich --output-on-failure | tee build/mpich/tests.log || code=$?
 result=$(grep 'tests passed' build/mpich/tests.log)
 echo "the tests under $(mpiexec.mpich --version | grep Version: | xargs | sed 's/Version:/MPICH/') | 1 | $result" \
     >>"$ENDURANCE_ROWS"
