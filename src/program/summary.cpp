@@ -10,6 +10,7 @@
 #include "job/axis.hpp"
 #include "job/names.hpp"
 #include "program/sweep_summary.hpp"
+#include "regime/solve_cell.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -69,8 +70,9 @@ std::string reasons(std::span<const std::int64_t> cells_by_status) {
 
 std::string regimes(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
-    const std::string observed = fmt::format("chaotic for the {} cycles observed; it may settle later",
-                                             readable_count(input.job.steady_state.chaos_cycles));
+    const std::int64_t cycles = regime::budget_of(input.job.steady_state).fewest_chaos_cycles();
+    const std::string observed = fmt::format(
+        "chaotic for the {} cycles or more that were observed; it may settle later", readable_count(cycles));
     return "\nWhat the hammer settles into\n" +
            regime_line(statistics, Regime::no_impact, "no impact", "it swings without reaching the stop") +
            regime_line(statistics, Regime::periodic, "periodic",

@@ -61,7 +61,7 @@ class Search {
           state_(map_.scaled(start)),
           window_(measures.detail, touch_log(measures)),
           measure_from_(std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2)),
-          chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.chaos_cycles * 3 / 10),
+          chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.fewest_chaos_cycles()),
           last_cycle_(is_conservative(scene) ? std::min(budget.chaos_cycles, budget.max_cycles)
                                              : budget.max_cycles),
           several_from_(measures.force_per_cycle || measures.motion != nullptr

@@ -45,6 +45,9 @@ struct Budget {
     std::int64_t max_cycles = 3000;
     std::int64_t max_period = 64;
     std::int64_t chaos_cycles = 1000;
+
+    // Where impacts go on for ever.
+    [[nodiscard]] std::int64_t fewest_chaos_cycles() const { return chaos_cycles * 3 / 10; }
 };
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
