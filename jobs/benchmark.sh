@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures what the program costs, prints it as tables, and writes them with their pictures beside the results page:
 # time per cycle of every engine with its error, time per cell of a map on 1, 2 and 8 ranks, the rate of dealing, memory,
-# and the scaling to 100,000 ranks that follows. Takes about 20 minutes on 2 cores; leave them alone meanwhile.
+# and the scaling to 100,000 ranks that follows. Takes about half an hour on 2 cores; leave them alone meanwhile.
 #   jobs/benchmark.sh [--quick | --huge] [RESULTS_FOLDER [PAGE_FOLDER]]     default: results, postprocess/examples
 #   --quick: smaller maps and fewer rounds; --huge: a map of 67 million cells, too
 #   PETERKA_BUILD=... jobs/benchmark.sh                                     with another build folder than build
