@@ -14,7 +14,7 @@ trap 'rm -rf "$bin"' EXIT
 printf '#!/bin/sh\nexec mpiexec.mpich "$@"\n' >"$bin/mpirun"
 chmod +x "$bin/mpirun"
 code=0
-PATH=$bin:$PATH ctest --test-dir build/mpich --output-on-failure | tee build/mpich/tests.log || code=$?
+PATH=$bin:$PATH ctest --test-dir build/mpich --output-on-failure -j "$(nproc)" | tee build/mpich/tests.log || code=$?
 result=$(grep 'tests passed' build/mpich/tests.log)
 echo "the tests under $(mpiexec.mpich --version | grep Version: | xargs | sed 's/Version:/MPICH/') | 1 | $result" \
     >>"$ENDURANCE_ROWS"

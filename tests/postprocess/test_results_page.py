@@ -60,8 +60,8 @@ def test_missing_pictures_and_bad_files_are_told_in_one_line(files, tmp_path):
 
 STAND_IN = """#!/bin/sh
 # Stands in for peterka: "computes" a file that lies ready, and tells what it was asked.
-[ "${{OMPI_COMM_WORLD_RANK:-0}}" = 0 ] || exit 0
-echo "$@" "on $OMPI_COMM_WORLD_SIZE ranks" >>"{folder}/asked"
+[ "${{OMPI_COMM_WORLD_RANK:-${{PMI_RANK:-0}}}}" = 0 ] || exit 0
+echo "$@" "on ${{OMPI_COMM_WORLD_SIZE:-$PMI_SIZE}} ranks" >>"{folder}/asked"
 cp "{folder}/ready/$(basename "$4")" "$4"
 """
 
