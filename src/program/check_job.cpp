@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
@@ -16,6 +17,8 @@
 #include "program/run_plan.hpp"
 #include "program/traced_cell.hpp"
 #include "refine/lattice.hpp"
+#include "refine/region.hpp"
+#include "refine/regions.hpp"
 #include "regime/branch.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
@@ -47,6 +50,15 @@ std::string refine_text(const job::Job& job) {
         refine::Lattice(job.rows.points, stride).lines() * refine::Lattice(job.columns.points, stride).lines();
     return fmt::format("#   refine   from a grid of stride {}, {} cells, to all of them where it must\n",
                        stride, readable_count(coarsest));
+}
+
+// A rank keeps regions of a refined map until they are whole.
+std::int64_t region_bytes(const job::Job& job) {
+    if (job.refine.levels == 0) return 0;
+    const parallel::Tiling regions = refine::regions_of({job.rows.points, job.columns.points}, 1);
+    const parallel::Place middle{job.rows.points / 2, job.columns.points / 2};
+    const auto in_hand = std::min(static_cast<std::int64_t>(refine::most_in_hand), regions.count());
+    return in_hand * refine::Region::bytes(job, regions.tile(regions.index_at(middle)));
 }
 
 // A rank keeps a branch of a sweep until it is whole: as samples, and as the bytes of its tile.
@@ -113,7 +125,7 @@ std::string check_job(const Request& request) {
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
                readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank() + branch_bytes(job)), file.string(),
+               readable_bytes(memory_per_rank() + region_bytes(job) + branch_bytes(job)), file.string(),
                readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);
 }

@@ -58,7 +58,8 @@ class RefinedRegions {
                         return region.next();
                     },
                 .go_on = [this](const Tile& tile, Results cells,
-                                double seconds) { return go_on(tile, cells, seconds); }};
+                                double seconds) { return go_on(tile, cells, seconds); },
+                .most_in_hand = refine::most_in_hand};
     }
 
   private:

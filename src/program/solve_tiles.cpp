@@ -32,6 +32,7 @@ class TilesInHand {
     // The next cell of the tile that waits first, or of another tile. False: none is at hand.
     bool add_cell() {
         while (waiting_.empty()) {
+            if (open_.size() >= work_.most_in_hand) return false;
             const auto tile = source_.next();
             if (!tile) return false;
             Open& open = open_.emplace(tile->index, Open{*tile}).first->second;

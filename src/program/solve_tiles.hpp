@@ -2,7 +2,9 @@
 // they come to an end.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct TileWork {
     std::function<std::vector<parallel::Place>(const parallel::Tile& tile,
                                                std::span<const regime::CellResult> results, double seconds)>
         go_on;
+    // So many tiles are begun at most before one of them is stored.
+    std::size_t most_in_hand = std::numeric_limits<std::size_t>::max();
 };
 
 // Keeps a pool full and steps it until the source has ended and all is solved, or it says not to carry on.

@@ -44,15 +44,26 @@ std::vector<Line> lines_in(std::int64_t points, std::size_t level, Interval inte
 Region::Region(const job::Job& job, const parallel::Tile& rectangle)
     : grid_{job.rows.points, job.columns.points},
       numbers_(interpolated_numbers(job)),
-      needed_{{{rectangle.row, rectangle.row + rectangle.extent.rows - 1},
-               {rectangle.column, rectangle.column + rectangle.extent.columns - 1}}},
-      levels_to_do_(static_cast<std::size_t>(job.refine.levels) + 1) {
-    for (std::size_t level = 1; level < levels_to_do_; ++level) {
-        needed_.push_back({reach_of(lattice_of(grid_.rows, level), needed_.back().rows),
-                           reach_of(lattice_of(grid_.columns, level), needed_.back().columns)});
+      needed_(needed_for(job, rectangle)),
+      levels_to_do_(needed_.size()),
+      cells_(needed_.back().cells()) {}
+
+std::size_t Region::Rectangle::cells() const {
+    return static_cast<std::size_t>(size_of(rows) * size_of(columns));
+}
+
+std::vector<Region::Rectangle> Region::needed_for(const job::Job& job, const parallel::Tile& rectangle) {
+    std::vector<Rectangle> needed{{{rectangle.row, rectangle.row + rectangle.extent.rows - 1},
+                                   {rectangle.column, rectangle.column + rectangle.extent.columns - 1}}};
+    for (std::size_t level = 1; level <= static_cast<std::size_t>(job.refine.levels); ++level) {
+        needed.push_back({reach_of(lattice_of(job.rows.points, level), needed.back().rows),
+                          reach_of(lattice_of(job.columns.points, level), needed.back().columns)});
     }
-    const Rectangle& largest = needed_.back();
-    cells_.resize(static_cast<std::size_t>(size_of(largest.rows) * size_of(largest.columns)));
+    return needed;
+}
+
+std::int64_t Region::bytes(const job::Job& job, const parallel::Tile& rectangle) {
+    return static_cast<std::int64_t>(needed_for(job, rectangle).back().cells() * sizeof(CellResult));
 }
 
 std::vector<parallel::Place> Region::next() {

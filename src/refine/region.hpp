@@ -19,9 +19,16 @@
 
 namespace peterka::refine {
 
+// A rank has so many regions in hand at most: while slow cells of one are awaited others keep the pool full,
+// but each takes memory.
+inline constexpr std::size_t most_in_hand = 16;
+
 class Region {
   public:
     Region(const job::Job& job, const parallel::Tile& rectangle);
+
+    // What the cells of a region take [bytes].
+    [[nodiscard]] static std::int64_t bytes(const job::Job& job, const parallel::Tile& rectangle);
 
     // Goes on to the next lattice with cells that must be computed, and gives them; none once every cell of the
     // rectangle has its value.
@@ -36,7 +43,10 @@ class Region {
     struct Rectangle {
         Interval rows;
         Interval columns;
+        [[nodiscard]] std::size_t cells() const;
     };
+    [[nodiscard]] static std::vector<Rectangle> needed_for(const job::Job& job,
+                                                           const parallel::Tile& rectangle);
 
     void take_all(std::size_t level);
     void refine(std::size_t level);
