@@ -118,12 +118,12 @@ std::string rule_of_study(const Contact& contact) {
 
 std::string rule_of_trace(const Job& job) {
     constexpr double most_samples = 5e6;
-    constexpr double lowest_frequency = 1e-6;
+    constexpr double lowest_frequency = 1e-2;
     const Trace& trace = job.trace;
     const double eta = job.operating_point.frequency_ratio;
     if (eta > 0 && eta < lowest_frequency) {
         return fmt::format(
-            "operating_point.frequency_ratio = {} is too low; a cycle may last at most a million times the "
+            "operating_point.frequency_ratio = {} is too low; a cycle may last at most a hundred times the "
             "hammer's own; give {} or more, or 0 for a cart at rest",
             toml_text(eta), toml_text(lowest_frequency));
     }

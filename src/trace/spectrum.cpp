@@ -29,9 +29,10 @@ Spectrum spectrum_of_impact(const Course& course, const Impact& impact, double n
         .step = largest_frequency / static_cast<double>(lines - 1), .force = {}, .acceleration = {}};
     Transform pulse(course.scene, impact.time, impact.end, spectrum.step, lines);
     follow(course, pulse);
-    Transform flight(course.scene, impact.end, next_touch, spectrum.step, lines);
+    const double flight_end = std::min(next_touch, impact.end + 2e4 * std::numbers::pi / largest_frequency);
+    Transform flight(course.scene, impact.end, flight_end, spectrum.step, lines);
     follow(course, flight);
-    const double per_length = 2 / (next_touch - impact.end);
+    const double per_length = 2 / (flight_end - impact.end);
     for (const auto& integrals : pulse.lines()) {
         spectrum.force.push_back(std::abs(integrals.force));
     }

@@ -29,7 +29,8 @@ struct Spectrum {
 // largest_frequency: of w, in omega; lower where that would take more than most_lines.
 [[nodiscard]] Spectrum spectrum_of_motion(const Course& course, double largest_frequency);
 
-// `lines` values of w from 0 to largest_frequency. The flight lasts until next_touch.
+// `lines` values of w from 0 to largest_frequency. The flight lasts until next_touch, or ten thousand turns of
+// largest_frequency, far longer than the lines resolve.
 [[nodiscard]] Spectrum spectrum_of_impact(const Course& course, const Impact& impact, double next_touch,
                                           double largest_frequency, std::int64_t lines);
 
