@@ -83,8 +83,8 @@ struct Queue {
     struct Entry {
         double end, time, delta, velocity, sine, cosine;
     };
-    void add(std::size_t which, const Entry& entry) {
-        lane[size] = static_cast<std::int64_t>(which);
+    void add(std::int64_t which, const Entry& entry) {
+        lane[size] = which;
         end[size] = entry.end;
         time[size] = entry.time;
         delta[size] = entry.delta;

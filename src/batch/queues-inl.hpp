@@ -7,26 +7,36 @@
 #endif
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "batch/flight-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
+// Few lanes of a vector are pushed at a time, so these go one by one.
 HWY_INLINE void push(Index lanes, Mask which, Crossings& list) {
-    if (any(which)) list.size += compress(lanes, which, list.lane.data() + list.size);
+    if (!any(which)) return;
+    const Numbers lane(lanes);
+    for (std::uint64_t left = bits(which); left != 0; left &= left - 1) {
+        list.lane[list.size++] = lane[std::countr_zero(left)];
+    }
 }
 
 HWY_INLINE void push(Index lanes, V end, V time, const Moment& m, Mask which, Queue& queue) {
     if (!any(which)) return;
-    const std::size_t at = queue.size;
-    queue.size += compress(lanes, which, queue.lane.data() + at);
-    compress(end, which, queue.end.data() + at);
-    compress(time, which, queue.time.data() + at);
-    compress(m.delta, which, queue.delta.data() + at);
-    compress(m.velocity, which, queue.velocity.data() + at);
-    compress(m.sine, which, queue.sine.data() + at);
-    compress(m.cosine, which, queue.cosine.data() + at);
+    const Numbers lane(lanes);
+    const Numbers ends(end);
+    const Numbers times(time);
+    const Numbers delta(m.delta);
+    const Numbers velocity(m.velocity);
+    const Numbers sine(m.sine);
+    const Numbers cosine(m.cosine);
+    for (std::uint64_t left = bits(which); left != 0; left &= left - 1) {
+        const int n = std::countr_zero(left);
+        queue.add(lane[n], {ends[n], times[n], delta[n], velocity[n], sine[n], cosine[n]});
+    }
 }
 
 // A vector of lanes, padded with copies of the first: these compute and store what it does, but must queue

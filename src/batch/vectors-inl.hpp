@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "batch/lanes.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
@@ -54,6 +56,10 @@ HWY_INLINE void store(V x, double* to) {
     hn::StoreU(x.a, Tag(), to);
     hn::StoreU(x.b, Tag(), to + half());
 }
+HWY_INLINE void store(Index x, std::int64_t* to) {
+    hn::StoreU(x.a, IndexTag(), to);
+    hn::StoreU(x.b, IndexTag(), to + half());
+}
 HWY_INLINE void store(Pattern x, std::uint64_t* to) {
     hn::StoreU(x.a, PatternTag(), to);
     hn::StoreU(x.b, PatternTag(), to + half());
@@ -72,15 +78,19 @@ HWY_INLINE void scatter(Pattern x, std::uint64_t* to, Index lanes) {
     hn::ScatterIndex(x.a, PatternTag(), to, lanes.a);
     hn::ScatterIndex(x.b, PatternTag(), to, lanes.b);
 }
-// Writes the chosen ones one after another; says how many. May overwrite up to width() numbers.
-HWY_INLINE std::size_t compress(V x, Mask which, double* to) {
-    const std::size_t first = hn::CompressStore(x.a, which.a, Tag(), to);
-    return first + hn::CompressStore(x.b, which.b, Tag(), to + first);
-}
-HWY_INLINE std::size_t compress(Index x, Mask which, std::int64_t* to) {
-    const std::size_t first = hn::CompressStore(x.a, hn::RebindMask(IndexTag(), which.a), IndexTag(), to);
-    return first + hn::CompressStore(x.b, hn::RebindMask(IndexTag(), which.b), IndexTag(), to + first);
-}
+// A vector's numbers one by one.
+template <class Number>
+class Numbers {
+  public:
+    HWY_INLINE explicit Numbers(V x) { store(x, numbers_); }
+    HWY_INLINE explicit Numbers(Index x) { store(x, numbers_); }
+    HWY_INLINE Number operator[](int n) const { return numbers_[n]; }
+
+  private:
+    alignas(64) Number numbers_[widest_vector];
+};
+Numbers(V) -> Numbers<double>;
+Numbers(Index) -> Numbers<std::int64_t>;
 // first, first + 1, ...
 HWY_INLINE Index index_from(std::size_t first) {
     const auto lowest = hn::Add(hn::Iota(IndexTag(), 0), hn::Set(IndexTag(), static_cast<std::int64_t>(first)));

@@ -12,7 +12,9 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr std::size_t capacity = 256;  // of a batch: many fill the vectors, few stay in the cache
+// Of a batch: many fill the vectors, few stay in the cache.
+constexpr std::size_t capacity = 128;
+constexpr std::size_t most_far = 256;  // that wait for several cycles at once
 constexpr std::size_t most_parked = 128;
 constexpr std::size_t most_alone = 32;    // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
@@ -29,28 +31,63 @@ struct CellPool::Cell {
     CycleDesk desk;
     std::vector<FoundAttractor> found;
     Task<CellResult> search;
-    std::size_t served = 0;      // cycles of the order that waits
     std::int64_t engine = 0;     // of desk.engines_used(): that for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
     double seconds = 0;
     double paid_before = 0;  // by each cell of the group, when this one came
 
-    [[nodiscard]] bool wants_measure() const { return desk.order().recorder != nullptr; }
+    [[nodiscard]] Wish wish() const { return {desk.order().recorder != nullptr, desk.order().cycles}; }
     // A batch measures peak forces at most.
     [[nodiscard]] bool fits_batch() const {
-        return batch && !(wants_measure() && desk.order().recorder->records_contacts());
+        return batch && !(wish().measures && desk.order().recorder->records_contacts());
     }
 };
 
 struct CellPool::Group {
-    Group(bool does_measure, const scene::Oscillator<double>& rig, const Batch& batch)
-        : measures(does_measure), kind(batch), map(rig, capacity + most_parked, batch.steps, batch.springs) {}
+    Group(const Wish& its_wish, const scene::Oscillator<double>& rig, const Batch& batch)
+        : wish(its_wish),
+          kind(batch),
+          map(rig, most_cells, batch.steps, batch.springs),
+          course(most_cells * wish.cycles),
+          largest_force(most_cells),
+          largest_displacement(most_cells) {}
 
-    bool measures;
+    static constexpr std::size_t most_cells = capacity + most_far + most_parked;
+
+    [[nodiscard]] bool goes_far() const { return wish.cycles > 1; }
+
+    // Carries all cells through the cycles that they wait for.
+    void advance() {
+        std::ranges::fill(largest_force, 0);
+        std::ranges::fill(largest_displacement, 0);
+        for (std::size_t n = 0; n < wish.cycles; ++n) {
+            map.advance({.measure = wish.measures, .jacobian = true});
+            for (std::size_t slot = 0; slot < cells.size(); ++slot) {
+                course[slot * wish.cycles + n] = map.cycle(slot);
+                if (!wish.measures) continue;
+                largest_force[slot] = std::max(largest_force[slot], map.peak_force(slot));
+                largest_displacement[slot] =
+                    std::max(largest_displacement[slot], map.displacement_bound(slot));
+            }
+        }
+    }
+    // Of the cell in a slot; nothing behind one that failed.
+    [[nodiscard]] std::span<const trajectory::Cycle<double>> cycles(std::size_t slot) const {
+        const auto all = std::span(course).subspan(slot * wish.cycles, wish.cycles);
+        const auto failed = std::ranges::find_if(all, [](const trajectory::Cycle<double>& cycle) {
+            return cycle.outcome != trajectory::Cycle<double>::Outcome::done;
+        });
+        return failed == all.end() ? all : all.first(static_cast<std::size_t>(failed - all.begin()) + 1);
+    }
+
+    Wish wish;
     Batch kind;
     batch::BatchedCycleMap map;
-    std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
+    std::vector<std::unique_ptr<Cell>> cells;       // by slot of the map
+    std::vector<trajectory::Cycle<double>> course;  // of the last advance: those of a slot side by side
+    std::vector<double> largest_force;              // over them, by slot; 0 where nobody measures
+    std::vector<double> largest_displacement;
     double paid = 0;                           // by each cell that was there all the time [s]
     double last_step_seconds = 0;
 };
@@ -60,7 +97,8 @@ CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take 
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
-    return in_hand_ - parked_.size() < capacity && parked_.size() < most_parked && alone_.size() < most_alone;
+    return in_hand_ - parked_.size() - far_ < capacity && far_ < most_far && parked_.size() < most_parked &&
+           alone_.size() < most_alone;
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
@@ -89,13 +127,11 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 }
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
-    const bool measures = cell.wants_measure();
-    const auto suits = [&](const Group& group) {
-        return group.measures == measures && group.kind == *cell.batch;
-    };
+    const Wish wish = cell.wish();
+    const auto suits = [&](const Group& group) { return group.wish == wish && group.kind == *cell.batch; };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return *found;
-    return groups_.emplace_back(measures, cell.desk.scene(), *cell.batch);
+    return groups_.emplace_back(wish, cell.desk.scene(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
@@ -126,8 +162,9 @@ void CellPool::board_parked() {
 }
 
 void CellPool::step() {
+    const bool go_far = far_ >= most_far || far_ + parked_.size() == in_hand_;
     for (Group& group : groups_) {  // on the way more may be appended
-        if (!group.cells.empty()) advance(group);
+        if (!group.cells.empty() && (go_far || !group.goes_far())) advance(group);
     }
     if (!alone_.empty()) serve_alone();
     if (parked_.size() >= most_parked || parked_.size() == in_hand_) board_parked();
@@ -137,7 +174,7 @@ void CellPool::advance(Group& group) {
     // Each cell pays for the step before: those that leave in this one paid for it when they came.
     group.paid += group.last_step_seconds / static_cast<double>(group.cells.size());
     const Stopwatch stopwatch;
-    group.map.advance({.measure = group.measures, .jacobian = true});
+    group.advance();
     // from the back: the cell that takes the slot of one that leaves has been served already
     for (std::size_t slot = group.cells.size(); slot-- > 0;) serve(group, slot);
     group.last_step_seconds = stopwatch.seconds();
@@ -145,18 +182,17 @@ void CellPool::advance(Group& group) {
 
 void CellPool::serve(Group& group, std::size_t slot) {
     Cell& cell = *group.cells[slot];
-    const CycleOrder& order = cell.desk.order();
-    trajectory::Cycle<double>& cycle = order.into[cell.served++];
-    cycle = group.map.cycle(slot);
-    if (group.measures) {
-        order.recorder->cycle(cycle.impacts, group.map.peak_force(slot), group.map.displacement_bound(slot));
+    const auto cycles = group.cycles(slot);
+    if (group.wish.measures) {
+        int impacts = 0;
+        for (const auto& cycle : cycles) impacts += cycle.impacts;
+        cell.desk.order().recorder->cycles(impacts, group.largest_force[slot],
+                                           group.largest_displacement[slot]);
     }
-    const bool failed = cycle.outcome != trajectory::Cycle<double>::Outcome::done;
-    if (!failed && cell.served < order.into.size()) return;
-    cell.desk.serve(std::exchange(cell.served, 0));
+    cell.desk.serve(cycles);
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
-    if (cell.wants_measure() != group.measures) return move(group, slot);
+    if (cell.wish() != group.wish) return move(group, slot);
     group.map.set_state(slot, cell.desk.order().from);
 }
 
@@ -164,6 +200,7 @@ std::unique_ptr<CellPool::Cell> CellPool::take_out(Group& group, std::size_t slo
     std::unique_ptr<Cell> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
     group.cells.pop_back();
+    if (group.goes_far()) --far_;
     cell->seconds += group.paid - cell->paid_before;
     return cell;
 }
@@ -176,9 +213,10 @@ std::unique_ptr<CellPool::Cell> CellPool::leave(Group& group, std::size_t slot) 
 void CellPool::put_in(Group& group, std::unique_ptr<Cell> cell) {
     cell->paid_before = group.paid;
     group.cells.push_back(std::move(cell));
+    if (group.goes_far()) ++far_;
 }
 
-// To the batch that measures, or back.
+// To the batch of its new wish.
 void CellPool::move(Group& from, std::size_t slot) {
     Group& to = group_for(*from.cells[slot]);
     to.map.take(from.map, slot);

@@ -50,13 +50,13 @@ class CellPool {
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
 
-    // Carries all cells in the batch through one forcing cycle, and the foremost of those outside it through a
-    // few.
+    // Carries the cells that wait for single cycles through one, and once they are many, or nobody else is
+    // left, those that wait for several through them all; the foremost of those outside batches through a few.
     void step();
 
   private:
     struct Cell;
-    struct Group;  // a batch and the cells in it; peak forces cost time, so cells that want them are apart
+    struct Group;  // a batch and the cells in it
 
     // What all cells of a batch share.
     struct Batch {
@@ -65,6 +65,12 @@ class CellPool {
         friend bool operator==(const Batch&, const Batch&) = default;
     };
     static std::optional<Batch> batch_of(const CycleDesk& desk);
+    // Of a group: peak forces cost time, and cells that go far are seldom looked at.
+    struct Wish {
+        bool measures;
+        std::size_t cycles;  // at once
+        friend bool operator==(const Wish&, const Wish&) = default;
+    };
     [[nodiscard]] Group& group_for(const Cell& cell);
     void enter(std::unique_ptr<Cell> cell);
     void board(std::unique_ptr<Cell> cell);
@@ -73,9 +79,9 @@ class CellPool {
     void serve(Group& group, std::size_t slot);
     void serve_alone();
     void move(Group& from, std::size_t slot);
-    static std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
-    static std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
-    static void put_in(Group& group, std::unique_ptr<Cell> cell);
+    std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
+    std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
+    void put_in(Group& group, std::unique_ptr<Cell> cell);
     void finish(const Cell& cell);
 
     const scene::Scene& scene_;
@@ -86,6 +92,7 @@ class CellPool {
     std::vector<std::unique_ptr<Cell>> parked_;  // rare ones, whose batches would be too small for each alone
     std::deque<std::unique_ptr<Cell>> alone_;
     std::size_t in_hand_ = 0;
+    std::size_t far_ = 0;  // of them, in groups that go several cycles at once
 };
 
 }  // namespace peterka::regime

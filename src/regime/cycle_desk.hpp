@@ -18,15 +18,24 @@
 namespace peterka::regime {
 
 // Forcing cycles in a row, from a state (delta, delta') at forcing phase 0; a recorder gathers what happens on
-// the way. Each cycle has its place in `into`; after one that fails there are no more.
+// the way. After a cycle that fails there are no more.
 struct CycleOrder {
     scene::State<double> from;
     trajectory::Recorder<double>* recorder = nullptr;
-    std::span<trajectory::Cycle<double>> into;
+    std::size_t cycles = 1;
 };
 
 class CycleDesk {
   public:
+    struct Served {
+        CycleDesk* desk;
+        [[nodiscard]] bool await_ready() const noexcept { return false; }
+        void await_suspend(std::coroutine_handle<> searching) const noexcept { desk->searching_ = searching; }
+        [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const noexcept {
+            return desk->served_;
+        }
+    };
+
     // Which engine carries the cycles ordered from now on, and on which scene.
     void use(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
         scene_ = scene;
@@ -34,18 +43,8 @@ class CycleDesk {
         ++engines_used_;
     }
 
-    // co_await desk.cycles(order) gives what was served of order.into.
+    // co_await desk.cycles(order) gives the cycles, for as long as no others are ordered.
     [[nodiscard]] auto cycles(const CycleOrder& order) {
-        struct Served {
-            CycleDesk* desk;
-            [[nodiscard]] bool await_ready() const noexcept { return false; }
-            void await_suspend(std::coroutine_handle<> searching) const noexcept {
-                desk->searching_ = searching;
-            }
-            [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const noexcept {
-                return desk->order_.into.first(desk->served_);
-            }
-        };
         order_ = order;
         return Served{this};
     }
@@ -55,8 +54,8 @@ class CycleDesk {
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // another number: another engine
     [[nodiscard]] const CycleOrder& order() const { return order_; }
-    // So many cycles are in their places: the search goes on up to its next order, or to its end.
-    void serve(std::size_t cycles) {
+    // The search goes on up to its next order, or to its end.
+    void serve(std::span<const trajectory::Cycle<double>> cycles) {
         served_ = cycles;
         std::exchange(searching_, {}).resume();
     }
@@ -66,7 +65,7 @@ class CycleDesk {
     EngineSettings settings_;
     std::int64_t engines_used_ = 0;
     CycleOrder order_;
-    std::size_t served_ = 0;  // of the last order
+    std::span<const trajectory::Cycle<double>> served_;  // of the last order
     std::coroutine_handle<> searching_;
 };
 

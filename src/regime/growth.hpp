@@ -40,11 +40,6 @@ class Growth {
     [[nodiscard]] double exponent() const { return mean_; }  // per forcing cycle
     // How often every direction died: from the second time on the motion repeats what followed the first.
     [[nodiscard]] int resets() const { return resets_; }
-    [[nodiscard]] bool block_just_closed() const {
-        return blocks_ > 1 && (cycles_ - settling_cycles) % block_cycles == 0;
-    }
-    // So many cycles end the present block.
-    [[nodiscard]] long cycles_to_block_end() const { return block_cycles - cycles_ % block_cycles; }
     // Positive by more than three standard errors, and a perturbation really grew: blocks of a slow drift
     // scatter little.
     [[nodiscard]] bool surely_positive() const {

@@ -16,7 +16,7 @@ namespace peterka::regime {
 
 class Recurrence {
   public:
-    static constexpr std::int64_t early_cycles = 40;  // in which most motions settle that ever do
+    static constexpr std::int64_t early_cycles = 50;  // in which most motions settle that ever do
 
     // untouched: whether motions without contact are candidates too.
     Recurrence(std::int64_t longest, bool untouched)
@@ -60,7 +60,6 @@ class Recurrence {
     // before, and the distance fell well below that of the last try at this q; 0 if there is none. Asking
     // counts as trying.
     [[nodiscard]] std::int64_t candidate() {
-        if ((recorded_ & (interval() - 1)) != 0) return 0;
         const bool late = recorded_ > early_cycles;
         const Entry& now = entry(recorded_);
         const std::uint16_t* ago = &marks_[newest_];
@@ -94,12 +93,8 @@ class Recurrence {
     static constexpr double first_distance = 0.1 / retry_factor;
     // On the way to a stable orbit the Jacobian comes close to the orbit's, whose spectral radius is below 1.
     static constexpr double largest_stretch = 1.2;
-    // A motion that didn't settle at once must have repeated four patterns even where q is smaller; it is
-    // looked at ever more rarely.
+    // A motion that didn't settle at once must have repeated four patterns even where q is smaller.
     static constexpr std::int64_t late_repeats = 4;
-    [[nodiscard]] std::int64_t interval() const {  // a power of two
-        return static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(recorded_ / 32) | 1U));
-    }
 
     struct Entry {
         Point state = Point::Zero();

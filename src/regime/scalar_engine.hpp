@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "regime/cycle_desk.hpp"
 #include "support/task.hpp"
@@ -20,23 +21,24 @@ class ScalarEngine {
             map_.emplace(make_cycle_map(desk.scene(), desk.settings()));
             engine_ = desk.engines_used();
         }
-        desk.serve(std::visit([&](auto& map) { return serve(desk.order(), map); }, *map_));
+        const CycleOrder& order = desk.order();
+        cycles_.clear();
+        std::visit(
+            [&](auto& map) {
+                scene::State<double> from = order.from;
+                do {
+                    cycles_.push_back(map(from, order.recorder));
+                    from = cycles_.back().end;
+                } while (cycles_.size() < order.cycles &&
+                         cycles_.back().outcome == trajectory::Cycle<double>::Outcome::done);
+            },
+            *map_);
+        desk.serve(cycles_);
     }
 
   private:
-    template <class Map>
-    static std::size_t serve(const CycleOrder& order, Map& map) {
-        const scene::State<double>* from = &order.from;
-        for (std::size_t n = 0; n < order.into.size(); ++n) {
-            trajectory::Cycle<double>& cycle = order.into[n];
-            cycle = map(*from, order.recorder);
-            if (cycle.outcome != trajectory::Cycle<double>::Outcome::done) return n + 1;
-            from = &cycle.end;
-        }
-        return order.into.size();
-    }
-
     std::optional<CycleMap> map_;
+    std::vector<trajectory::Cycle<double>> cycles_;  // of the last order
     std::int64_t engine_ = 0;
 };
 

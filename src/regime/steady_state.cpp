@@ -1,7 +1,6 @@
 #include "regime/steady_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -64,10 +63,8 @@ class Search {
           chaos_from_(settling_.may_settle() ? budget.chaos_cycles : budget.fewest_chaos_cycles()),
           last_cycle_(is_conservative(scene) ? std::min(budget.chaos_cycles, budget.max_cycles)
                                              : budget.max_cycles),
-          several_from_(measures.force_per_cycle || measures.motion != nullptr
-                            ? std::numeric_limits<std::int64_t>::max()
-                            : Recurrence::early_cycles),
           measures_(measures),
+          looks_at_each_(measures.force_per_cycle || measures.motion != nullptr),
           conservative_(is_conservative(scene)) {
         forget_motion();
     }
@@ -89,7 +86,7 @@ class Search {
                 if (cycle == last_cycle_)
                     co_return unproved(Regime::unresolved,
                                        conservative_ ? Status::conservative : Status::budget);
-                ahead_ = co_await map_.cycles(state_, counts ? &window_ : nullptr, room_from(cycle));
+                ahead_ = co_await map_.cycles(state_, counts ? &window_ : nullptr, order_from(cycle));
             }
             const Passage passage = map_.passage(ahead_.front());
             ahead_ = ahead_.subspan(1);
@@ -105,30 +102,30 @@ class Search {
 
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(passage);
-            if (test_) {
-                if (converges(passage)) co_return co_await periodic(test_->orbit());
-            } else if (const std::int64_t q = recurrence_.candidate(); q > 0) {
+            if (test_ && converges(passage)) co_return co_await periodic(test_->orbit());
+            if (!is_stop(cycle + 1)) continue;
+            if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
                 const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
                 if (orbit && converged(*orbit)) co_return co_await periodic(*orbit);
             }
-            const bool repeats =
-                growth_.resets() > 1;  // with a period beyond max_period, however wild it looks
-            if (cycle + 1 >= chaos_from_ && !repeats && growth_.block_just_closed() &&
-                growth_.surely_positive()) {
+            // after two resets it repeats, be it with a period beyond max_period, however wild it looks
+            if (cycle + 1 >= chaos_from_ && growth_.resets() <= 1 && growth_.surely_positive()) {
                 co_return unproved(Regime::chaotic, Status::proved);
             }
         }
     }
 
   private:
-    // A motion that didn't settle at once is carried on by a few cycles at a time. None of them goes beyond the
-    // end of a block of growth, where chaos is called, nor beyond the cycle from which on they count.
-    std::span<Cycle<double>> room_from(std::int64_t cycle) {
-        if (cycle < several_from_) return std::span(room_).first(1);
+    // A motion that didn't settle at once is carried on, and looked at, by stages; each is a block of growth,
+    // at whose end chaos is called.
+    static bool is_stop(std::int64_t cycle) {
+        return cycle <= Recurrence::early_cycles || cycle % Growth::block_cycles == 0;
+    }
+    // How many cycles can be ordered at once: no cycle goes beyond the one from which on they count.
+    [[nodiscard]] std::size_t order_from(std::int64_t cycle) const {
+        if (looks_at_each_ || cycle < Recurrence::early_cycles || !is_stop(cycle)) return 1;
         const std::int64_t turn = cycle < measure_from_ ? std::min(measure_from_, last_cycle_) : last_cycle_;
-        const auto cycles =
-            std::min<std::int64_t>({std::ssize(room_), turn - cycle, growth_.cycles_to_block_end()});
-        return std::span(room_).first(static_cast<std::size_t>(cycles));
+        return turn - cycle < Growth::block_cycles ? 1 : Growth::block_cycles;
     }
 
     // Tests with the cycles already there first. True: that is proof enough.
@@ -348,10 +345,9 @@ class Search {
     std::int64_t measure_from_;
     std::int64_t chaos_from_;
     std::int64_t last_cycle_;
-    std::int64_t several_from_;  // from here on several cycles are ordered at once; never if each is measured
-    std::array<Cycle<double>, 5> room_;     // for cycles ordered at once
     std::span<const Cycle<double>> ahead_;  // integrated, and not looked at yet
     Measures measures_;
+    bool looks_at_each_;  // cycle for itself
     bool conservative_;
 };
 

@@ -33,6 +33,15 @@ struct Passage {
 
 class StroboscopicMap {
   public:
+    struct Several : CycleDesk::Served {
+        StroboscopicMap* map;
+        [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const {
+            const auto cycles = Served::await_resume();
+            map->spent_ += static_cast<std::int64_t>(cycles.size());
+            return cycles;
+        }
+    };
+
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
     StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings, CycleDesk& desk)
         : desk_(&desk), scene_(scene), settings_(settings) {
@@ -62,33 +71,15 @@ class StroboscopicMap {
 
     // co_await map.cycle(from) gives the Passage of one cycle.
     [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
-        struct Scaled {
-            StroboscopicMap* map;
-            scene::State<double> from;
-            Recorder<double>* recorder;
-            trajectory::Cycle<double> cycle;
-            [[nodiscard]] bool await_ready() const noexcept { return false; }
-            void await_suspend(std::coroutine_handle<> searching) {
-                map->desk_->cycles({from, recorder, {&cycle, 1}}).await_suspend(searching);
-            }
-            [[nodiscard]] Passage await_resume() const { return map->passage(cycle); }
+        struct Single : Several {
+            [[nodiscard]] Passage await_resume() const { return map->passage(Several::await_resume().front()); }
         };
-        ++spent_;
-        return Scaled{this, unscaled(from), recorder, {}};
+        return Single{cycles(from, recorder, 1)};
     }
-    // co_await map.cycles(from, recorder, into) gives cycles in a row; passage() tells of each.
-    [[nodiscard]] auto cycles(const Point& from, Recorder<double>* recorder,
-                              std::span<trajectory::Cycle<double>> into) {
-        using Served = decltype(desk_->cycles({from, recorder, into}));
-        struct Counted : Served {
-            StroboscopicMap* map;
-            [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const {
-                const auto cycles = Served::await_resume();
-                map->spent_ += static_cast<std::int64_t>(cycles.size());
-                return cycles;
-            }
-        };
-        return Counted{desk_->cycles({unscaled(from), recorder, into}), this};
+    // co_await map.cycles(from, recorder, count) gives cycles in a row, for as long as no others are ordered;
+    // passage() tells of each.
+    [[nodiscard]] Several cycles(const Point& from, Recorder<double>* recorder, std::size_t count) {
+        return Several{desk_->cycles({unscaled(from), recorder, count}), this};
     }
     [[nodiscard]] Passage passage(const trajectory::Cycle<double>& cycle) const {
         return {cycle.outcome == trajectory::Cycle<double>::Outcome::done,

@@ -119,8 +119,8 @@ class Recorder {
         totals_.damper_work += damper_work;
     }
 
-    // A whole cycle of an engine that gathers no more than the level `force`.
-    void cycle(int impacts, Real largest_force, Real bound_of_displacement) {
+    // Whole cycles of an engine that gathers no more than the level `force`.
+    void cycles(int impacts, Real largest_force, Real bound_of_displacement) {
         totals_.impacts += impacts;
         force(largest_force);
         displacement_bound(bound_of_displacement);

@@ -51,15 +51,15 @@ CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = O
     for (std::int64_t n = 0; !search.done();) {
         const CycleOrder& order = desk.order();
         scene::State<double> from = order.from;
-        std::size_t served = 0;
-        for (bool goes_on = true; goes_on && served < order.into.size(); ++n, ++served) {
-            Cycle<double>& cycle = order.into[served];
-            cycle = n == broken ? broken_cycle(outcome)
-                                : std::visit([&](auto& engine) { return engine(from, order.recorder); }, map);
-            from = cycle.end;
-            goes_on = cycle.outcome == Outcome::done;
+        std::vector<Cycle<double>> cycles;
+        for (bool goes_on = true; goes_on && cycles.size() < order.cycles; ++n) {
+            cycles.push_back(n == broken
+                                 ? broken_cycle(outcome)
+                                 : std::visit([&](auto& engine) { return engine(from, order.recorder); }, map));
+            from = cycles.back().end;
+            goes_on = cycles.back().outcome == Outcome::done;
         }
-        desk.serve(served);
+        desk.serve(cycles);
     }
     return search.result();
 }
