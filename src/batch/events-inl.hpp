@@ -42,11 +42,13 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::drain() {
             stay();
         } else if (queues_.releases.size > 0) {
             release_all();
+        } else if (queues_.turns.size > 0) {
+            turn();
         } else {
             return;
         }
     }
-    for (Queue* queue : {&queues_.hops, &queues_.contacts, &queues_.releases}) {
+    for (Queue* queue : {&queues_.hops, &queues_.contacts, &queues_.releases, &queues_.turns}) {
         while (queue->size > 0) {
             const Waiting w = take(*queue);
             leave_to_twin(cells_of(w.lanes), every());
@@ -61,7 +63,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
     const V length = mul_sub(w.end, cells.step, w.time);
     const Flight flight(rig_, cells, w.moment);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_.swing, w.lanes));
-    const Found found = seek(rig_, cells, w.moment, length, fourth, every());
+    const Found found = seek_touch(rig_, cells, w.moment, length, fourth, every());
     leave_to_twin(cells, found.unsure);
     const Mask touches = found.found;
     const Mask stays_below = ~(found.unsure | touches);
@@ -231,14 +233,14 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
     const Mask soon = leaving <= all(4) * cells.step;  // stretches of flight are six steps at most
     const Mask sure =
         out & soon & (speed > zero) & (most * all(rig_.damping) < all(rig_.stiffness) * speed_out);
-    leave_to_twin(cells, ~sure & which);
-    which = which & sure;
     if constexpr (measure && !cubic) {
         const V u = m.delta + cells.gap;
         track.leg_amplitude = choose(which, flight.amplitude(), track.leg_amplitude);
         track.leg_energy = choose(which, sqrt(mul_add(u, u, speed * speed)), track.leg_energy);
     }
     if constexpr (measure || jacobian) track.leg_start = choose(which, time, track.leg_start);
+    push(cells.index, zero, time, m, real_ & ~sure & which, queues_.turns);
+    which = which & sure;
 
     // to the first grid point after it is out
     const V grid_point =
@@ -269,6 +271,59 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
     const Mask may_rise = ~free & which;
     if (any(may_rise))
         push(cells.index, grid_point, time + leaving, flight.at(leaving), real_ & may_rise, queues_.hops);
+}
+
+// The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the stop
+// it can't get from below without a force, so where the force rises next tells whether it had left.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
+    const Waiting w = take(queues_.turns);
+    const Cells cells = cells_of(w.lanes);
+    const Flight flight(rig_, cells, w.moment);
+    const V zero = all(0);
+    const V fourth = flight.fourth_derivative_bound(gather(lanes_.swing, w.lanes));
+    const V grid_point = cubic ? all(until_) : min(floor(w.time * cells.per_step) + all(4), all(steps_));
+    const V length = mul_sub(grid_point, cells.step, w.time);
+    const Found force = seek_force(rig_, cells, w.moment, length, fourth, every());
+    const Mask resumes = force.found & (force.moment.delta > zero);
+    const Mask has_left = force.found & (force.moment.delta < zero);
+    const Moment end = flight.at(length);
+    const Mask quiet = ~(force.found | force.unsure);
+    const Mask flies = quiet & (end.delta < zero);
+    const Mask held = quiet & (end.delta >= zero) & (grid_point >= all(until_));
+    Gathered track(lanes_, w.lanes);
+    if constexpr (measure && cubic) {
+        const V margin = hull_margin(fourth, length);
+        const Hull hull(w.moment.delta, w.moment.velocity, end.delta, end.velocity, length, margin);
+        track.raise_displacement(hull.displacement_bound(cells.gap, w.moment.delta, margin), every());
+    }
+
+    if constexpr (cubic) {
+        if constexpr (jacobian) track.carry(flight_flow(rig_, cells, length), flies | held);
+        hold(cells, end.delta, end.velocity, held, queues_.held_releases);
+        arrive(cells, end.delta, end.velocity, grid_point, fourth, flies);
+    } else {
+        arrive(cells, end.delta, end.velocity, grid_point, fourth, flies | held);
+    }
+    const Mask separates = flies | has_left;
+    if (any(separates)) put(all(1), lanes_.separated, cells.index, separates);
+    const V time = w.time + force.time;
+    push(cells.index, grid_point, time, force.moment, real_ & has_left, queues_.hops);
+
+    if (any(resumes)) {
+        if constexpr (measure && !cubic) {
+            track.raise_displacement(
+                min(track.swing + track.leg_amplitude, mul_add(cells.drive, force.time, track.leg_energy)),
+                resumes);
+        }
+        if constexpr (jacobian) track.carry(flight_flow(rig_, cells, force.time), resumes);
+        if constexpr (measure || jacobian) track.leg_start = choose(resumes, time, track.leg_start);
+        track.pattern = choose(resumes, append(track.pattern, trajectory::Phase::contact), track.pattern);
+        put(all(1), lanes_.touched, cells.index, resumes);
+        push(cells.index, zero, time, force.moment, real_ & resumes, queues_.contacts);
+    }
+    leave_to_twin(cells, ~(resumes | has_left | flies | held));
+    track.keep(lanes_, w.lanes);
 }
 
 // The hammer is at the stop at the grid point, and waits for the kick there.

@@ -96,6 +96,23 @@ HWY_INLINE Derivatives derivatives(const Rig& rig, const Cells& cells, const Mom
     return {second, third, fourth};
 }
 
+// What an event is the rise through zero of, and its derivatives along a flight.
+struct Rise {
+    V value, slope, second, third, fourth;
+};
+HWY_INLINE Rise rise_of_position(const Moment& m, const Derivatives& d) {
+    return {m.delta, m.velocity, d.second, d.third, d.fourth};
+}
+// Of the force over the stop's stiffness: where it rises while delta > 0, the stop presses again.
+HWY_INLINE Rise rise_of_force(const Rig& rig, const Cells& cells, const Moment& m, const Derivatives& d) {
+    const V lag = all(rig.lag);
+    const V square = cells.drive * cells.drive;
+    const V fifth = mul_add(all(-2 * rig.damping_ratio), d.fourth,
+                            neg_mul_sub(square * cells.eta, m.cosine, cells.square * d.third));
+    return {mul_add(lag, m.velocity, m.delta), mul_add(lag, d.second, m.velocity),
+            mul_add(lag, d.third, d.second), mul_add(lag, d.fourth, d.third), mul_add(lag, fifth, d.fourth)};
+}
+
 // The flow of a flight of any length.
 HWY_INLINE FlowOf flight_flow(const Rig& rig, const Cells& cells, V t) {
     return flow(sine_cosine(cells.rate * t), exp_of(all(-rig.damping_ratio) * t), all(rig.damping_ratio),

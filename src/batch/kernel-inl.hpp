@@ -10,7 +10,8 @@
 //   strike      crossings: above at step's end  -> touch, or hops
 //   touch       an impact begins                -> short contact and release, or contacts
 //   stay        contacts of any length          -> release, or the cycle's end
-//   release     the stop lets go                -> grid point after it, or hops
+//   release     the stop lets go                -> grid point after it, hops, or turns
+//   turn        it leaves slowly                -> contacts again, grid point, or hops
 //   hop         flights that may rise above     -> touch, or nothing happened
 //
 // With a cubic spring (`cubic`; see trajectory/split_cycle_map.hpp) each grid point brings a kick, and events
@@ -83,6 +84,7 @@ class Kernel {
     HWY_ATTR void hop();
     HWY_ATTR void stay();
     HWY_ATTR void release_all();
+    HWY_ATTR void turn();
     HWY_ATTR void touch(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);
     HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);
     HWY_ATTR void release(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);

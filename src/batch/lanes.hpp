@@ -117,6 +117,7 @@ struct Queues {
           hops(lanes),
           contacts(lanes),
           releases(lanes),
+          turns(lanes),
           held_contacts(lanes),
           held_releases(lanes),
           twin(lanes) {}
@@ -124,6 +125,7 @@ struct Queues {
     Queue hops;           // may rise above it within a stretch of flight
     Queue contacts;       // of any length
     Queue releases;       // above the stop, which doesn't press
+    Queue turns;          // the same, but they leave slowly
     Queue held_contacts;  // with a cubic spring: those that wait for the kick at a grid point
     Queue held_releases;
     Crossings twin;  // left to the scalar engine in this cycle

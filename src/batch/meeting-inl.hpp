@@ -11,25 +11,26 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// Where the flight from m comes through zero, a short time away, by its Taylor series.
+// Where what rises along a flight comes through zero, a short time away, by its Taylor series.
 struct Meeting {
-    V time;     // from m
+    V time;     // from now
     Mask sure;  // the series resolves it
 };
-HWY_INLINE Meeting meet(const Cells& cells, const Moment& m, const Derivatives& d) {
-    const V inverse = all(1) / m.velocity;
-    const V first = -m.delta * inverse;
-    const V second = d.second * inverse * all(0.5);
-    const V third = d.third * inverse * all(1.0 / 6);
-    const V fourth = d.fourth * inverse * all(1.0 / 24);
+HWY_INLINE Meeting meet(const Cells& cells, const Rise& rise) {
+    const V inverse = all(1) / rise.slope;
+    const V first = -rise.value * inverse;
+    const V second = rise.second * inverse * all(0.5);
+    const V third = rise.third * inverse * all(1.0 / 6);
+    const V fourth = rise.fourth * inverse * all(1.0 / 24);
     V t = first;
     for (int n = 0; n < 3; ++n) {
         t = neg_mul_add(t * t, mul_add(t, mul_add(t, fourth, third), second), first);
     }
     // what is left out is t^5/120 of the fifth derivative, and the fourth power of second t
     const V reach = max(abs(t), abs(first)) * max(max(cells.eta, cells.frequency), all(8) * abs(second));
-    return {t, (reach < all(1e-3)) & (m.velocity > all(0))};
+    return {t, (reach < all(1e-3)) & (rise.slope > all(0))};
 }
+// At the stop, delta = 0.
 HWY_INLINE Moment meeting_moment(const Cells& cells, const Moment& m, const Derivatives& d, V t) {
     const V high = mul_add(t * all(1.0 / 6), d.fourth, d.third * all(0.5));
     const V x = cells.eta * t;
@@ -72,13 +73,13 @@ HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start,
     V time = s * h;
     Moment m = flight.soon(time);
     Derivatives d = derivatives(rig, cells, m);
-    Meeting meeting = meet(cells, m, d);
+    Meeting meeting = meet(cells, rise_of_position(m, d));
     for (int n = 0; n < 3 && !everywhere(meeting.sure); ++n) {
         const V again = min(max(time + meeting.time, all(0)), h);
         time = choose(meeting.sure, time, again);
         m = flight.soon(time);
         d = derivatives(rig, cells, m);
-        const Meeting next = meet(cells, m, d);
+        const Meeting next = meet(cells, rise_of_position(m, d));
         meeting = {choose(meeting.sure, meeting.time, next.time), meeting.sure | next.sure};
     }
     const Moment end = meeting_moment(cells, m, d, meeting.time);
@@ -93,12 +94,14 @@ HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start,
     return {time, end, found, ~found};
 }
 
-// Any flight from below zero, over a stretch of a few steps at most. From a point with delta <= 0 and a bound A
-// on delta'' the parabola's root is a step that can't pass the crossing (as in trajectory/first_crossing.hpp);
-// A is the largest that delta'' becomes in a window, from its present value, slope, and the bound on what bends
-// it.
+// Any rise from below zero along a flight, over a stretch of a few steps at most. From a point with s <= 0 and
+// a bound A on s'' the parabola's root is a step that can't pass the crossing (as in
+// trajectory/first_crossing.hpp); A is the largest that s'' becomes in a window, from its present value, slope,
+// and the bound on what bends it. rise(m, d): s at a moment; land(m, d, t): the moment a time t later, where
+// it is zero.
+template <class RiseOf, class Land>
 HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V length, V fourth_derivative,
-                      Mask which) {
+                      Mask which, RiseOf rise_of, Land land) {
     const V zero = all(0);
     const Flight flight(rig, cells, start);
     V time = zero;
@@ -110,18 +113,19 @@ HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V
     Mask unsure = none();
     for (int n = 0; n < 40; ++n) {
         const Derivatives d = derivatives(rig, cells, m);
-        const V below = min(m.delta, zero);
+        const Rise s = rise_of(m, d);
+        const V below = min(s.value, zero);
         // the parabola's root for a window, or `otherwise` where it has none
         const auto bound = [&](V window) HWY_ATTR {
-            const V bend = mul_add(window * all(0.5), fourth_derivative, d.third);
-            return max(d.second, mul_add(window, bend, d.second));
+            const V bend = mul_add(window * all(0.5), fourth_derivative, s.third);
+            return max(s.second, mul_add(window, bend, s.second));
         };
         const auto root = [&](V curvature, V otherwise) HWY_ATTR {
-            const V discriminant = neg_mul_add(all(2) * curvature, below, m.velocity * m.velocity);
+            const V discriminant = neg_mul_add(all(2) * curvature, below, s.slope * s.slope);
             const V size = sqrt(max(discriminant, zero));
-            const Mask rises = m.velocity > zero;
+            const Mask rises = s.slope > zero;
             const V step =
-                choose(rises, all(-2) * below, size - m.velocity) / choose(rises, m.velocity + size, curvature);
+                choose(rises, all(-2) * below, size - s.slope) / choose(rises, s.slope + size, curvature);
             const Mask never_reaches = (discriminant < zero) | (~rises & (curvature <= zero));
             return choose(never_reaches, otherwise, step);
         };
@@ -133,13 +137,13 @@ HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V
         const V steepest = bound(window);
         const V better = max(step, min(root(steepest, window), window));
 
-        const Meeting meeting = meet(cells, m, d);
-        const V bending = max(abs(d.second), abs(steepest));
-        const Mask monotone = m.velocity > all(4) * bending * abs(meeting.time);
+        const Meeting meeting = meet(cells, s);
+        const V bending = max(abs(s.second), abs(steepest));
+        const Mask monotone = s.slope > all(4) * bending * abs(meeting.time);
         const Mask within = abs(meeting.time) <= window;
         const Mask arrived = active & ~absent & meeting.sure & monotone & within;
         if (any(arrived)) {
-            end = choose(arrived, meeting_moment(cells, m, d, meeting.time), end);
+            end = choose(arrived, land(m, d, meeting.time), end);
             end_time = choose(arrived, time + meeting.time, end_time);
             found = found | arrived;
         }
@@ -152,6 +156,26 @@ HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V
         m = choose(active, flight.at(time), m);
     }
     return {end_time, end, found, unsure | active};
+}
+// The hammer's next touch.
+HWY_INLINE Found seek_touch(const Rig& rig, const Cells& cells, const Moment& start, V length,
+                            V fourth_derivative, Mask which) {
+    return seek(
+        rig, cells, start, length, fourth_derivative, which,
+        [](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
+        [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
+}
+// From where the stop doesn't press: the next moment at which it would, if it is still reached.
+HWY_INLINE Found seek_force(const Rig& rig, const Cells& cells, const Moment& start, V length,
+                            V fourth_derivative, Mask which) {
+    const V fourth = fourth_derivative * mul_add(all(rig.lag), max(cells.eta, cells.frequency), all(1));
+    return seek(
+        rig, cells, start, length, fourth, which,
+        [&](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_force(rig, cells, m, d); },
+        [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR {
+            const Moment end = meeting_moment(cells, m, d, t);
+            return Moment{all(-rig.lag) * end.velocity, end.velocity, end.sine, end.cosine};
+        });
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

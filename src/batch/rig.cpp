@@ -174,7 +174,8 @@ Rig::Rig(const scene::Oscillator<double>& scene)
     : damping_ratio(scene.damping_ratio),
       cubic(scene.cubic),
       stiffness(scene.kelvin_voigt().stiffness),
-      damping(scene.kelvin_voigt().damping) {
+      damping(scene.kelvin_voigt().damping),
+      lag(damping / stiffness) {
     const Motion flight(motion::flight_equation(scene));
     const Motion contact(motion::contact_equation(scene));
     weakly_damped = damping_ratio * 6 * std::numbers::pi / 4 < 0.1;

@@ -35,6 +35,7 @@ struct Rig {
     double cubic = 0;              // coefficient of u^3
     double stiffness = 0;          // kappa
     double damping = 0;            // chi
+    double lag = 0;                // chi/kappa: the force vanishes where delta = -lag delta'
     double contact_decay = 0;      // b = zeta + chi/2
     double contact_square = 0;     // w2 = 1 + kappa
     double contact_frequency = 0;  // its root

@@ -27,9 +27,7 @@ struct Signal {
     [[nodiscard]] Real operator()(const Moment<Real>& m) const {
         return position * m.state[0] + velocity * m.state[1] + sine * m.sine + cosine * m.cosine + constant;
     }
-    [[nodiscard]] Real homogeneous(const Moment<Real>& m) const {
-        return position * m.homogeneous[0] + velocity * m.homogeneous[1];
-    }
+    [[nodiscard]] Real of_homogeneous(const State<Real>& x) const { return position * x[0] + velocity * x[1]; }
     [[nodiscard]] Signal operator-() const { return {-position, -velocity, -sine, -cosine, -constant}; }
 };
 
@@ -90,15 +88,17 @@ class Probe {
         Real jerk;
     };
     [[nodiscard]] Bounds bounds(const Moment<Real>& m) const {
-        const Decaying rest = decaying(m);
+        const Decaying rest = decaying(m.homogeneous);
         return {steady_size_[2] + reach(rest, 2), steady_size_[3] + reach(rest, 3)};
     }
 
     // The steady signal swings between rest() - swing() and rest() + swing(); what decays stays within
-    // transient().
+    // transient() of a state's homogeneous part.
     [[nodiscard]] Real rest() const { return rest_; }
     [[nodiscard]] Real swing() const { return swing_; }  // infinite at undamped resonance
-    [[nodiscard]] Real transient(const Moment<Real>& m) const { return reach(decaying(m), 0); }
+    [[nodiscard]] Real transient(const State<Real>& homogeneous) const {
+        return reach(decaying(homogeneous), 0);
+    }
 
   private:
     using Complex = std::complex<Real>;
@@ -117,7 +117,7 @@ class Probe {
     // short.
     [[nodiscard]] Real evaluate(std::size_t order, const Moment<Real>& m) const {
         if (!m.split) return derivative_[order](m);
-        return derivative_[order].homogeneous(m) + steady_[order].real() * m.sine +
+        return derivative_[order].of_homogeneous(m.homogeneous) + steady_[order].real() * m.sine +
                steady_[order].imag() * m.cosine;
     }
 
@@ -131,14 +131,10 @@ class Probe {
                std::abs(s.sine) + std::abs(s.cosine);
     }
 
-    [[nodiscard]] Decaying decaying(const Moment<Real>& m) const {
-        if (bound_ == Bound::energy) {
-            const Real x = m.homogeneous[0];
-            const Real v = m.homogeneous[1];
-            return {std::sqrt(v * v + stiffness_ * x * x), 0};
-        }
-        const Real value = derivative_[0].homogeneous(m);
-        const Real slope = derivative_[1].homogeneous(m);
+    [[nodiscard]] Decaying decaying(const State<Real>& x) const {
+        if (bound_ == Bound::energy) return {std::sqrt(x[1] * x[1] + stiffness_ * x[0] * x[0]), 0};
+        const Real value = derivative_[0].of_homogeneous(x);
+        const Real slope = derivative_[1].of_homogeneous(x);
         if (bound_ == Bound::modes) {
             return {std::abs(slope - fast_ * value) / (2 * rate_),
                     std::abs(slope - slow_ * value) / (2 * rate_)};

@@ -59,6 +59,7 @@ struct CellPool::Group {
 
     // Carries all cells through the cycles that they wait for.
     void advance() {
+        if (!goes_far()) return map.advance({.measure = wish.measures, .jacobian = true});
         std::ranges::fill(largest_force, 0);
         std::ranges::fill(largest_displacement, 0);
         for (std::size_t n = 0; n < wish.cycles; ++n) {
@@ -72,21 +73,37 @@ struct CellPool::Group {
             }
         }
     }
-    // Of the cell in a slot; nothing behind one that failed.
-    [[nodiscard]] std::span<const trajectory::Cycle<double>> cycles(std::size_t slot) const {
-        const auto all = std::span(course).subspan(slot * wish.cycles, wish.cycles);
-        const auto failed = std::ranges::find_if(all, [](const trajectory::Cycle<double>& cycle) {
+    // Tells the search in a slot what they were; of a cycle behind one that failed, nothing.
+    void tell(std::size_t slot) {
+        CycleDesk& desk = cells[slot]->desk;
+        trajectory::Recorder<double>* recorder = desk.order().recorder;
+        if (!goes_far()) {
+            const trajectory::Cycle<double> cycle = map.cycle(slot);
+            if (wish.measures) {
+                recorder->cycles(cycle.impacts, map.peak_force(slot), map.displacement_bound(slot));
+            }
+            return desk.serve({&cycle, 1});
+        }
+        auto cycles = std::span(course).subspan(slot * wish.cycles, wish.cycles);
+        const auto failed = std::ranges::find_if(cycles, [](const trajectory::Cycle<double>& cycle) {
             return cycle.outcome != trajectory::Cycle<double>::Outcome::done;
         });
-        return failed == all.end() ? all : all.first(static_cast<std::size_t>(failed - all.begin()) + 1);
+        if (failed != cycles.end()) cycles = cycles.first(static_cast<std::size_t>(failed - cycles.begin()) + 1);
+        if (wish.measures) {
+            int impacts = 0;
+            for (const auto& cycle : cycles) impacts += cycle.impacts;
+            recorder->cycles(impacts, largest_force[slot], largest_displacement[slot]);
+        }
+        desk.serve(cycles);
     }
 
     Wish wish;
     Batch kind;
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Cell>> cells;       // by slot of the map
-    std::vector<trajectory::Cycle<double>> course;  // of the last advance: those of a slot side by side
-    std::vector<double> largest_force;              // over them, by slot; 0 where nobody measures
+    // Of several cycles: those of a slot side by side, and largest values over them.
+    std::vector<trajectory::Cycle<double>> course;
+    std::vector<double> largest_force;
     std::vector<double> largest_displacement;
     double paid = 0;                           // by each cell that was there all the time [s]
     double last_step_seconds = 0;
@@ -182,14 +199,7 @@ void CellPool::advance(Group& group) {
 
 void CellPool::serve(Group& group, std::size_t slot) {
     Cell& cell = *group.cells[slot];
-    const auto cycles = group.cycles(slot);
-    if (group.wish.measures) {
-        int impacts = 0;
-        for (const auto& cycle : cycles) impacts += cycle.impacts;
-        cell.desk.order().recorder->cycles(impacts, group.largest_force[slot],
-                                           group.largest_displacement[slot]);
-    }
-    cell.desk.serve(cycles);
+    group.tell(slot);
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
     if (cell.wish() != group.wish) return move(group, slot);

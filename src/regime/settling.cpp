@@ -32,7 +32,20 @@ Settling::Settling(const StroboscopicMap& map)
     : scene_(map.scene()),
       free_flight_(without_cubic(map.scene())),
       contact_(contact_of(without_cubic(map.scene()))) {
-    if (scene_.cubic != 0) find_free_orbit(map);
+    if (scene_.cubic != 0) {
+        find_free_orbit(map);
+        may_stay_free_ = free_orbit_ && free_orbit_->largest_displacement < scene_.gap;
+    } else {
+        may_stay_free_ = free_flight_.may_last();
+        may_stay_in_contact_ = std::visit(
+            []<class Law>(const Law& contact) {
+                if constexpr (std::is_same_v<Law, std::monostate>)
+                    return false;
+                else
+                    return contact.may_last();
+            },
+            contact_);
+    }
 }
 
 void Settling::find_free_orbit(const StroboscopicMap& map) {
@@ -57,7 +70,6 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
 
 bool Settling::close_enough(const scene::State<double>& x) const {
     const double room = scene_.gap - free_orbit_->largest_displacement;
-    if (!(room > 0)) return false;
     const scene::State<double> e = x - free_orbit_->point;
     // linear amplitude of e, by the energy where the motion doesn't oscillate
     const double zeta = scene_.damping_ratio;
@@ -70,13 +82,14 @@ bool Settling::close_enough(const scene::State<double>& x) const {
 }
 
 std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
+    if (!may_stay_free_) return std::nullopt;
     if (scene_.cubic == 0) {
         if (!free_flight_.lasts(x)) return std::nullopt;
         const bool decays = free_flight_.decays();
         return SettledMotion{free_flight_.steady(), free_flight_.jacobian(), 0,
                              decays ? free_flight_.amplitude() : free_flight_.largest_displacement(x), decays};
     }
-    if (!free_orbit_ || trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x))
+    if (trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x))
         return std::nullopt;
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }
@@ -92,20 +105,12 @@ Settling::Contact Settling::contact_of(const scene::Oscillator<double>& scene) {
 }
 
 bool Settling::may_settle() const {
-    if (scene_.cubic != 0) return !free_orbit_ || free_orbit_->largest_displacement < scene_.gap;
-    if (free_flight_.may_last()) return true;
-    return std::visit(
-        []<class Law>(const Law& contact) {
-            if constexpr (std::is_same_v<Law, std::monostate>)
-                return false;
-            else
-                return contact.may_last();
-        },
-        contact_);
+    if (scene_.cubic != 0 && !free_orbit_) return true;
+    return may_stay_free_ || may_stay_in_contact_;
 }
 
 std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<double>& x) const {
-    if (scene_.cubic != 0) return std::nullopt;
+    if (!may_stay_in_contact_) return std::nullopt;
     return std::visit(
         [&]<class Law>(const Law& contact) -> std::optional<SettledMotion> {
             if constexpr (!std::is_same_v<Law, std::monostate>) {

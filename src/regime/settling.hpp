@@ -53,6 +53,9 @@ class Settling {
     void find_free_orbit(const StroboscopicMap& map);
     [[nodiscard]] bool close_enough(const scene::State<double>& x) const;
 
+    // First what is asked after every cycle.
+    bool may_stay_free_ = false;
+    bool may_stay_in_contact_ = false;
     scene::Oscillator<double> scene_;
     trajectory::FreeFlight<double> free_flight_;  // of the scene without its cubic spring
     Contact contact_;                             // the same

@@ -1,6 +1,8 @@
 // The motion without a stop and without a cubic spring: steady oscillation, and what is left of the start.
 #pragma once
 
+#include <cmath>
+
 #include "motion/linear_motion.hpp"
 #include "motion/signal.hpp"
 #include "trajectory/cycle.hpp"
@@ -19,7 +21,7 @@ State<Real> steady_at_phase_0(const motion::LinearMotion<Real>& motion) {
 template <class Real>
 Real decaying_part(const motion::LinearMotion<Real>& motion, const motion::Probe<Real>& probe,
                    const State<Real>& x) {
-    return probe.transient({.state = x, .homogeneous = x - steady_at_phase_0(motion)});
+    return probe.transient(x - steady_at_phase_0(motion));
 }
 
 template <class Real>
@@ -32,8 +34,10 @@ class FreeFlight {
     [[nodiscard]] bool may_last() const { return touch_.rest() + touch_.swing() < 0; }
     // The decaying rest can no longer lift the hammer to the stop: it never impacts again.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return may_last() && phase_of(scene_, x) == Phase::flight &&
-               touch_.rest() + touch_.swing() + decaying_part(flight_, touch_, x) < 0;
+        if (!may_last() || phase_of(scene_, x) != Phase::flight) return false;
+        const Real room = -(touch_.rest() + touch_.swing());
+        const State<Real> decaying = x - steady();
+        return std::abs(decaying[0]) < room && touch_.transient(decaying) < room;
     }
     [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0; }
 

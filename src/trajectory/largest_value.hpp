@@ -27,7 +27,8 @@ class LargestValue {
         Moment<Real> m = from;
         largest = std::max(largest, signal_.value(m));
         bool rising = signal_.slope(m) > 0;
-        while (signal_.rest() + signal_.swing() + signal_.transient(m) > largest || leg.motion().resonant()) {
+        while (signal_.rest() + signal_.swing() + signal_.transient(m.homogeneous) > largest ||
+               leg.motion().resonant()) {
             const auto extremum = first_crossing(leg, rising ? fall_ : rise_, m, end.time);
             if (extremum.outcome != Search<Real>::Outcome::crossing) break;
             m = extremum.moment;

@@ -20,7 +20,7 @@ Real displacement_bound(const scene::Oscillator<Real>& scene, const motion::Prob
                         const motion::Leg<Real>& leg, Real duration) {
     const Real natural = leg.motion().natural_frequency();
     const scene::State<Real>& x = leg.start().state;
-    const Real by_parts = position.swing() + position.transient(leg.start());
+    const Real by_parts = position.swing() + position.transient(leg.start().homogeneous);
     const Real by_energy =
         std::hypot(x[0] - position.rest(), x[1] / natural) + scene.drive() * duration / natural;
     return std::abs(position.rest() + scene.gap) + (by_parts < by_energy ? by_parts : by_energy);
