@@ -12,6 +12,8 @@ namespace {
 constexpr int newton_steps = 8;              // quadratic convergence needs 3 to 5 from a recurrence within 0.1
 constexpr double newton_residual = 1e-11;    // relative; some thousand times the rounding error of a cycle
 constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
+// Near a stable orbit; farther away Newton's method leads to one that isn't.
+constexpr double largest_stretch = 1.2;
 constexpr double nearness = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
 
 // A residual below this falls to rounding with one more step.
@@ -47,7 +49,8 @@ std::optional<Point> newton_step(const Point& from, const Point& end, const Eige
 
 // Newton's method on M^q(x) = x. It goes on until rounding stops it, so the point is better than the residual
 // asked for.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q,
+                                              double most_stretch) {
     PeriodicOrbit orbit;
     orbit.point = guess;
     orbit.period = q;
@@ -68,6 +71,7 @@ Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess,
             orbit.pattern = append(orbit.pattern, cycle.pattern);
             orbit.touched |= cycle.touched;
         }
+        if (step == 0 && spectral_radius(orbit.jacobian) > most_stretch) co_return std::nullopt;
         const double size = (end - orbit.point).lpNorm<Eigen::Infinity>() / magnitude(orbit.point);
         const bool small = size < residual_asked;
         const bool is_best = size > last_size / 2 || size < 1e-15 || last_size < nearly_there;
@@ -86,12 +90,12 @@ Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess,
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                      std::int64_t q) {
     const auto guess = newton_step(trajectory.state(q), trajectory.state(), trajectory.jacobian(q));
-    auto found = co_await find_orbit(map, guess.value_or(trajectory.state()), q);
+    auto found = co_await find_orbit(map, guess.value_or(trajectory.state()), q, largest_stretch);
     if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0 || !returns_after(*found, divisor)) continue;
-        auto smaller = co_await find_orbit(map, found->point, divisor);
+        auto smaller = co_await find_orbit(map, found->point, divisor, largest_stretch);
         if (!smaller || !lie_together(smaller->point, found->point)) continue;
         if (is_stable(*smaller) && smaller->pattern == trajectory.pattern(divisor)) co_return smaller;
     }

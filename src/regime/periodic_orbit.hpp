@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,11 @@ struct PeriodicOrbit {
     bool touched = false;       // the stop presses at some time
 };
 
-// The orbit of period q, stable or not, that Newton's method reaches from a guess.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
+// The orbit of period q, stable or not, that Newton's method reaches from a guess. None where the q cycles from
+// the guess stretch a perturbation by more than most_stretch.
+Task<std::optional<PeriodicOrbit>> find_orbit(
+    StroboscopicMap& map, Point guess, std::int64_t q,
+    double most_stretch = std::numeric_limits<double>::infinity());
 
 // Surely inside the unit circle, as far as rounding lets tell.
 bool is_stable(const PeriodicOrbit& orbit);
