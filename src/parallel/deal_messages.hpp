@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "parallel/tile_pool.hpp"
+#include "support/stopwatch.hpp"
 
 namespace peterka::parallel {
 
@@ -41,6 +42,21 @@ inline constexpr int words = [] {
 
 // A rank that waits in MPI_Recv keeps its core busy. One that looks and sleeps leaves it to a computing rank;
 // 200 us are short against a tile.
+// A rank that computes looks for messages now and then only: where ranks outnumber cores, MPI gives the core to
+// another rank at each look, which finds its own caches empty.
+class LookOut {
+  public:
+    [[nodiscard]] bool is_due() {
+        constexpr double interval_seconds = 2e-3;
+        if (since_.seconds() < interval_seconds) return false;
+        since_ = {};
+        return true;
+    }
+
+  private:
+    Stopwatch since_;
+};
+
 inline void rest() {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
 }

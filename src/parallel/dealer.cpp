@@ -29,7 +29,8 @@ std::optional<Tile> Dealer::next() {
 }
 
 bool Dealer::carry_on() {
-    serve();
+    if (look_out_.is_due()) serve();
+    stopping_ = stopping_ || work_.stop_requested();
     return !stopping_;
 }
 

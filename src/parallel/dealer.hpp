@@ -50,6 +50,7 @@ class Dealer : private TileSource {
     std::deque<int> waiting_;      // ranks that want a run, first come, first served
     std::int64_t tiles_missing_;
     bool stopping_ = false;
+    LookOut look_out_;
 };
 
 }  // namespace peterka::parallel
