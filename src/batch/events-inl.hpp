@@ -273,8 +273,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
         push(cells.index, grid_point, time + leaving, flight.at(leaving), real_ & may_rise, queues_.hops);
 }
 
-// The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the stop
-// it can't get from below without a force, so where the force rises next tells whether it had left.
+// The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the
+// stop it can't get from below without a force, so where the force rises next tells whether it had left.
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
     const Waiting w = take(queues_.turns);

@@ -281,8 +281,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
         for (; hops != 0; hops &= hops - 1) {
             const std::size_t lane = word + static_cast<std::size_t>(std::countr_zero(hops));
             const auto point = static_cast<std::size_t>(n);
-            queues_.hops.add(static_cast<std::int64_t>(lane), {n + 1.0, n * lanes.step[lane], delta[lane], velocity[lane],
-                                    grid_.sine[point], grid_.cosine[point]});
+            queues_.hops.add(static_cast<std::int64_t>(lane),
+                             {n + 1.0, n * lanes.step[lane], delta[lane], velocity[lane], grid_.sine[point],
+                              grid_.cosine[point]});
             if constexpr (cubic && jacobian) lanes.leg_start[lane] = n * lanes.step[lane];
         }
     }

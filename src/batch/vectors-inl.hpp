@@ -102,8 +102,8 @@ class Numbers {
   private:
     alignas(64) Number numbers_[widest_vector];
 };
-Numbers(V) -> Numbers<double>;
-Numbers(Index) -> Numbers<std::int64_t>;
+Numbers(V)->Numbers<double>;
+Numbers(Index)->Numbers<std::int64_t>;
 // first, first + 1, ...
 HWY_INLINE Index index_from(std::size_t first) {
     const auto lowest = hn::Add(hn::Iota(IndexTag(), 0), hn::Set(IndexTag(), static_cast<std::int64_t>(first)));

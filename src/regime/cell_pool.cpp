@@ -68,8 +68,7 @@ struct CellPool::Group {
                 course[slot * wish.cycles + n] = map.cycle(slot);
                 if (!wish.measures) continue;
                 largest_force[slot] = std::max(largest_force[slot], map.peak_force(slot));
-                largest_displacement[slot] =
-                    std::max(largest_displacement[slot], map.displacement_bound(slot));
+                largest_displacement[slot] = std::max(largest_displacement[slot], map.displacement_bound(slot));
             }
         }
     }
@@ -88,7 +87,8 @@ struct CellPool::Group {
         const auto failed = std::ranges::find_if(cycles, [](const trajectory::Cycle<double>& cycle) {
             return cycle.outcome != trajectory::Cycle<double>::Outcome::done;
         });
-        if (failed != cycles.end()) cycles = cycles.first(static_cast<std::size_t>(failed - cycles.begin()) + 1);
+        if (failed != cycles.end())
+            cycles = cycles.first(static_cast<std::size_t>(failed - cycles.begin()) + 1);
         if (wish.measures) {
             int impacts = 0;
             for (const auto& cycle : cycles) impacts += cycle.impacts;
@@ -100,12 +100,12 @@ struct CellPool::Group {
     Wish wish;
     Batch kind;
     batch::BatchedCycleMap map;
-    std::vector<std::unique_ptr<Cell>> cells;       // by slot of the map
+    std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
     // Of several cycles: those of a slot side by side, and largest values over them.
     std::vector<trajectory::Cycle<double>> course;
     std::vector<double> largest_force;
     std::vector<double> largest_displacement;
-    double paid = 0;                           // by each cell that was there all the time [s]
+    double paid = 0;  // by each cell that was there all the time [s]
     double last_step_seconds = 0;
 };
 

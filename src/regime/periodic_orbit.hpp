@@ -26,9 +26,8 @@ struct PeriodicOrbit {
 
 // The orbit of period q, stable or not, that Newton's method reaches from a guess. None where the q cycles from
 // the guess stretch a perturbation by more than most_stretch.
-Task<std::optional<PeriodicOrbit>> find_orbit(
-    StroboscopicMap& map, Point guess, std::int64_t q,
-    double most_stretch = std::numeric_limits<double>::infinity());
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q,
+                                              double most_stretch = std::numeric_limits<double>::infinity());
 
 // Surely inside the unit circle, as far as rounding lets tell.
 bool is_stable(const PeriodicOrbit& orbit);

@@ -24,35 +24,39 @@ class Recurrence {
         : longest_(longest),
           ring_(std::bit_ceil(static_cast<std::size_t>(2 * longest + 1))),
           untouched_(untouched) {
-        entries_.reserve(16);
+        states_.reserve(16);
+        passages_.reserve(16);
     }
 
     // Records the state after one more cycle and that cycle's events.
     void record(const Passage& cycle) {
         ++recorded_;
         if (cycle.touched) last_touch_ = recorded_;
-        const Entry now{cycle.end, cycle.pattern, cycle.jacobian.cast<float>()};
-        if (entries_.size() < ring_) {
-            entries_.push_back(now);
+        const Kept now{cycle.pattern, cycle.jacobian.cast<float>()};
+        if (states_.size() < ring_) {
+            states_.push_back(cycle.end);
+            passages_.push_back(now);
         } else {
-            entry(recorded_) = now;
+            states_[place(recorded_)] = cycle.end;
+            passages_[place(recorded_)] = now;
         }
         mark(cycle.pattern);
     }
 
     // At the end of the last cycle, and q cycles before.
-    [[nodiscard]] const Point& state(std::int64_t q = 0) const { return entry(recorded_ - q).state; }
+    [[nodiscard]] const Point& state(std::int64_t q = 0) const { return states_[place(recorded_ - q)]; }
     // Pattern of q cycles in a row, of which the last ended so many cycles ago.
     [[nodiscard]] EventPattern pattern(std::int64_t q, std::int64_t ago = 0) const {
         EventPattern pattern = 0;
-        for (std::int64_t i = q - 1; i >= 0; --i) pattern = append(pattern, entry(recorded_ - ago - i).pattern);
+        for (std::int64_t i = q - 1; i >= 0; --i)
+            pattern = append(pattern, passage(recorded_ - ago - i).pattern);
         return pattern;
     }
     // Jacobian of the last q cycles, to some digits.
     [[nodiscard]] Eigen::Matrix2d jacobian(std::int64_t q) const {
         Eigen::Matrix2d product = Eigen::Matrix2d::Identity();
         for (std::int64_t i = q - 1; i >= 0; --i) {
-            product = (entry(recorded_ - i).jacobian.cast<double>() * product).eval();
+            product = (passage(recorded_ - i).jacobian.cast<double>() * product).eval();
         }
         return product;
     }
@@ -62,7 +66,7 @@ class Recurrence {
     // counts as trying.
     [[nodiscard]] std::int64_t candidate() {
         const bool late = recorded_ > early_cycles;
-        const Entry& now = entry(recorded_);
+        const Point now = state();
         const std::uint16_t* ago = &marks_[newest_];
         Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  // of the last `carried` cycles
         std::int64_t carried = 0;
@@ -70,10 +74,10 @@ class Recurrence {
             if (ago[q] != ago[0]) continue;
             if (late && std::memcmp(ago + q, ago, late_repeats * sizeof *ago) != 0) continue;
             if (recorded_ - last_touch_ >= q && !untouched_) continue;
-            const double distance = (now.state - entry(recorded_ - q).state).lpNorm<Eigen::Infinity>();
+            const double distance = (now - state(q)).lpNorm<Eigen::Infinity>();
             if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q)) continue;
             for (; carried < q; ++carried) {
-                jacobian = (jacobian * entry(recorded_ - carried).jacobian.cast<double>()).eval();
+                jacobian = (jacobian * passage(recorded_ - carried).jacobian.cast<double>()).eval();
             }
             if (!(spectral_radius(jacobian) < largest_stretch)) continue;
             // a multiple of q would lead to the same orbit again
@@ -97,18 +101,16 @@ class Recurrence {
     // A motion that didn't settle at once must have repeated four patterns even where q is smaller.
     static constexpr std::int64_t late_repeats = 4;
 
-    struct Entry {
-        Point state = Point::Zero();
+    // Of a cycle, besides the state at its end.
+    struct Kept {
         EventPattern pattern = 0;
         Eigen::Matrix2f jacobian = Eigen::Matrix2f::Identity();  // for estimates: half the memory
     };
     // Of cycles 1, 2, ...: the last ring_ of them are kept.
-    [[nodiscard]] Entry& entry(std::int64_t cycle) {
-        return entries_[static_cast<std::size_t>(cycle - 1) & (ring_ - 1)];
+    [[nodiscard]] std::size_t place(std::int64_t cycle) const {
+        return static_cast<std::size_t>(cycle - 1) & (ring_ - 1);
     }
-    [[nodiscard]] const Entry& entry(std::int64_t cycle) const {
-        return entries_[static_cast<std::size_t>(cycle - 1) & (ring_ - 1)];
-    }
+    [[nodiscard]] const Kept& passage(std::int64_t cycle) const { return passages_[place(cycle)]; }
     [[nodiscard]] double tried_at(std::int64_t q) const {
         return tried_at_.empty() ? first_distance : tried_at_[static_cast<std::size_t>(q)];
     }
@@ -132,7 +134,7 @@ class Recurrence {
         const std::uint16_t* ago = &marks_[newest_];
         if (std::memcmp(ago, ago + q, static_cast<std::size_t>(q) * sizeof *ago) != 0) return false;
         for (std::int64_t i = 0; i < q; ++i) {
-            if (entry(recorded_ - i).pattern != entry(recorded_ - q - i).pattern) return false;
+            if (passage(recorded_ - i).pattern != passage(recorded_ - q - i).pattern) return false;
         }
         return true;
     }
@@ -140,7 +142,8 @@ class Recurrence {
     std::int64_t longest_;
     std::size_t ring_;
     bool untouched_;
-    std::pmr::vector<Entry> entries_{&pool()};
+    std::pmr::vector<Point> states_{&pool()};  // apart, as a search for candidates looks at many
+    std::pmr::vector<Kept> passages_{&pool()};
     std::pmr::vector<double> tried_at_{&pool()};
     std::pmr::vector<std::uint16_t> marks_{&pool()};  // of patterns: 16 bits, for a first look at many lags
     std::size_t newest_ = 0;

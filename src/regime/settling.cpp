@@ -89,8 +89,7 @@ std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x)
         return SettledMotion{free_flight_.steady(), free_flight_.jacobian(), 0,
                              decays ? free_flight_.amplitude() : free_flight_.largest_displacement(x), decays};
     }
-    if (trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x))
-        return std::nullopt;
+    if (trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x)) return std::nullopt;
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }
 
