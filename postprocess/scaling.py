@@ -62,7 +62,7 @@ def read_arguments():
     parser.add_argument("--cells", type=read_cells, default="1e6,1e8,1e10", help="default: 1e6,1e8,1e10")
     parser.add_argument("--ranks", type=whole_number(1, MOST_RANKS), default=100000, help="default: 100000")
     for name, default, what in (("service", 3.0, "rank 0's time for one run"), ("latency", 2.0, "time of a message"),
-                                ("look", 100.0, "between two looks of a computing rank 0 for messages")):
+                                ("look", 500.0, "between two looks of a computing rank 0 for messages")):
         parser.add_argument(f"--{name}", metavar="US", type=microseconds, default=default,
                             help=f"{what} [µs], default: {default:g}")
     parser.add_argument("--remedies", action="store_true", help="compare ways out where rank 0 is too slow")

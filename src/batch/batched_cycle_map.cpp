@@ -125,20 +125,31 @@ BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size
       oscillator_(springs == Springs::split ? rig : without_cubic(rig)),
       rig_(oscillator_),
       grid_(steps_per_cycle),
-      stride_(stride(capacity)),
       slab_(nullptr, deallocate),
-      queues_(rounded_up(capacity)),
-      pattern_(rounded_up(capacity)),
-      outcome_(rounded_up(capacity)),
-      twin_only_(capacity),
-      twins_(capacity),
+      queues_(0),
       forcings_(frequencies_kept) {
+    make_room(capacity);
+}
+
+void BatchedCycleMap::make_room(std::size_t capacity) {
     const auto all = fields(lanes_);
-    numbers_ = stride_ * all.size();
-    slab_.reset(allocate(numbers_));
-    std::fill_n(slab_.get(), numbers_, 0.0);
-    for (std::size_t n = 0; n < all.size(); ++n) *all[n] = slab_.get() + n * stride_;
+    const std::size_t distance = stride(capacity);
+    std::unique_ptr<double[], void (*)(double*)> slab(allocate(distance * all.size()), deallocate);
+    std::fill_n(slab.get(), distance * all.size(), 0.0);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        double* array = slab.get() + n * distance;
+        if (slab_) std::copy_n(*all[n], size_, array);
+        *all[n] = array;
+    }
+    slab_ = std::move(slab);
+    stride_ = distance;
+    numbers_ = distance * all.size();
+    queues_ = Queues(rounded_up(capacity));
+    pattern_.resize(rounded_up(capacity));
     lanes_.pattern = pattern_.data();
+    outcome_.resize(rounded_up(capacity));
+    twin_only_.resize(capacity);
+    twins_.resize(capacity);
 }
 
 scene::Oscillator<double> BatchedCycleMap::scene_of(double frequency, double gap) const {
@@ -208,6 +219,7 @@ void BatchedCycleMap::use_lanes(std::size_t size) {
 
 void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {
     const std::size_t slot = size_;
+    if (slot == capacity()) make_room(2 * slot);
     use_lanes(slot + 1);
     const Forcing& f = forcing(frequency, gap);
     set_state(slot, state);
@@ -265,6 +277,7 @@ void BatchedCycleMap::remove(std::size_t slot) {
 
 void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
     const std::size_t here = size_;
+    if (here == capacity()) make_room(2 * here);
     use_lanes(here + 1);
     copy_slot(other, slot, here);
     if (twin_only_[here]) ++twin_only_count_;

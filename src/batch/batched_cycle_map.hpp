@@ -2,7 +2,7 @@
 //
 // Cells sit side by side in slots 0 to size() - 1; all share springs' damping and stop (the rig), each has its
 // own forcing and gap. One call carries all of them through one forcing cycle. What the kernel can't do surely
-// (resonance, stops that don't oscillate, grazing, slow departures) the scalar twin does; `left_to_twin` counts
+// (resonance, stops that don't oscillate, grazing) the scalar twin does; `left_to_twin` counts
 // it. A cell's result depends on the cell and its state alone, not on its slot or its neighbours.
 //
 // With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point. The
@@ -29,7 +29,8 @@ enum class Springs : std::uint8_t {
 class BatchedCycleMap {
   public:
     // rig: whose damping, springs and stop all cells share. Steps per cycle, for all cells of this batch: what
-    // steps_for says, or with split springs trajectory::split_steps.
+    // steps_for says, or with split springs trajectory::split_steps. Beyond the capacity, room is made as cells
+    // come.
     BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
                     Springs springs = Springs::linear);
 
@@ -84,6 +85,7 @@ class BatchedCycleMap {
     const Forcing& forcing(double frequency, double gap);
 
     [[nodiscard]] scene::Oscillator<double> scene_of(double frequency, double gap) const;
+    void make_room(std::size_t capacity);
     void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);
     [[nodiscard]] Twin twin_of(std::size_t slot) const;
@@ -94,7 +96,7 @@ class BatchedCycleMap {
     Rig rig_;
     Grid grid_;
     std::size_t size_ = 0;
-    std::size_t stride_;       // from array to array of the slab
+    std::size_t stride_ = 0;   // from array to array of the slab
     std::size_t numbers_ = 0;  // of the slab
     std::unique_ptr<double[], void (*)(double*)> slab_;
     Lanes lanes_{};

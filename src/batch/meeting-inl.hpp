@@ -97,7 +97,7 @@ HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start,
 // Any rise from below zero along a flight, over a stretch of a few steps at most. From a point with s <= 0 and
 // a bound A on s'' the parabola's root is a step that can't pass the crossing (as in
 // trajectory/first_crossing.hpp); A is the largest that s'' becomes in a window, from its present value, slope,
-// and the bound on what bends it. rise(m, d): s at a moment; land(m, d, t): the moment a time t later, where
+// and the bound on what bends it. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later, where
 // it is zero.
 template <class RiseOf, class Land>
 HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V length, V fourth_derivative,

@@ -1,7 +1,7 @@
 // What rank 0 and the other ranks say to each other while tiles are dealt. Not for use outside the dealing.
 //
 // A worker reports when it wants a run, when it has nothing left to do, and now and then in between. Rank 0
-// answers a wish with an order as soon as it has a run, and ends with one order without tiles; the worker's
+// answers a wish with an order once it looks and has a run, and ends with one order without tiles; the worker's
 // last report says it has left. A worker always has a receive posted for the next order, so a send of rank 0
 // never waits for a worker's computing.
 #pragma once
@@ -42,23 +42,24 @@ inline constexpr int words = [] {
 
 // A rank that waits in MPI_Recv keeps its core busy. One that looks and sleeps leaves it to a computing rank;
 // 200 us are short against a tile.
-// A rank that computes looks for messages now and then only: where ranks outnumber cores, MPI gives the core to
-// another rank at each look, which finds its own caches empty.
+inline void rest() {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
+
+// When a rank that computes looks for messages. Not at every occasion: where ranks outnumber cores, MPI gives
+// the core away at each look, and the rank finds its caches empty afterwards.
 class LookOut {
   public:
+    explicit LookOut(double interval_seconds) : interval_seconds_(interval_seconds) {}
     [[nodiscard]] bool is_due() {
-        constexpr double interval_seconds = 2e-3;
-        if (since_.seconds() < interval_seconds) return false;
+        if (since_.seconds() < interval_seconds_) return false;
         since_ = {};
         return true;
     }
 
   private:
+    double interval_seconds_;
     Stopwatch since_;
 };
-
-inline void rest() {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-}
 
 }  // namespace peterka::parallel

@@ -25,11 +25,17 @@ bool Dealer::run() {
 std::optional<Tile> Dealer::next() {
     const TileRange mine = pool_.take(1);
     if (mine.size() == 0) return std::nullopt;
+    ++tiles_in_hand_;
     return tiling_.tile(mine.first);
 }
 
+void Dealer::solved(const Tile& tile) {
+    --tiles_in_hand_;
+    count_solved(1, tile.size());
+}
+
 bool Dealer::carry_on() {
-    if (look_out_.is_due()) serve();
+    if (tiles_in_hand_ == 0 || look_out_.is_due()) serve();
     stopping_ = stopping_ || work_.stop_requested();
     return !stopping_;
 }

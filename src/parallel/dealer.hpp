@@ -28,7 +28,7 @@ class Dealer : private TileSource {
     // all others.
     std::optional<Tile> next() override;
     [[nodiscard]] bool ended() const override { return pool_.remaining() == 0; }
-    void solved(const Tile& tile) override { count_solved(1, tile.size()); }
+    void solved(const Tile& tile) override;
     bool carry_on() override;
 
     void serve_until_solved();
@@ -50,7 +50,8 @@ class Dealer : private TileSource {
     std::deque<int> waiting_;      // ranks that want a run, first come, first served
     std::int64_t tiles_missing_;
     bool stopping_ = false;
-    LookOut look_out_;
+    std::int64_t tiles_in_hand_ = 0;
+    LookOut look_out_{0.5e-3};  // others may wait
 };
 
 }  // namespace peterka::parallel

@@ -1,9 +1,9 @@
 // Deals the tiles of a grid to all ranks and has each solve its share.
 //
-// Rank 0 deals and computes too, and answers the others whenever its own solving asks whether to carry on: a
-// few hundred times a second. The others ask for their next run when they begin the last tile of the present
-// one, with tiles enough in hand to go on meanwhile. Without anything to compute a rank sleeps between looks,
-// so it leaves its core to a rank that computes.
+// Rank 0 deals and computes too, and answers the others when its own solving asks whether to carry on, every
+// half a millisecond or so. The others ask for their next run when they begin the last tile of the present one,
+// with tiles enough in hand to go on meanwhile. Without anything to compute a rank sleeps between looks, so it
+// leaves its core to a rank that computes.
 #pragma once
 
 #include <functional>

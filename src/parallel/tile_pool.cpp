@@ -28,8 +28,8 @@ std::int64_t cells_in(std::span<const TileRange> ranges, const Tiling& tiling) {
 }
 
 std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks) {
-    // Messages cost microseconds, tiles milliseconds: 64 runs per rank are few. Half of what remains goes out
-    // in one round of equal runs.
+    // A run is asked for early, and a tile takes milliseconds: 64 runs per rank are few. Half of what remains
+    // goes out in one round of equal runs.
     const std::int64_t longest = std::max<std::int64_t>(all_tiles / (64 * std::int64_t{ranks}), 1);
     const std::int64_t shares = 2 * std::int64_t{ranks};
     return std::min((remaining_tiles + shares - 1) / shares, longest);

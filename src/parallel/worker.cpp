@@ -41,7 +41,6 @@ void Worker::await_dismissal() {
 }
 
 std::optional<Tile> Worker::next() {
-    if (runs_.empty() && look_out_.is_due()) take_orders();
     if (dismissed_ || runs_.empty()) return std::nullopt;
     TileRange& run = runs_.front();
     const Tile tile = tiling_.tile(run.first++);
@@ -99,7 +98,8 @@ void Worker::take_orders() {
 }
 
 bool Worker::carry_on() {
-    if (look_out_.is_due()) take_orders();
+    const bool is_idle = tiles_in_hand_ == 0 && runs_.empty();
+    if (is_idle || look_out_.is_due()) take_orders();
     if (dismissed_) return false;
     if (!work_.stop_requested()) return true;
     if (report_.wants_stop == 0) {

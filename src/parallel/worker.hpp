@@ -45,7 +45,7 @@ class Worker : private TileSource {
     std::deque<TileRange> runs_;              // what is left of them
     std::int64_t tiles_in_hand_ = 0;
     bool dismissed_ = false;
-    LookOut look_out_;
+    LookOut look_out_{2e-3};
 
     Report report_;
     Stopwatch since_start_;

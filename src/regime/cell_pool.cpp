@@ -46,26 +46,25 @@ struct CellPool::Cell {
 
 struct CellPool::Group {
     Group(const Wish& its_wish, const scene::Oscillator<double>& rig, const Batch& batch)
-        : wish(its_wish),
-          kind(batch),
-          map(rig, most_cells, batch.steps, batch.springs),
-          course(most_cells * wish.cycles),
-          largest_force(most_cells),
-          largest_displacement(most_cells) {}
+        : wish(its_wish), kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
 
-    static constexpr std::size_t most_cells = capacity + most_far + most_parked;
+    static constexpr std::size_t few_cells = 32;  // most groups have no more
 
     [[nodiscard]] bool goes_far() const { return wish.cycles > 1; }
 
     // Carries all cells through the cycles that they wait for.
     void advance() {
         if (!goes_far()) return map.advance({.measure = wish.measures, .jacobian = true});
-        std::ranges::fill(largest_force, 0);
-        std::ranges::fill(largest_displacement, 0);
+        if (course.size() < cells.size() * wish.cycles) course.resize(cells.size() * wish.cycles);
+        largest_force.assign(cells.size(), 0);
+        largest_displacement.assign(cells.size(), 0);
         for (std::size_t n = 0; n < wish.cycles; ++n) {
             map.advance({.measure = wish.measures, .jacobian = true});
             for (std::size_t slot = 0; slot < cells.size(); ++slot) {
-                course[slot * wish.cycles + n] = map.cycle(slot);
+                trajectory::Cycle<double>& cycle = course[slot * wish.cycles + n];
+                cycle = map.cycle(slot);
+                // a cell that failed idles below the stop
+                if (cycle.outcome != trajectory::Cycle<double>::Outcome::done) map.set_state(slot, {-1, 0});
                 if (!wish.measures) continue;
                 largest_force[slot] = std::max(largest_force[slot], map.peak_force(slot));
                 largest_displacement[slot] = std::max(largest_displacement[slot], map.displacement_bound(slot));

@@ -45,11 +45,15 @@ class ScalarEngine {
 // Runs a search to its end, or until carry_on, asked every now and then, says to give up: then false.
 template <class Result>
 bool run(const Task<Result>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
-    constexpr int orders_between_questions = 64;
+    constexpr std::size_t cycles_between_questions = 64;
     ScalarEngine engine;
     search.start();
-    for (std::int64_t order = 0; !search.done(); ++order) {
-        if (order % orders_between_questions == 0 && !carry_on()) return false;
+    for (std::size_t cycles = cycles_between_questions; !search.done();) {
+        if (cycles >= cycles_between_questions) {
+            if (!carry_on()) return false;
+            cycles = 0;
+        }
+        cycles += desk.order().cycles;
         engine.serve(desk);
     }
     return true;

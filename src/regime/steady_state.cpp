@@ -116,8 +116,9 @@ class Search {
     }
 
   private:
-    // A motion that didn't settle at once is carried on, and looked at, by stages; each is a block of growth,
-    // at whose end chaos is called.
+    // A motion that didn't settle at once is carried on, and looked at, by stages as long as a block of growth.
+    // Orders end there, so that what is ordered meanwhile finds none of their cycles left.
+    static_assert(Recurrence::early_cycles % Growth::block_cycles == 0);
     static bool is_stop(std::int64_t cycle) {
         return cycle <= Recurrence::early_cycles || cycle % Growth::block_cycles == 0;
     }

@@ -88,7 +88,7 @@ def test_the_same_bytes_at_any_number_of_ranks(tmp_path, refined_map_file, ranks
 def test_many_short_runs_make_the_same_file_as_one(tmp_path, refined_map_file, ranks):
     jobs.write(tmp_path, refined_map())
     for stops in range(60):
-        limit = ["--max-wall", 0.2 * 1.5**stops]
+        limit = ["--max-wall", 0.03 * 1.5**stops]
         finished = launch.run("run", "job.toml", "--quiet", *limit, cwd=tmp_path, ranks=ranks)
         if finished.returncode == 0:
             break

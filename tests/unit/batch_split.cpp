@@ -56,7 +56,7 @@ TEST(BatchSplit, KicksWithinContacts) {
             const Comparison c = compare_split(rig, random_cells(8, 200, 0.5, 4.5, -2, 2), 48, 6);
             expect_agreement(c);
             EXPECT_GT(c.impacts, 700);
-            // the way out of a soft and damped stop takes long, which the kernel leaves to the twin
+            // from a soft and damped stop it leaves slowly
             EXPECT_LT(c.left_to_twin, c.cycles / 100);
         }
     }
