@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "regime/stroboscopic_map.hpp"
-#include "support/pool.hpp"
 
 namespace peterka::regime {
 
@@ -120,7 +119,7 @@ class Recurrence {
         const auto kept = static_cast<std::size_t>(2 * longest_ + late_repeats);
         if (newest_ == 0) {
             const std::size_t room = kept;
-            std::pmr::vector<std::uint16_t> moved(room + kept, &pool());
+            std::vector<std::uint16_t> moved(room + kept);
             std::copy_n(marks_.begin(), std::min(kept, marks_.size()),
                         moved.begin() + static_cast<std::ptrdiff_t>(room));
             marks_.swap(moved);
@@ -142,10 +141,10 @@ class Recurrence {
     std::int64_t longest_;
     std::size_t ring_;
     bool untouched_;
-    std::pmr::vector<Point> states_{&pool()};  // apart, as a search for candidates looks at many
-    std::pmr::vector<Kept> passages_{&pool()};
-    std::pmr::vector<double> tried_at_{&pool()};
-    std::pmr::vector<std::uint16_t> marks_{&pool()};  // of patterns: 16 bits, for a first look at many lags
+    std::vector<Point> states_;  // apart, as a search for candidates looks at many
+    std::vector<Kept> passages_;
+    std::vector<double> tried_at_;
+    std::vector<std::uint16_t> marks_;  // of patterns: 16 bits, for a first look at many lags
     std::size_t newest_ = 0;
     std::int64_t recorded_ = 0;
     std::int64_t last_touch_ = 0;

@@ -6,12 +6,9 @@
 #pragma once
 
 #include <coroutine>
-#include <cstddef>
 #include <exception>
 #include <optional>
 #include <utility>
-
-#include "support/pool.hpp"
 
 namespace peterka {
 
@@ -34,9 +31,6 @@ class [[nodiscard]] Task {
             }
             void await_resume() const noexcept {}
         };
-
-        static void* operator new(std::size_t size) { return pool().allocate(size); }
-        static void operator delete(void* frame, std::size_t size) { pool().deallocate(frame, size); }
 
         Task get_return_object() { return Task(Handle::from_promise(*this)); }
         std::suspend_always initial_suspend() noexcept { return {}; }
