@@ -1,11 +1,12 @@
 #include "program/check_job.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
 #include "job/names.hpp"
@@ -27,12 +28,14 @@ namespace peterka {
 namespace {
 
 // What a rank needs [bytes], whatever the size of the map: this process so far, which has program, MPI and HDF5
-// in it, and what opening the file through MPI-IO adds (3 MB were measured).
+// in it, and what opening the file through MPI-IO adds (3 MB were measured). Not by getrusage, whose peak is
+// that of the process that started this one, if that is larger.
 std::int64_t memory_per_rank() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
     constexpr std::int64_t open_file = 4'000'000;
-    return usage.ru_maxrss * std::int64_t{1024} + open_file;
+    std::int64_t pages = 0;
+    std::int64_t resident_pages = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident_pages;
+    return resident_pages * sysconf(_SC_PAGESIZE) + open_file;
 }
 
 std::string free_space_text(const std::filesystem::path& file) {

@@ -15,7 +15,7 @@
 //
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
 // the gap, or a contact that lasts), it may be a long transient. Where not, 0.3 of chaos_cycles are enough: of
-// 762 chaotic cells among 200 x 200 of the 170 mm rig 9 then turned out periodic within 20,000 cycles (the
+// 760 chaotic cells among 200 x 200 of the 170 mm rig 8 then turned out periodic within 20,000 cycles (the
 // benchmark counts them).
 // Peak force and impact rate of chaotic and unresolved cells are those of the cycles after the first
 // Growth::settling_cycles (after half the budget, if that is shorter).
