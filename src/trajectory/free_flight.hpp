@@ -37,6 +37,7 @@ class FreeFlight {
         if (!may_last() || phase_of(scene_, x) != Phase::flight) return false;
         const Real room = -(touch_.rest() + touch_.swing());
         const State<Real> decaying = x - steady();
+        // a bound of the rest is no less than the rest now, which refuses most without a root
         return std::abs(decaying[0]) < room && touch_.transient(decaying) < room;
     }
     [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0; }
