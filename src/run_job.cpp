@@ -48,12 +48,12 @@ std::vector<BranchFindings> find_in_branches(const Session& session, const RunPl
 
 // A finished map is shown as it is, so it must be what was computed.
 void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining) {
-    if (remaining.ranges.empty()) return;
+    if (remaining.tiles.empty()) return;
     throw Failure(
         ExitCode::output,
         fmt::format("{}: {} tiles of this finished map are damaged (wrong checksum); don't trust it, and "
                     "compute it again with --fresh",
-                    plan.file.string(), parallel::tiles_in(remaining.ranges)));
+                    plan.file.string(), remaining.tiles.size()));
 }
 
 void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene, const Findings& findings,

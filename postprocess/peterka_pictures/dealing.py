@@ -1,20 +1,19 @@
 """Replays the dealing of tiles to ranks, event by event: how long does a map take on so many ranks?
 
 Every rank has a few tiles in hand, takes another one when the first of them is done, and asks for its next run of
-neighbouring tiles when it takes the last one of the present run. Rank 0 deals the runs in the order of the tiles. It
-serves one request after the other, first come, first served, and computes in between, on single tiles: it looks for
+tiles when it takes the last one of the present run. Rank 0 deals them in an order that scatters any run over the plane
+(tile_costs). It serves one request after the other, first come, first served, and computes in between, on single tiles: it looks for
 requests every so often, and its own tiles take longer by what it serves. A message takes a fixed time whatever else is
 under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is thought to be done one
 tile after the other.
 """
 
-from bisect import bisect_right
 from collections import deque
 from dataclasses import dataclass
 from heapq import heapify, heapreplace
 from math import ceil
 
-RUNS_PER_RANK = 64
+RUNS_PER_RANK = 16
 
 
 @dataclass(frozen=True)
@@ -105,7 +104,7 @@ class _Master:
         """What it has in hand, and as many of the next tiles as it comes through in this time."""
         before, tiles = self._costs.before, self._costs.count
         reached = before(self.dealt) + time - sum(self.in_hand)  # on the axis of all tiles' times
-        end = bisect_right(range(tiles + 1), reached, lo=self.dealt + 1, key=before)
+        end = max(self._costs.turn_after(reached), self.dealt + 1)
         if end > tiles:
             self.now += sum(self.in_hand) + before(tiles) - before(self.dealt)
             self.in_hand, self.dealt = [], tiles

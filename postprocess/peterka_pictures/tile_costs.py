@@ -1,15 +1,16 @@
-"""Computing time of every tile of a plane, and of a finer grid of the same plane.
+"""Computing time of every tile of a plane, or of a finer grid of the same plane, in the order in which they are dealt.
 
-Tiles are numbered row by row, as the program deals them. On a finer grid each measured tile stands for the block of
-smaller tiles that cover its part of the plane; a tile of 16 x 16 cells costs there what it costs here. Tiles at the
-border that hold fewer cells count as whole ones.
+On a finer grid each measured tile stands for the block of smaller tiles that cover its part of the plane; a tile of
+16 x 16 cells costs there what it costs here. Tiles at the border that hold fewer cells count as whole ones.
 """
 
-from itertools import accumulate
+from math import gcd
 
 import numpy as np
 
 TILE = 16  # cells along a side
+GOLDEN = 0.6180339887498949
+PIECE = 1 << 20  # tiles looked up at once
 
 
 class TileCosts:
@@ -17,20 +18,35 @@ class TileCosts:
 
     def __init__(self, seconds, shape=None):
         seconds = np.asarray(seconds, dtype=float)
-        rows, self.columns = shape or seconds.shape
-        self.count = rows * self.columns
-        self._row = [row * seconds.shape[0] // rows for row in range(rows)]
-        columns = [column * seconds.shape[1] // self.columns for column in range(self.columns)]
-        self._within = [[0.0, *accumulate(measured)] for measured in seconds[:, columns].tolist()]
-        self._before = [0.0, *accumulate(self._within[row][-1] for row in self._row)]
-        self._row.append(0)  # row of the place after the last tile
-        self.total = self._before[-1]  # s
-        self.dearest = float(seconds[np.unique(self._row[:-1])][:, np.unique(columns)].max())  # s
+        rows, columns = shape or seconds.shape
+        measured_row = np.arange(rows) * seconds.shape[0] // rows
+        measured_column = np.arange(columns) * seconds.shape[1] // columns
+        self.count = rows * columns
+        self._before = np.zeros(self.count + 1)  # [s]; by turn
+        stride = deal_stride(self.count)
+        for first in range(0, self.count, PIECE):
+            turns = np.arange(first, min(first + PIECE, self.count))
+            row, column = np.divmod(turns * stride % self.count, columns)
+            costs = seconds[measured_row[row], measured_column[column]]
+            self._before[turns + 1] = self._before[first] + np.cumsum(costs)
+        self.total = float(self._before[-1])  # s
+        self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
 
-    def before(self, tile):
-        """Time of all tiles before this one, 0 to count [s]."""
-        row, column = divmod(tile, self.columns)
-        return self._before[row] + self._within[self._row[row]][column]
+    def before(self, turn):
+        """Time of all tiles dealt before this turn, 0 to count [s]."""
+        return float(self._before[turn])
+
+    def turn_after(self, seconds):
+        """The first turn before which the tiles take longer than this; count + 1 where all of them don't."""
+        return int(np.searchsorted(self._before, seconds, side="right"))
+
+
+def deal_stride(tiles):
+    """From one tile dealt to the next, modulo all tiles; the program's rule (DealOrder in src/parallel/deal_order.hpp)."""
+    stride = max(int(GOLDEN * tiles), 1)
+    while gcd(stride, tiles) != 1:
+        stride += 1
+    return stride
 
 
 def tiles_of(shape):

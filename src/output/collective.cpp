@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "parallel/checked.hpp"
@@ -64,6 +65,12 @@ void on_first_rank(MPI_Comm communicator, const std::function<void()>& task) {
     together(communicator, [&] {
         if (rank_in(communicator) == 0) task();
     });
+}
+
+void unite(parallel::TileSet& tiles, MPI_Comm communicator) {
+    const std::span<std::uint64_t> words = tiles.words();
+    parallel::checked("MPI_Allreduce", MPI_Allreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()),
+                                                     MPI_UINT64_T, MPI_BOR, communicator));
 }
 
 std::vector<std::byte> gather_bytes(std::span<const std::byte> mine, MPI_Comm communicator) {

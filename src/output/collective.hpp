@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "parallel/tile_set.hpp"
+
 namespace peterka::output {
 
 [[nodiscard]] int rank_in(MPI_Comm communicator);
@@ -30,6 +32,9 @@ void together(MPI_Comm communicator, const std::function<void()>& task);
 
 // Collective. The same with a task for rank 0 alone; the others wait for its end.
 void on_first_rank(MPI_Comm communicator, const std::function<void()>& task);
+
+// Collective. Every rank gets what is in any rank's set; all are of as many tiles.
+void unite(parallel::TileSet& tiles, MPI_Comm communicator);
 
 [[nodiscard]] std::vector<std::byte> gather_bytes(std::span<const std::byte> mine, MPI_Comm communicator);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <system_error>
 #include <utility>
 
@@ -90,22 +91,18 @@ void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::B
 }
 
 RemainingTiles MapFile::remaining_tiles() {
-    const Share share = share_of(tiles_.tiling().count(), communicator_);
-    std::vector<parallel::TileRange> missing;
-    std::int64_t damaged = 0;
+    const Share share = share_of(tiling().count(), communicator_);
+    RemainingTiles remaining{.tiles = parallel::TileSet(tiling().count())};
     together(communicator_, [&] {
         for (std::int64_t index = share.first; index < share.end; ++index) {
-            const TileState state = tiles_.state(tiles_.tiling().tile(index));
-            if (state != TileState::whole) parallel::append_tile(missing, index);
-            if (state == TileState::damaged) ++damaged;
+            const TileState state = tiles_.state(tiling().tile(index));
+            if (state != TileState::whole) remaining.tiles.add(index);
+            if (state == TileState::damaged) ++remaining.damaged;
         }
     });
-    RemainingTiles remaining;
-    for (const auto& range : gather<parallel::TileRange>(missing, communicator_)) {
-        parallel::append_tiles(remaining.ranges, range);
-    }
-    for (const auto count : gather<std::int64_t>(std::span(&damaged, 1), communicator_))
-        remaining.damaged += count;
+    unite(remaining.tiles, communicator_);
+    const auto damaged = gather<std::int64_t>(std::span(&remaining.damaged, 1), communicator_);
+    remaining.damaged = std::accumulate(damaged.begin(), damaged.end(), std::int64_t{0});
     return remaining;
 }
 

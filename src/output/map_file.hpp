@@ -28,7 +28,7 @@
 #include "output/run_facts.hpp"
 #include "output/statistics.hpp"
 #include "output/tile_store.hpp"
-#include "parallel/tile_pool.hpp"
+#include "parallel/tile_set.hpp"
 #include "parallel/tiles.hpp"
 #include "regime/branch.hpp"
 #include "regime/cell_result.hpp"
@@ -36,9 +36,9 @@
 
 namespace peterka::output {
 
-// Tiles that still have to be computed.
+// Tiles that still have to be computed, the same on every rank.
 struct RemainingTiles {
-    std::vector<parallel::TileRange> ranges;  // ascending
+    parallel::TileSet tiles;
     std::int64_t damaged = 0;  // of these tiles, how many are marked done but fail their checksum
 };
 

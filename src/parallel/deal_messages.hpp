@@ -30,7 +30,7 @@ struct Report {
 };
 
 struct Order {
-    TileRange tiles;  // none: leave
+    Turns turns;  // none: leave
 };
 
 // Both travel as plain 64-bit integers.

@@ -10,6 +10,7 @@ namespace peterka::parallel {
 Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work)
     : session_(session),
       tiling_(tiling),
+      order_(tiling.count()),
       pool_(std::move(pool)),
       work_(work),
       workers_(static_cast<std::size_t>(session.size() - 1)),
@@ -23,10 +24,10 @@ bool Dealer::run() {
 }
 
 std::optional<Tile> Dealer::next() {
-    const TileRange mine = pool_.take(1);
+    const Turns mine = pool_.take(1);
     if (mine.size() == 0) return std::nullopt;
     ++tiles_in_hand_;
-    return tiling_.tile(mine.first);
+    return tiling_.tile(order_.tile(mine.first));
 }
 
 void Dealer::solved(const Tile& tile) {
@@ -60,7 +61,7 @@ void Dealer::serve() {
     }
     stopping_ = stopping_ || work_.stop_requested();
     while (!waiting_.empty() && pool_.remaining() > 0 && !stopping_) {
-        const TileRange run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
+        const Turns run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
         send_order(waiting_.front(), {run});
         worker_of(waiting_.front()).tiles_owed += run.size();
         waiting_.pop_front();

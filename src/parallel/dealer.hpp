@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "parallel/deal_messages.hpp"
+#include "parallel/deal_order.hpp"
 #include "parallel/dealing.hpp"
+#include "parallel/tile_pool.hpp"
 
 namespace peterka::parallel {
 
@@ -44,6 +46,7 @@ class Dealer : private TileSource {
 
     const Session& session_;
     const Tiling& tiling_;
+    DealOrder order_;
     TilePool pool_;
     const DealtWork& work_;
     std::vector<Worker> workers_;  // by rank, beginning with rank 1

@@ -31,11 +31,10 @@ void wait_for_tiles() {
     rest();
 }
 
-bool deal_tiles(const Session& session, const Tiling& tiling, std::vector<TileRange> missing,
-                const DealtWork& work) {
+bool deal_tiles(const Session& session, const Tiling& tiling, const TileSet& missing, const DealtWork& work) {
     std::int64_t all_solved = 0;
     if (session.is_root()) {
-        all_solved = Dealer(session, tiling, TilePool(std::move(missing)), work).run() ? 1 : 0;
+        all_solved = Dealer(session, tiling, TilePool(missing), work).run() ? 1 : 0;
     } else {
         Worker(session, tiling, work).run();
     }

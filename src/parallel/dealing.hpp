@@ -8,10 +8,9 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "parallel/session.hpp"
-#include "parallel/tile_pool.hpp"
+#include "parallel/tile_set.hpp"
 #include "parallel/tiles.hpp"
 
 namespace peterka::parallel {
@@ -54,7 +53,7 @@ void wait_for_tiles();
 
 // Collective. `missing` counts on rank 0 alone: the tiles to solve. Returns, on every rank, whether all of them
 // were solved. A failure on any rank must end all ranks: call this inside failing_ends_all.
-[[nodiscard]] bool deal_tiles(const Session& session, const Tiling& tiling, std::vector<TileRange> missing,
+[[nodiscard]] bool deal_tiles(const Session& session, const Tiling& tiling, const TileSet& missing,
                               const DealtWork& work);
 
 }  // namespace peterka::parallel

@@ -15,7 +15,7 @@ double report_interval_seconds(const Session& session) {
 }  // namespace
 
 Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& work)
-    : session_(session), tiling_(tiling), work_(work) {}
+    : session_(session), tiling_(tiling), order_(tiling.count()), work_(work) {}
 
 Worker::~Worker() {
     if (receive_ == MPI_REQUEST_NULL) return;
@@ -42,8 +42,8 @@ void Worker::await_dismissal() {
 
 std::optional<Tile> Worker::next() {
     if (dismissed_ || runs_.empty()) return std::nullopt;
-    TileRange& run = runs_.front();
-    const Tile tile = tiling_.tile(run.first++);
+    Turns& run = runs_.front();
+    const Tile tile = tiling_.tile(order_.tile(run.first++));
     if (run.size() == 0) runs_.pop_front();
     ++tiles_in_hand_;
     // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.
@@ -88,10 +88,10 @@ void Worker::take_orders() {
         int arrived = 0;
         checked("MPI_Test", MPI_Test(&receive_, &arrived, MPI_STATUS_IGNORE));
         if (arrived == 0) return;
-        if (arriving_.tiles.size() == 0) {
+        if (arriving_.turns.size() == 0) {
             dismissed_ = true;
         } else {
-            runs_.push_back(arriving_.tiles);
+            runs_.push_back(arriving_.turns);
             expect_order();
         }
     }

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "parallel/deal_messages.hpp"
+#include "parallel/deal_order.hpp"
 #include "parallel/dealing.hpp"
 #include "support/stopwatch.hpp"
 
@@ -38,11 +39,12 @@ class Worker : private TileSource {
 
     const Session& session_;
     const Tiling& tiling_;
+    DealOrder order_;
     const DealtWork& work_;
 
     Order arriving_;                          // where MPI writes the next order
     MPI_Request receive_ = MPI_REQUEST_NULL;  // null once dismissed
-    std::deque<TileRange> runs_;              // what is left of them
+    std::deque<Turns> runs_;                  // what is left of them
     std::int64_t tiles_in_hand_ = 0;
     bool dismissed_ = false;
     LookOut look_out_{2e-3};

@@ -56,12 +56,12 @@ bool audit_map(const parallel::Session& session, const RunPlan& plan, const scen
     file.settle();
     const output::AuditTable table = file.audit();
     const parallel::Tiling tiling({samples, 1});
-    std::vector<parallel::TileRange> missing;
+    parallel::TileSet missing(tiling.count());
     for (std::int64_t tile = 0; session.is_root() && tile < tiling.count(); ++tile) {
         const std::int64_t first = tiling.tile(tile).row;
         bool whole = true;
         for (std::int64_t i = first; i < first + tiling.tile(tile).size(); ++i) whole &= table.has(i);
-        if (!whole) parallel::append_tile(missing, tile);
+        if (!whole) missing.add(tile);
     }
     Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
                       "audit");
@@ -72,7 +72,7 @@ bool audit_map(const parallel::Session& session, const RunPlan& plan, const scen
         }
         return true;
     };
-    return parallel::deal_tiles(session, tiling, std::move(missing),
+    return parallel::deal_tiles(session, tiling, missing,
                                 {.solve = parallel::one_by_one(solve_tile),
                                  .stop_requested = [&] { return stop.requested(); },
                                  .on_progress = [&](std::int64_t solved) { progress.add(solved); }});

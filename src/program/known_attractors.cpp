@@ -60,7 +60,7 @@ std::optional<regime::AttractorTable> find_known_attractors(const parallel::Sess
     const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
     std::vector<Found> mine;
     const bool solved =
-        parallel::deal_tiles(session, tiling, {{0, tiling.count()}},
+        parallel::deal_tiles(session, tiling, parallel::TileSet::all(tiling.count()),
                              {.solve = [&](auto& source) { solve_pilots(pilots, tiling, source, mine); },
                               .stop_requested = [&] { return stop.requested(); },
                               .on_progress = [](std::int64_t) {}});

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "parallel/broadcast.hpp"
 #include "parallel/dealing.hpp"
 #include "program/known_attractors.hpp"
 #include "program/progress_style.hpp"
@@ -92,14 +91,12 @@ std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& sc
 }
 
 // The tiles that the file lacks, on rank 0.
-std::vector<parallel::TileRange> find_missing_tiles(const Session& session, const RunPlan& plan,
-                                                    MapFile& file) {
-    const output::RemainingTiles remaining = file.remaining_tiles();
-    if (!session.is_root()) return {};
-    if (remaining.damaged > 0 && !plan.quiet) {
+parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan, MapFile& file) {
+    output::RemainingTiles remaining = file.remaining_tiles();
+    if (session.is_root() && remaining.damaged > 0 && !plan.quiet) {
         tell("peterka: {} tiles are damaged (wrong checksum) and are computed again\n", remaining.damaged);
     }
-    return remaining.ranges;
+    return std::move(remaining.tiles);
 }
 
 }  // namespace
@@ -109,10 +106,9 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     const bool refines = plan.job.refine.levels > 0;
     const parallel::Tiling tiling =
         refines ? refine::regions_of(file.tiling().grid(), session.size()) : file.tiling();
-    std::vector<parallel::TileRange> missing = find_missing_tiles(session, plan, file);
+    parallel::TileSet missing = find_missing_tiles(session, plan, file);
     if (refines) missing = refine::regions_with(missing, file.tiling(), tiling);
-    std::int64_t cells_missing = parallel::cells_in(missing, tiling);
-    parallel::broadcast(session, cells_missing);
+    const std::int64_t cells_missing = parallel::cells_in(missing, tiling);
     if (cells_missing == 0) return true;
     Progress progress(progress_style(session, plan), plan.job.cells(), plan.job.cells() - cells_missing);
     const auto known = find_known_attractors(session, scene, stop);
@@ -121,7 +117,7 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     const TileWork work = refines ? regions.work() : whole_tiles(file);
     const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); };
     const bool sweeps = plan.job.kind == job::Kind::sweep;
-    return parallel::deal_tiles(session, tiling, std::move(missing),
+    return parallel::deal_tiles(session, tiling, missing,
                                 {.solve = sweeps ? whole_branches(scene, file) : solve,
                                  .stop_requested = [&] { return stop.requested(); },
                                  .on_progress =

@@ -36,7 +36,7 @@ template <study::Topic Topic>
         mine.push_back({tile.row, topic.solve(tile.row)});
         return true;
     };
-    const bool solved = parallel::deal_tiles(session, tiling, {{0, tasks}},
+    const bool solved = parallel::deal_tiles(session, tiling, parallel::TileSet::all(tasks),
                                              {.solve = parallel::one_by_one(solve_task),
                                               .stop_requested = [&] { return stop.requested(); },
                                               .on_progress = [&](std::int64_t done) { progress.add(done); }});

@@ -1,7 +1,5 @@
 #include "refine/regions.hpp"
 
-#include <cstddef>
-
 namespace peterka::refine {
 
 parallel::Tiling regions_of(parallel::Extent grid, int ranks) {
@@ -15,20 +13,15 @@ parallel::Tiling regions_of(parallel::Extent grid, int ranks) {
     return parallel::Tiling(grid, {smallest, smallest});
 }
 
-std::vector<parallel::TileRange> regions_with(std::span<const parallel::TileRange> tiles,
-                                              const parallel::Tiling& tiling, const parallel::Tiling& regions) {
-    std::vector<bool> wanted(static_cast<std::size_t>(regions.count()), false);
-    for (const parallel::TileRange& range : tiles) {
-        for (std::int64_t index = range.first; index < range.end; ++index) {
-            const parallel::Tile tile = tiling.tile(index);
-            wanted[static_cast<std::size_t>(regions.index_at({tile.row, tile.column}))] = true;
-        }
+parallel::TileSet regions_with(const parallel::TileSet& tiles, const parallel::Tiling& tiling,
+                               const parallel::Tiling& regions) {
+    parallel::TileSet with(regions.count());
+    for (std::int64_t index = 0; index < tiles.tiles(); ++index) {
+        if (!tiles.has(index)) continue;
+        const parallel::Tile tile = tiling.tile(index);
+        with.add(regions.index_at({tile.row, tile.column}));
     }
-    std::vector<parallel::TileRange> ranges;
-    for (std::int64_t region = 0; region < regions.count(); ++region) {
-        if (wanted[static_cast<std::size_t>(region)]) parallel::append_tile(ranges, region);
-    }
-    return ranges;
+    return with;
 }
 
 std::vector<parallel::Tile> tiles_in(const parallel::Tile& region, const parallel::Tiling& tiling) {

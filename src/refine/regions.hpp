@@ -4,10 +4,9 @@
 // computed twice at their edges, but no value.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "parallel/tile_pool.hpp"
+#include "parallel/tile_set.hpp"
 #include "parallel/tiles.hpp"
 
 namespace peterka::refine {
@@ -15,10 +14,9 @@ namespace peterka::refine {
 // Large regions, so that little is computed twice, but at least a dozen per rank where the map has as many.
 [[nodiscard]] parallel::Tiling regions_of(parallel::Extent grid, int ranks);
 
-// The regions that hold any of these tiles, ascending.
-[[nodiscard]] std::vector<parallel::TileRange> regions_with(std::span<const parallel::TileRange> tiles,
-                                                            const parallel::Tiling& tiling,
-                                                            const parallel::Tiling& regions);
+// The regions that hold any of these tiles.
+[[nodiscard]] parallel::TileSet regions_with(const parallel::TileSet& tiles, const parallel::Tiling& tiling,
+                                             const parallel::Tiling& regions);
 
 // The tiles of a region.
 [[nodiscard]] std::vector<parallel::Tile> tiles_in(const parallel::Tile& region,

@@ -1,8 +1,8 @@
 // How many runs of tiles rank 0 deals in a second, and how long a rank waits for one.
 //
-// The tiles are empty and lie apart, so that every run is a single tile; rank 0 serves and computes nothing;
-// the others take tiles as fast as they get them. With more ranks than cores they share them, and rank 0's
-// computing time for a run, which holds its idle looks too, says more than the runs in a second.
+// The tiles are empty and their turns lie apart, so that every run is a single tile; rank 0 serves and computes
+// nothing; the others take tiles as fast as they get them. With more ranks than cores they share them, and rank
+// 0's computing time for a run, which holds its idle looks too, says more than the runs in a second.
 //   mpirun -n RANKS build/tests/deal_rate [TILES]
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "parallel/checked.hpp"
+#include "parallel/deal_order.hpp"
 #include "parallel/dealing.hpp"
 #include "parallel/session.hpp"
 #include "support/stopwatch.hpp"
@@ -62,9 +63,10 @@ double median(std::vector<double> values) {
 ExitCode run(const Session& session, std::int64_t tiles) {
     if (session.size() < 2)
         throw Failure(ExitCode::bad_job, "deal_rate needs 2 ranks or more: mpirun -n 2 ...");
-    std::vector<parallel::TileRange> apart;
-    for (std::int64_t n = 0; n < tiles; ++n) apart.push_back({2 * n, 2 * n + 1});
     const parallel::Tiling tiling({parallel::tile_extent.rows, 2 * tiles * parallel::tile_extent.columns});
+    const parallel::DealOrder order(tiling.count());
+    parallel::TileSet apart(tiling.count());
+    for (std::int64_t n = 0; n < tiles; ++n) apart.add(order.tile(2 * n));
 
     std::vector<double> waits;
     const Stopwatch wall;

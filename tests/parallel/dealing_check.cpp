@@ -26,13 +26,13 @@ struct Task {
     int rank = -1;  // that stops or fails
 };
 
-std::vector<parallel::TileRange> tiles_to_do(const Task& task) {
-    if (task.what != "holes") return {{0, task.tiles}};
-    std::vector<parallel::TileRange> ranges;
+parallel::TileSet tiles_to_do(const Task& task) {
+    if (task.what != "holes") return parallel::TileSet::all(task.tiles);
+    parallel::TileSet some(task.tiles);
     for (std::int64_t tile = 0; tile < task.tiles; ++tile) {
-        if (tile % 7 != 3) parallel::append_tile(ranges, tile);
+        if (tile % 7 != 3) some.add(tile);
     }
-    return ranges;
+    return some;
 }
 
 void count_up(std::int64_t tile) {

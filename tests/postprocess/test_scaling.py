@@ -9,10 +9,10 @@ import matplotlib.image
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
-from peterka_pictures import axes, remedies, scaling
+from peterka_pictures import axes, remedies, scaling, tile_costs
 from peterka_pictures.dealing import Machine, deal_size, replay
 from peterka_pictures.run_record import read_record
-from peterka_pictures.tile_costs import TileCosts, tiles_of, whole_tiles
+from peterka_pictures.tile_costs import TileCosts, deal_stride, tiles_of, whole_tiles
 from picture_samples import write_map
 
 AT_ONCE = Machine(service=0.0, latency=0.0, look=1e-3)
@@ -46,15 +46,15 @@ def test_one_rank_takes_the_sum_of_all_tiles():
 
 
 def test_a_little_case_done_by_hand():
-    # Tiles of 4, 2, 3, 1, 5 s, dealt one by one to two ranks; a message takes 0.25 s, rank 0 needs 0.5 s for a
-    # request and looks every second.
-    #   0.00 rank 1 asks; rank 0 begins tile 0 (4 s), looks at 1.00, and serves until 1.50: 3 s of its tile are left
-    #   1.75 rank 1 has tile 1, begins it (it is also its last) and asks at once; rank 0 has that at 2.00
-    #   2.50 rank 0's next look (2 s left); it serves until 3.00; rank 1 has tile 2 at 3.25, is free at 3.75, begins it
+    # Tiles that are dealt one by one to two ranks, and take 4, 2, 3, 1, 5 s in their turns: every third one in a circle
+    # of five. A message takes 0.25 s, rank 0 needs 0.5 s for a request and looks every second.
+    #   0.00 rank 1 asks; rank 0 begins turn 0 (4 s), looks at 1.00, and serves until 1.50: 3 s of its tile are left
+    #   1.75 rank 1 has turn 1, begins it (it is also its last) and asks at once; rank 0 has that at 2.00
+    #   2.50 rank 0's next look (2 s left); it serves until 3.00; rank 1 has turn 2 at 3.25, is free at 3.75, begins it
     #        then and asks; rank 0 has that at 4.00 and looks at 4.00 (1 s left); it serves until 4.50
-    #   6.75 rank 1, free of tile 2, begins tile 3 and asks; rank 0 has that at 7.00
-    #   5.50 rank 0 is done with tile 0, takes tile 4, the last one, until 10.50
-    costs = TileCosts([[4.0, 2.0, 3.0, 1.0, 5.0]])
+    #   6.75 rank 1, free of turn 2, begins turn 3 and asks; rank 0 has that at 7.00
+    #   5.50 rank 0 is done with turn 0, takes turn 4, the last one, until 10.50
+    costs = TileCosts([[4.0, 3.0, 5.0, 2.0, 1.0]])
     done = replay(costs, 2, Machine(service=0.5, latency=0.25, look=1.0, in_hand=1), one_by_one)
     assert (done.seconds, done.runs) == (10.5, 3)
     assert done.efficiency == 15 / 21
@@ -121,19 +121,35 @@ def test_a_slow_rank_0_limits_all():
 
 def test_run_lengths_are_those_of_the_program():
     """The same numbers as in tests/unit/parallel_tile_pool.cpp."""
-    assert [deal_size(*case) for case in ((64000, 64000, 10), (40000, 64000, 10), (1000, 1000, 1000))] == [100, 100, 1]
-    assert [deal_size(*case) for case in ((1000, 64000, 10), (1001, 64000, 10), (100, 64000, 1))] == [50, 51, 50]
-    assert [deal_size(*case) for case in ((1, 64000, 7), (13, 64000, 7), (1, 1, 1))] == [1, 1, 1]
+    assert [deal_size(*case) for case in ((16000, 16000, 10), (10000, 16000, 10), (1000, 1000, 1000))] == [100, 100, 1]
+    assert [deal_size(*case) for case in ((1000, 16000, 10), (1001, 16000, 10), (100, 16000, 1))] == [50, 51, 50]
+    assert [deal_size(*case) for case in ((1, 16000, 7), (13, 16000, 7), (1, 1, 1))] == [1, 1, 1]
+
+
+def test_the_order_of_dealing_is_that_of_the_program():
+    """The same numbers as in tests/unit/parallel_tile_pool.cpp."""
+    for tiles, dealt in ((4096, [0, 2531, 966, 3497]), (30, [0, 19, 8, 27])):
+        assert [turn * deal_stride(tiles) % tiles for turn in range(4)] == dealt
+    assert [deal_stride(tiles) for tiles in (1, 2, 3)] == [1, 1, 1]
 
 
 def test_a_finer_grid_keeps_every_place_at_its_cost():
     seconds = uneven(4, 6)
     fine = TileCosts(seconds, (12, 12))
     blocks = np.kron(seconds, np.ones((3, 2)))
-    before = np.concatenate([[0], np.cumsum(blocks.ravel())])
+    dealt = blocks.ravel()[np.arange(blocks.size) * deal_stride(blocks.size) % blocks.size]
+    before = np.concatenate([[0], np.cumsum(dealt)])
     assert fine.count == blocks.size and fine.total == pytest.approx(blocks.sum(), rel=1e-12)
     assert [fine.before(tile) for tile in range(fine.count + 1)] == pytest.approx(before, rel=1e-12)
+    assert [fine.turn_after(seconds) for seconds in (0, before[5], before[5] + 1e-9, 1e9)] == [1, 6, 6, fine.count + 1]
     assert TileCosts(seconds, (5, 7)).count == 35, "sizes need not be multiples"
+
+
+def test_a_grid_larger_than_a_piece_is_whole(monkeypatch):
+    whole = TileCosts(uneven(4, 6), (12, 12))
+    monkeypatch.setattr(tile_costs, "PIECE", 25)
+    pieces = TileCosts(uneven(4, 6), (12, 12))
+    assert [pieces.before(turn) for turn in range(145)] == pytest.approx([whole.before(turn) for turn in range(145)])
 
 
 def test_tiles_cut_off_by_the_border_count_as_whole_ones():

@@ -163,9 +163,12 @@ TEST(RefineRegions, LargeWhereThatLeavesEnoughForAllRanks) {
 TEST(RefineRegions, MissingTilesNameTheirRegions) {
     const parallel::Tiling tiles({100, 100});              // 7 by 7
     const parallel::Tiling regions({100, 100}, {32, 32});  // 4 by 4
-    const std::vector<parallel::TileRange> missing{{0, 3}, {48, 49}};
-    EXPECT_EQ(regions_with(missing, tiles, regions), (std::vector<parallel::TileRange>{{0, 2}, {15, 16}}));
-    EXPECT_TRUE(regions_with({}, tiles, regions).empty());
+    parallel::TileSet missing(tiles.count());
+    for (const std::int64_t tile : {0, 1, 2, 48}) missing.add(tile);
+    parallel::TileSet wanted(regions.count());
+    for (const std::int64_t region : {0, 1, 15}) wanted.add(region);
+    EXPECT_EQ(regions_with(missing, tiles, regions), wanted);
+    EXPECT_TRUE(regions_with(parallel::TileSet(tiles.count()), tiles, regions).empty());
 }
 
 TEST(RefineRegions, EveryTileIsInOneRegion) {
