@@ -326,38 +326,6 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::finish() {
     }
 }
 
-// The half kick at the cycle's end.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::finish_kicks() {
-    for (std::size_t i = 0; i < lanes_.size; i += width()) {
-        const V impacts = load(lanes_.impacts + i);
-        store(choose(impacts > all(0), all(1), load(lanes_.touched + i)), lanes_.touched + i);
-        const Mask flies = load(lanes_.next + i) <= all(steps_);
-        const V delta = load(lanes_.delta[next_] + i);
-        const Kick kick(all(rig_.cubic / 2) * load(lanes_.step + i), load(lanes_.gap + i), delta);
-        const V velocity = load(lanes_.velocity[next_] + i);
-        const V kicked_velocity = velocity - kick.speed;
-        store(choose(flies, kicked_velocity, velocity), lanes_.velocity[next_] + i);
-        const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can run away
-        push(index_from(i), flies & ~finite, queues_.twin);
-        if constexpr (jacobian) {
-            for (const std::size_t n : {0U, 1U}) {
-                const V below = load(lanes_.jacobian[2 + n] + i);
-                const V kicked = neg_mul_add(kick.slope, load(lanes_.jacobian[n] + i), below);
-                store(choose(flies, kicked, below), lanes_.jacobian[2 + n] + i);
-            }
-        }
-    }
-    kick_held(0.5);
-    for (Queue* queue : {&queues_.contacts, &queues_.releases}) {
-        while (queue->size > 0) {
-            const Waiting w = take(*queue);
-            scatter(w.moment.delta, lanes_.delta[next_], w.lanes);
-            scatter(w.moment.velocity, lanes_.velocity[next_], w.lanes);
-        }
-    }
-}
-
 template <bool cubic>
 HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     if (wanted.measure && wanted.jacobian) return Kernel<true, true, cubic>(rig, grid, lanes, queues).run();
@@ -369,5 +337,7 @@ HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Q
 }  // namespace peterka::batch::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+#include "batch/departures-inl.hpp"
 #include "batch/events-inl.hpp"
+#include "batch/kicks-inl.hpp"
 #endif

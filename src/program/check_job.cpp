@@ -27,15 +27,18 @@
 namespace peterka {
 namespace {
 
-// What a rank needs [bytes], whatever the size of the map: this process so far, which has program, MPI and HDF5
-// in it, and what opening the file through MPI-IO adds (3 MB were measured). Not by getrusage, whose peak is
-// that of the process that started this one, if that is larger.
-std::int64_t memory_per_rank() {
-    constexpr std::int64_t open_file = 4'000'000;
+// What a rank needs [bytes], whatever the size of the map: what this process has so far, that is program, MPI
+// and HDF5; what opening the file through MPI-IO adds (3 MB were measured); and hundreds of cells in hand (14
+// MB in maps, less in basins). Not by getrusage, whose peak is that of the process that started this one, if
+// that is larger.
+std::int64_t memory_per_rank(const job::Job& job) {
+    constexpr std::int64_t open_file = 3'000'000;
+    constexpr std::int64_t cells_in_hand = 14'000'000;
     std::int64_t pages = 0;
     std::int64_t resident_pages = 0;
     std::ifstream("/proc/self/statm") >> pages >> resident_pages;
-    return resident_pages * sysconf(_SC_PAGESIZE) + open_file;
+    const bool one_by_one = job.kind == job::Kind::sweep;
+    return resident_pages * sysconf(_SC_PAGESIZE) + open_file + (one_by_one ? 0 : cells_in_hand);
 }
 
 std::string free_space_text(const std::filesystem::path& file) {
@@ -128,7 +131,7 @@ std::string check_job(const Request& request) {
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
                readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank() + region_bytes(job) + branch_bytes(job)), file.string(),
+               readable_bytes(memory_per_rank(job) + region_bytes(job) + branch_bytes(job)), file.string(),
                readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);
 }

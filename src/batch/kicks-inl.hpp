@@ -1,0 +1,90 @@
+// The kicks of a cubic spring on lanes at the stop, and the last ones of a cycle: see kernel-inl.hpp, which
+// includes this.
+#if defined(PETERKA_BATCH_KICKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_KICKS_INL_HPP
+#undef PETERKA_BATCH_KICKS_INL_HPP
+#else
+#define PETERKA_BATCH_KICKS_INL_HPP
+#endif
+
+#include "batch/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+// The hammer is at the stop at the grid point, and waits for the kick there.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::hold(const Cells& cells, V delta, V velocity, Mask which,
+                                                     Queue& held) {
+    if (!any(which)) return;
+    const auto point = static_cast<std::size_t>(until_);
+    const Moment m{delta, velocity, all(grid_.sine[point]), all(grid_.cosine[point])};
+    push(cells.index, all(until_), all(until_) * cells.step, m, real_ & which, held);
+    put(all(never), lanes_.next, cells.index, which);
+}
+
+// `part` of a whole kick of those at the stop.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(double part) {
+    kick_held(queues_.held_contacts, queues_.contacts, true, part);
+    kick_held(queues_.held_releases, queues_.releases, false, part);
+}
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& ready, bool pressed,
+                                                          double part) {
+    while (held.size > 0) {
+        const Waiting w = take(held);
+        const Cells cells = cells_of(w.lanes);
+        const Kick kick(all(part * rig_.cubic) * cells.step, cells.gap, w.moment.delta);
+        const V velocity = w.moment.velocity - kick.speed;
+        if constexpr (jacobian) {
+            Gathered track(lanes_, w.lanes);
+            track.j10 = neg_mul_add(kick.slope, track.j00, track.j10);
+            track.j11 = neg_mul_add(kick.slope, track.j01, track.j11);
+            track.keep(lanes_, w.lanes);
+        }
+        // a kick that made the force change its sign would be an event
+        const V force = mul_add(all(rig_.stiffness), w.moment.delta, all(rig_.damping) * velocity);
+        const Mask presses = force > all(0);
+        const Mask same = (w.moment.delta >= all(0)) & (pressed ? presses : ~presses);
+        leave_to_twin(cells, ~same);
+        const Moment kicked{w.moment.delta, velocity, w.moment.sine, w.moment.cosine};
+        push(w.lanes, w.end, w.time, kicked, real_ & same, ready);
+    }
+}
+
+// The half kick at the cycle's end.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::finish_kicks() {
+    for (std::size_t i = 0; i < lanes_.size; i += width()) {
+        const V impacts = load(lanes_.impacts + i);
+        store(choose(impacts > all(0), all(1), load(lanes_.touched + i)), lanes_.touched + i);
+        const Mask flies = load(lanes_.next + i) <= all(steps_);
+        const V delta = load(lanes_.delta[next_] + i);
+        const Kick kick(all(rig_.cubic / 2) * load(lanes_.step + i), load(lanes_.gap + i), delta);
+        const V velocity = load(lanes_.velocity[next_] + i);
+        const V kicked_velocity = velocity - kick.speed;
+        store(choose(flies, kicked_velocity, velocity), lanes_.velocity[next_] + i);
+        const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can run away
+        push(index_from(i), flies & ~finite, queues_.twin);
+        if constexpr (jacobian) {
+            for (const std::size_t n : {0U, 1U}) {
+                const V below = load(lanes_.jacobian[2 + n] + i);
+                const V kicked = neg_mul_add(kick.slope, load(lanes_.jacobian[n] + i), below);
+                store(choose(flies, kicked, below), lanes_.jacobian[2 + n] + i);
+            }
+        }
+    }
+    kick_held(0.5);
+    for (Queue* queue : {&queues_.contacts, &queues_.releases}) {
+        while (queue->size > 0) {
+            const Waiting w = take(*queue);
+            scatter(w.moment.delta, lanes_.delta[next_], w.lanes);
+            scatter(w.moment.velocity, lanes_.velocity[next_], w.lanes);
+        }
+    }
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
