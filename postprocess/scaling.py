@@ -27,7 +27,7 @@ from peterka_pictures.dealing import Machine  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.run_record import read_record  # noqa: E402
 
-LEAST_CELLS, MOST_CELLS, MOST_RANKS = 256, 10**11, 10**6  # more than that takes hours
+LEAST_CELLS, MOST_CELLS, MOST_RANKS = 256, 10**11, 10**6  # more than that takes hours, and many GB
 
 
 def main():

@@ -2,10 +2,10 @@
 
 Every rank has a few tiles in hand, takes another one when the first of them is done, and asks for its next run of
 tiles when it takes the last one of the present run. Rank 0 deals them in an order that scatters any run over the plane
-(tile_costs). It serves one request after the other, first come, first served, and computes in between, on single tiles: it looks for
-requests every so often, and its own tiles take longer by what it serves. A message takes a fixed time whatever else is
-under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is thought to be done one
-tile after the other.
+(tile_costs). It serves one request after the other, first come, first served, and computes in between, on single
+tiles: it looks for requests every so often, and its own tiles take longer by what it serves. A message takes a fixed
+time whatever else is under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is
+thought to be done one tile after the other.
 """
 
 from collections import deque

@@ -4,12 +4,13 @@ On a finer grid each measured tile stands for the block of smaller tiles that co
 16 x 16 cells costs there what it costs here. Tiles at the border that hold fewer cells count as whole ones.
 """
 
+from itertools import count, islice
 from math import gcd
 
 import numpy as np
 
 TILE = 16  # cells along a side
-GOLDEN = 0.6180339887498949
+ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, from one tile dealt to the next
 PIECE = 1 << 20  # tiles looked up at once
 
 
@@ -23,12 +24,12 @@ class TileCosts:
         measured_column = np.arange(columns) * seconds.shape[1] // columns
         self.count = rows * columns
         self._before = np.zeros(self.count + 1)  # [s]; by turn
-        stride = deal_stride(self.count)
+        stride = deal_stride(rows, columns)
         for first in range(0, self.count, PIECE):
-            turns = np.arange(first, min(first + PIECE, self.count))
-            row, column = np.divmod(turns * stride % self.count, columns)
+            end = min(first + PIECE, self.count)
+            row, column = np.divmod(np.arange(first, end) * stride % self.count, columns)
             costs = seconds[measured_row[row], measured_column[column]]
-            self._before[turns + 1] = self._before[first] + np.cumsum(costs)
+            self._before[first + 1:end + 1] = self._before[first] + np.cumsum(costs)
         self.total = float(self._before[-1])  # s
         self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
 
@@ -41,12 +42,23 @@ class TileCosts:
         return int(np.searchsorted(self._before, seconds, side="right"))
 
 
-def deal_stride(tiles):
-    """From one tile dealt to the next, modulo all tiles; the program's rule (DealOrder in src/parallel/deal_order.hpp)."""
-    stride = max(int(GOLDEN * tiles), 1)
-    while gcd(stride, tiles) != 1:
-        stride += 1
-    return stride
+def deal_stride(rows, columns):
+    """From one tile dealt to the next, modulo all tiles; the program's rule (src/parallel/deal_order.cpp)."""
+    tiles = rows * columns
+    if tiles < 2:
+        return 1
+    wanted = int(ROW_SHARE * rows + 0.5) * columns + int(COLUMN_SHARE * columns + 0.5)
+    strides = (stride for stride in count(max(wanted % tiles, 1)) if gcd(stride, tiles) == 1)
+    return max(islice(strides, 16), key=lambda stride: _spread(stride, rows, columns))
+
+
+def _spread(stride, rows, columns):
+    """The least squared distance of two tiles times the turns between them, up to 256, in a plane without edges."""
+    tiles = rows * columns
+    turns = np.arange(1, min(tiles - 1, 256) + 1)
+    row, column = np.divmod(turns * stride % tiles, columns)
+    up, along = np.minimum(row, rows - row) / rows, np.minimum(column, columns - column) / columns
+    return np.min(turns * (up * up + along * along))
 
 
 def tiles_of(shape):

@@ -13,7 +13,7 @@
 #include <thread>
 #include <type_traits>
 
-#include "parallel/tile_pool.hpp"
+#include "parallel/deal_order.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka::parallel {

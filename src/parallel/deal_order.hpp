@@ -1,31 +1,32 @@
-// The order in which tiles are dealt: each has its turn, and any stretch of turns is scattered over the whole
-// grid.
+// The order in which tiles are dealt: each has its turn, and turns that follow each other are scattered over
+// the plane.
 //
-// Costly cells lie side by side. Tiles dealt in such an order cost about the same in any run, so ranks finish
-// together (postprocess/scaling.py shows it), the time left can be told from what is done, and the file of a
-// run that was stopped shows all of the map in part.
+// Costly cells lie side by side. In such an order runs of tiles cost about the same, so ranks finish together
+// (postprocess/scaling.py shows it), the time left can be told from what is done, and the file of a run that
+// was stopped shows all of the map in part.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <numeric>
+
+#include "parallel/tiles.hpp"
 
 namespace peterka::parallel {
 
+// Turns first, first + 1, ..., end - 1 of a DealOrder.
+struct Turns {
+    std::int64_t first = 0;
+    std::int64_t end = 0;
+
+    [[nodiscard]] std::int64_t size() const { return end - first; }
+    friend bool operator==(const Turns&, const Turns&) = default;
+};
+
 class DealOrder {
   public:
-    // A stride near the golden section of all tiles: its multiples, modulo the number of tiles, fall into the
-    // largest gaps between those before (Knuth, The Art of Computer Programming, vol. 3, section 6.4).
-    explicit DealOrder(std::int64_t tiles) : tiles_(tiles), stride_(1) {
-        if (tiles < 2) return;
-        constexpr double golden = 0.6180339887498949;
-        // so that no product overflows
-        stride_ = std::min(static_cast<std::int64_t>(golden * static_cast<double>(tiles)),
-                           std::numeric_limits<std::int64_t>::max() / tiles - 64);
-        while (std::gcd(stride_, tiles) != 1) ++stride_;
-    }
+    // From turn to turn by one stride, in a circle of all tiles.
+    explicit DealOrder(const Tiling& tiling);
 
+    [[nodiscard]] std::int64_t tiles() const { return tiles_; }
     [[nodiscard]] std::int64_t tile(std::int64_t turn) const { return turn * stride_ % tiles_; }
 
   private:

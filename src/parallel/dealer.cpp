@@ -10,7 +10,7 @@ namespace peterka::parallel {
 Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work)
     : session_(session),
       tiling_(tiling),
-      order_(tiling.count()),
+      order_(tiling),
       pool_(std::move(pool)),
       work_(work),
       workers_(static_cast<std::size_t>(session.size() - 1)),

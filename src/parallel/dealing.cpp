@@ -31,10 +31,11 @@ void wait_for_tiles() {
     rest();
 }
 
-bool deal_tiles(const Session& session, const Tiling& tiling, const TileSet& missing, const DealtWork& work) {
+bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, const DealtWork& work) {
     std::int64_t all_solved = 0;
     if (session.is_root()) {
-        all_solved = Dealer(session, tiling, TilePool(missing), work).run() ? 1 : 0;
+        all_solved =
+            Dealer(session, tiling, TilePool(DealOrder(tiling), std::move(missing)), work).run() ? 1 : 0;
     } else {
         Worker(session, tiling, work).run();
     }

@@ -51,9 +51,10 @@ using CarryOn = std::function<bool()>;
 // Waits a moment for tiles to come, and leaves the core to others meanwhile.
 void wait_for_tiles();
 
-// Collective. `missing` counts on rank 0 alone: the tiles to solve. Returns, on every rank, whether all of them
-// were solved. A failure on any rank must end all ranks: call this inside failing_ends_all.
-[[nodiscard]] bool deal_tiles(const Session& session, const Tiling& tiling, const TileSet& missing,
+// Collective. `missing` holds those of the tiling's tiles that are to be solved, and counts on rank 0 alone.
+// Returns, on every rank, whether all of them were solved. A failure on any rank must end all ranks: call this
+// inside failing_ends_all.
+[[nodiscard]] bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing,
                               const DealtWork& work);
 
 }  // namespace peterka::parallel

@@ -1,38 +1,32 @@
 #include "parallel/tile_pool.hpp"
 
 #include <algorithm>
-
-#include "parallel/deal_order.hpp"
+#include <utility>
 
 namespace peterka::parallel {
 
 std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks) {
-    // A run is asked for early, and a tile takes milliseconds: 16 runs per rank are few, so that rank 0 has
-    // time for many ranks. Half of what remains goes out in one round of equal runs.
+    // 16 runs per rank leave rank 0 time for many ranks, and the longest ones are short against the whole. Half
+    // of what remains goes out in one round of equal runs.
     const std::int64_t longest = std::max<std::int64_t>(all_tiles / (16 * std::int64_t{ranks}), 1);
     const std::int64_t shares = 2 * std::int64_t{ranks};
     return std::min((remaining_tiles + shares - 1) / shares, longest);
 }
 
-TilePool::TilePool(const TileSet& tiles) {
-    const DealOrder order(tiles.tiles());
-    for (std::int64_t turn = 0; turn < tiles.tiles(); ++turn) {
-        if (!tiles.has(order.tile(turn))) continue;
-        if (stretches_.empty() || stretches_.back().end != turn) stretches_.push_back({turn, turn});
-        ++stretches_.back().end;
-        ++all_;
-    }
-    remaining_ = all_;
+TilePool::TilePool(const DealOrder& order, TileSet tiles)
+    : order_(order), tiles_(std::move(tiles)), all_(tiles_.size()), remaining_(all_) {}
+
+bool TilePool::has(std::int64_t turn) const {
+    return turn < order_.tiles() && tiles_.has(order_.tile(turn));
 }
 
 Turns TilePool::take(std::int64_t limit) {
-    if (current_ == stretches_.size() || limit <= 0) return {};
-    Turns& stretch = stretches_[current_];
-    const Turns taken{stretch.first, std::min(stretch.end, stretch.first + limit)};
-    stretch.first = taken.end;
-    remaining_ -= taken.size();
-    if (stretch.size() == 0) ++current_;
-    return taken;
+    if (remaining_ == 0 || limit <= 0) return {};
+    while (!has(turn_)) ++turn_;
+    const std::int64_t first = turn_;
+    while (turn_ - first < limit && has(turn_)) ++turn_;
+    remaining_ -= turn_ - first;
+    return {first, turn_};
 }
 
 }  // namespace peterka::parallel

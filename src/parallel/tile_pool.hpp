@@ -1,33 +1,21 @@
 // Whose turn it is to be dealt, and how many tiles at a time: pure arithmetic, no MPI.
-//
-// Turns are kept in stretches, so the memory follows from the number of gaps in a resumed file, not from its
-// size.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "parallel/deal_order.hpp"
 #include "parallel/tile_set.hpp"
 
 namespace peterka::parallel {
 
-// Turns first, first + 1, ..., end - 1 of a DealOrder.
-struct Turns {
-    std::int64_t first = 0;
-    std::int64_t end = 0;
-
-    [[nodiscard]] std::int64_t size() const { return end - first; }
-    friend bool operator==(const Turns&, const Turns&) = default;
-};
-
-// How many tiles a deal hands out. Two bounds: a share of all tiles, so that no rank has much before it, and a
-// share of what remains (factoring), so that runs shrink towards the end and all ranks finish together.
+// How many tiles a deal hands out. Two bounds: a share of all tiles, so that no rank has much work ahead of it,
+// and a share of what remains (factoring), so that runs shrink towards the end and all ranks finish together.
 [[nodiscard]] std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks);
 
 class TilePool {
   public:
-    explicit TilePool(const TileSet& tiles);
+    // The order of as many tiles as could be in the set.
+    TilePool(const DealOrder& order, TileSet tiles);
 
     [[nodiscard]] std::int64_t remaining() const { return remaining_; }
     [[nodiscard]] std::int64_t all() const { return all_; }  // remaining() when the pool was made
@@ -35,10 +23,13 @@ class TilePool {
     [[nodiscard]] Turns take(std::int64_t limit);
 
   private:
-    std::vector<Turns> stretches_;
-    std::size_t current_ = 0;
-    std::int64_t all_ = 0;
-    std::int64_t remaining_ = 0;
+    [[nodiscard]] bool has(std::int64_t turn) const;
+
+    DealOrder order_;
+    TileSet tiles_;
+    std::int64_t turn_ = 0;
+    std::int64_t all_;
+    std::int64_t remaining_;
 };
 
 }  // namespace peterka::parallel

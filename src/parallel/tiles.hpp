@@ -44,6 +44,7 @@ class Tiling {
 
     [[nodiscard]] Extent grid() const { return grid_; }
     [[nodiscard]] Extent largest_tile() const { return largest_tile_; }
+    [[nodiscard]] Extent tiles() const { return tiles_; }
     [[nodiscard]] std::int64_t count() const { return tiles_.rows * tiles_.columns; }
     [[nodiscard]] Tile tile(std::int64_t index) const {
         const std::int64_t row = index / tiles_.columns * largest_tile_.rows;

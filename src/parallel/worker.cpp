@@ -15,7 +15,7 @@ double report_interval_seconds(const Session& session) {
 }  // namespace
 
 Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& work)
-    : session_(session), tiling_(tiling), order_(tiling.count()), work_(work) {}
+    : session_(session), tiling_(tiling), order_(tiling), work_(work) {}
 
 Worker::~Worker() {
     if (receive_ == MPI_REQUEST_NULL) return;

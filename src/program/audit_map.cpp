@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "parallel/dealing.hpp"
 #include "program/audit_sample.hpp"
@@ -72,7 +71,7 @@ bool audit_map(const parallel::Session& session, const RunPlan& plan, const scen
         }
         return true;
     };
-    return parallel::deal_tiles(session, tiling, missing,
+    return parallel::deal_tiles(session, tiling, std::move(missing),
                                 {.solve = parallel::one_by_one(solve_tile),
                                  .stop_requested = [&] { return stop.requested(); },
                                  .on_progress = [&](std::int64_t solved) { progress.add(solved); }});

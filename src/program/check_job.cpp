@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <variant>
 
 #include "job/names.hpp"
 #include "job/read.hpp"
@@ -27,18 +28,25 @@
 namespace peterka {
 namespace {
 
-// What a rank needs [bytes], whatever the size of the map: what this process has so far, that is program, MPI
-// and HDF5; what opening the file through MPI-IO adds (3 MB were measured); and hundreds of cells in hand (14
-// MB in maps, less in basins). Not by getrusage, whose peak is that of the process that started this one, if
-// that is larger.
-std::int64_t memory_per_rank(const job::Job& job) {
+// What hundreds of cells in hand take, where they are solved side by side [bytes]; as measured.
+std::int64_t cells_in_hand_bytes(const job::Job& job) {
+    using enum job::EngineChoice;
+    const job::EngineChoice engine = job.solver.engine;
+    const bool side_by_side = std::holds_alternative<job::KelvinVoigt>(job.contact) &&
+                              (engine == automatic || engine == exact || engine == split);
+    if (!side_by_side || job.kind == job::Kind::sweep) return 0;
+    return job.kind == job::Kind::basin ? 4'000'000 : 14'000'000;
+}
+
+// What a rank needs [bytes]: what this process has so far, that is program, MPI and HDF5; what opening the file
+// through MPI-IO adds (3 MB were measured); cells in hand; and while ranks look for missing tiles, two bits for
+// each. Not by getrusage, whose peak is that of the process that started this one, if that is larger.
+std::int64_t memory_per_rank(const job::Job& job, std::int64_t tiles) {
     constexpr std::int64_t open_file = 3'000'000;
-    constexpr std::int64_t cells_in_hand = 14'000'000;
     std::int64_t pages = 0;
     std::int64_t resident_pages = 0;
     std::ifstream("/proc/self/statm") >> pages >> resident_pages;
-    const bool one_by_one = job.kind == job::Kind::sweep;
-    return resident_pages * sysconf(_SC_PAGESIZE) + open_file + (one_by_one ? 0 : cells_in_hand);
+    return resident_pages * sysconf(_SC_PAGESIZE) + open_file + cells_in_hand_bytes(job) + tiles / 4;
 }
 
 std::string free_space_text(const std::filesystem::path& file) {
@@ -131,8 +139,8 @@ std::string check_job(const Request& request) {
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
                readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank(job) + region_bytes(job) + branch_bytes(job)), file.string(),
-               readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
+               readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job)),
+               file.string(), readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);
 }
 

@@ -90,7 +90,7 @@ std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& sc
     });
 }
 
-// The tiles that the file lacks, on rank 0.
+// The tiles that the file lacks.
 parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan, MapFile& file) {
     output::RemainingTiles remaining = file.remaining_tiles();
     if (session.is_root() && remaining.damaged > 0 && !plan.quiet) {
@@ -117,7 +117,7 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     const TileWork work = refines ? regions.work() : whole_tiles(file);
     const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); };
     const bool sweeps = plan.job.kind == job::Kind::sweep;
-    return parallel::deal_tiles(session, tiling, missing,
+    return parallel::deal_tiles(session, tiling, std::move(missing),
                                 {.solve = sweeps ? whole_branches(scene, file) : solve,
                                  .stop_requested = [&] { return stop.requested(); },
                                  .on_progress =

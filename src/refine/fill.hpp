@@ -6,12 +6,15 @@
 // three
 //   neighbours in a row or column, the one in the middle differs from the mean of the others (or from the line
 //   through them) by at most `smoothness` of the largest number. It takes the bicubically interpolated one.
-// - as chaotic where the cells next to it are, and four fifths of all. Chaos has no smooth numbers: it takes
-//   none. Inside chaos lie many narrow periodic windows, and a laxer rule would hide more of them.
+// - as chaotic where the cells next to it are, and all but a share of 0.3/stride, where the cells being filled
+//   lie `stride` apart. Chaos has no smooth numbers: it takes none. Inside chaos lie many narrow periodic
+//   windows. A cell that is filled on a coarse lattice decides about its whole block, so the rule is stricter
+//   there.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,7 +38,9 @@ using Number = double regime::CellResult::*;
 // The cells at a stencil's rows and columns, which must all be set, and outlive this.
 class Surroundings {
   public:
-    Surroundings(const Stencil& rows, const Stencil& columns) : rows_(rows), columns_(columns) {}
+    // stride: of the lattice that the cell in question lies on.
+    Surroundings(const Stencil& rows, const Stencil& columns, std::int64_t stride)
+        : rows_(rows), columns_(columns), stride_(stride) {}
 
     void set(std::size_t row, std::size_t column, const regime::CellResult& cell) {
         cells_[row][column] = &cell;
@@ -43,6 +48,7 @@ class Surroundings {
 
     [[nodiscard]] const Stencil& rows() const { return rows_; }
     [[nodiscard]] const Stencil& columns() const { return columns_; }
+    [[nodiscard]] std::int64_t stride() const { return stride_; }
     [[nodiscard]] const regime::CellResult& at(std::size_t row, std::size_t column) const {
         return *cells_[row][column];
     }
@@ -50,6 +56,7 @@ class Surroundings {
   private:
     const Stencil& rows_;
     const Stencil& columns_;
+    std::int64_t stride_;
     std::array<std::array<const regime::CellResult*, 4>, 4> cells_{};
 };
 

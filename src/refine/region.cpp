@@ -104,11 +104,12 @@ void Region::take_all(std::size_t level) {
 // Fills what can be filled of a lattice's cells that the next coarser one hasn't; the others are to be
 // computed.
 void Region::refine(std::size_t level) {
+    const std::int64_t stride = std::int64_t{1} << level;
     const std::vector<Line> columns = lines_in(grid_.columns, level, needed_[level].columns);
     for (const Line& row : lines_in(grid_.rows, level, needed_[level].rows)) {
         for (const Line& column : columns) {
             if (row.on_coarser && column.on_coarser) continue;
-            Surroundings around(row.stencil, column.stencil);
+            Surroundings around(row.stencil, column.stencil, stride);
             for (std::size_t i = 0; i < row.stencil.size; ++i) {
                 for (std::size_t j = 0; j < column.stencil.size; ++j) {
                     around.set(i, j, cells_[index(row.stencil.positions[i], column.stencil.positions[j])]);

@@ -64,7 +64,7 @@ ExitCode run(const Session& session, std::int64_t tiles) {
     if (session.size() < 2)
         throw Failure(ExitCode::bad_job, "deal_rate needs 2 ranks or more: mpirun -n 2 ...");
     const parallel::Tiling tiling({parallel::tile_extent.rows, 2 * tiles * parallel::tile_extent.columns});
-    const parallel::DealOrder order(tiling.count());
+    const parallel::DealOrder order(tiling);
     parallel::TileSet apart(tiling.count());
     for (std::int64_t n = 0; n < tiles; ++n) apart.add(order.tile(2 * n));
 

@@ -42,6 +42,17 @@ def medium_map():
     return small_map(columns=128, rows=128, title="medium map")
 
 
+KELVIN_VOIGT = """law = "kelvin_voigt"
+stiffness_n_per_m = 5.5e6
+damping_ns_per_m = 1.2e3
+"""
+
+
+def with_rigid_stop(job):
+    assert KELVIN_VOIGT in job
+    return job.replace(KELVIN_VOIGT, 'law = "restitution"\ncoefficient = 0.5\n')
+
+
 def small_basin(points=24):
     """Gap/A0 1.60 at 1.8 times the natural frequency, where impacts and no impact both survive."""
     return (RIG.format(kind="basin", title="small basin")

@@ -1,7 +1,9 @@
 """Starts the program as a user would: alone or under mpirun, in a folder of its own."""
 
 import os
+import re
 import subprocess
+import time
 from pathlib import Path
 
 BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
@@ -54,6 +56,26 @@ def computing(process):
         except (FileNotFoundError, ProcessLookupError):
             pass  # it has ended meanwhile
     return sorted(found)
+
+
+def told_megabytes(checked):
+    """The memory of a rank that `check` told."""
+    size, unit = re.search(r"memory +about ([\d.]+) (MB|GB) per rank", checked.stdout).groups()
+    return float(size) * (1000 if unit == "GB" else 1)
+
+
+def largest_resident_megabytes(process):
+    """Of a process that runs the program, looked at until it ends."""
+    most = 0.0
+    while process.poll() is None:
+        for pid in computing(process):
+            try:
+                status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
+            except OSError:  # it has ended meanwhile
+                continue
+            most = max([most, *(1.024e-3 * int(size) for size in re.findall(r"VmHWM:\s+(\d+) kB", status))])
+        time.sleep(0.005)
+    return most
 
 
 def messages(finished):

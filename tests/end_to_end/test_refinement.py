@@ -2,7 +2,6 @@
 
 import os
 import random
-import re
 import signal
 
 import h5py
@@ -159,13 +158,8 @@ def test_basins_are_not_refined(tmp_path):
     assert "[refine] is for maps" in finished.stderr
 
 
-def megabytes(finished):
-    size, unit = re.search(r"memory +about ([\d.]+) (MB|GB) per rank", finished.stdout).groups()
-    return float(size) * (1000 if unit == "GB" else 1)
-
-
 def test_check_prices_the_regions_that_a_rank_keeps(tmp_path):
     jobs.write(tmp_path, jobs.small_map(2001, 2001))
-    memory = [megabytes(launch.run("check", "job.toml", "--set", f"refine.levels={levels}", cwd=tmp_path))
+    memory = [launch.told_megabytes(launch.run("check", "job.toml", "--set", f"refine.levels={levels}", cwd=tmp_path))
               for levels in (0, 3, 4)]
     assert memory[1] > memory[0] + 50 and memory[2] > memory[1] + 10

@@ -54,6 +54,18 @@ def test_many_short_runs_make_the_same_file_as_one(tmp_path, larger_map_file, ra
     map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
 
 
+def test_a_stopped_run_shows_the_whole_map_in_part(tmp_path):
+    jobs.write(tmp_path, jobs.larger_map())
+    seconds, done = 0.1, 0
+    while done < 60:  # of 400
+        assert launch.run("run", "job.toml", "--max-wall", seconds, cwd=tmp_path).returncode == 5
+        seconds, done = 1.2 * seconds, map_contents.done_tiles(tmp_path / "job.h5")
+    with h5py.File(tmp_path / "job.h5") as file:
+        tiles = file["tiles/done"][()].reshape(20, 20) == 1
+    blocks = tiles.reshape(4, 5, 4, 5).any(axis=(1, 3))
+    assert blocks.all(), tiles.astype(int)
+
+
 def start_and_wait_for_work(folder, ranks):
     jobs.write(folder, jobs.larger_map())
     process = launch.start("run", "job.toml", cwd=folder, ranks=ranks)

@@ -128,16 +128,16 @@ def test_run_lengths_are_those_of_the_program():
 
 def test_the_order_of_dealing_is_that_of_the_program():
     """The same numbers as in tests/unit/parallel_tile_pool.cpp."""
-    for tiles, dealt in ((4096, [0, 2531, 966, 3497]), (30, [0, 19, 8, 27])):
-        assert [turn * deal_stride(tiles) % tiles for turn in range(4)] == dealt
-    assert [deal_stride(tiles) for tiles in (1, 2, 3)] == [1, 1, 1]
+    for rows, columns, dealt in ((64, 64, [0, 3111, 2126, 1141]), (5, 6, [0, 17, 4, 21])):
+        assert [turn * deal_stride(rows, columns) % (rows * columns) for turn in range(4)] == dealt
+    assert [deal_stride(*shape) for shape in ((1, 1), (1, 2), (3, 1))] == [1, 1, 1]
 
 
 def test_a_finer_grid_keeps_every_place_at_its_cost():
     seconds = uneven(4, 6)
     fine = TileCosts(seconds, (12, 12))
     blocks = np.kron(seconds, np.ones((3, 2)))
-    dealt = blocks.ravel()[np.arange(blocks.size) * deal_stride(blocks.size) % blocks.size]
+    dealt = blocks.ravel()[np.arange(blocks.size) * deal_stride(12, 12) % blocks.size]
     before = np.concatenate([[0], np.cumsum(dealt)])
     assert fine.count == blocks.size and fine.total == pytest.approx(blocks.sum(), rel=1e-12)
     assert [fine.before(tile) for tile in range(fine.count + 1)] == pytest.approx(before, rel=1e-12)

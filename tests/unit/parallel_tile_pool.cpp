@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
-
-#include "parallel/deal_order.hpp"
 
 namespace peterka::parallel {
 namespace {
@@ -17,45 +17,55 @@ TileSet set_of(std::int64_t tiles, const std::vector<std::int64_t>& some) {
     return set;
 }
 
-std::vector<std::int64_t> first_turns(std::int64_t tiles, std::int64_t turns) {
-    const DealOrder order(tiles);
+Tiling grid_of(std::int64_t rows, std::int64_t columns) {
+    return Tiling({rows, columns}, {1, 1});
+}
+
+std::vector<std::int64_t> first_turns(const Tiling& tiling, std::int64_t turns) {
+    const DealOrder order(tiling);
     std::vector<std::int64_t> first;
     for (std::int64_t turn = 0; turn < turns; ++turn) first.push_back(order.tile(turn));
     return first;
 }
 
 TEST(DealOrder, EveryTileHasOneTurn) {
-    for (const std::int64_t tiles : {1, 2, 3, 4, 6, 30, 64, 997, 4096, 30030}) {
-        std::vector<std::int64_t> dealt = first_turns(tiles, tiles);
+    for (const auto& [rows, columns] : std::vector<std::pair<std::int64_t, std::int64_t>>{
+             {1, 1}, {1, 2}, {2, 1}, {3, 1}, {2, 2}, {1, 30}, {64, 64}, {997, 1}, {30, 1001}}) {
+        const Tiling tiling = grid_of(rows, columns);
+        std::vector<std::int64_t> dealt = first_turns(tiling, tiling.count());
         std::ranges::sort(dealt);
-        for (std::int64_t tile = 0; tile < tiles; ++tile)
-            ASSERT_EQ(dealt[static_cast<std::size_t>(tile)], tile);
+        for (std::int64_t tile = 0; tile < tiling.count(); ++tile) {
+            ASSERT_EQ(dealt[static_cast<std::size_t>(tile)], tile) << rows << " by " << columns;
+        }
     }
 }
 
-TEST(DealOrder, FewTurnsReachAllPartsOfTheGrid) {
-    constexpr std::int64_t tiles = 4096;
-    for (const std::int64_t turns : {16, 100}) {
-        std::vector<std::int64_t> dealt = first_turns(tiles, turns);
-        std::ranges::sort(dealt);
-        dealt.push_back(tiles);
-        for (std::size_t i = 1; i < dealt.size(); ++i) EXPECT_LT(dealt[i] - dealt[i - 1], 3 * tiles / turns);
+TEST(DealOrder, FewTurnsReachAllPartsOfThePlane) {
+    for (const std::int64_t side : {20, 64, 99, 128, 232, 376, 454}) {
+        const DealOrder order(grid_of(side, side));
+        for (const std::int64_t begin : {std::int64_t{0}, side * side / 2}) {
+            std::set<std::int64_t> blocks;  // of 4 by 4
+            for (std::int64_t turn = begin; turn < begin + 64; ++turn) {
+                const std::int64_t tile = order.tile(turn);
+                blocks.insert(tile / side * 4 / side * 4 + tile % side * 4 / side);
+            }
+            EXPECT_EQ(blocks.size(), 16U) << side << ", from turn " << begin;
+        }
     }
 }
 
 TEST(DealOrder, IsKnown) {  // the replay in postprocess/ deals in the same order
-    EXPECT_EQ(first_turns(4096, 4), (std::vector<std::int64_t>{0, 2531, 966, 3497}));
-    EXPECT_EQ(first_turns(30, 4), (std::vector<std::int64_t>{0, 19, 8, 27}));
+    EXPECT_EQ(first_turns(grid_of(64, 64), 4), (std::vector<std::int64_t>{0, 3111, 2126, 1141}));
+    EXPECT_EQ(first_turns(grid_of(5, 6), 4), (std::vector<std::int64_t>{0, 17, 4, 21}));
 }
 
 TEST(DealOrder, ManyTilesDontOverflow) {
-    constexpr std::int64_t tiles =
-        (std::int64_t{1} << 27) * ((std::int64_t{1} << 27) - 1);  // of the largest axes
-    const DealOrder order(tiles);
-    EXPECT_EQ(order.tile(0), 0);
-    for (const std::int64_t turn : {std::int64_t{1}, tiles / 2, tiles - 1}) {
+    constexpr std::int64_t side = 1 << 27;  // of the longest axes that a job may have
+    const DealOrder order(grid_of(side, side - 1));
+    const std::int64_t tiles = order.tiles();
+    for (const std::int64_t turn : {std::int64_t{1}, tiles / 3, tiles / 2, tiles - 2}) {
         EXPECT_GT(order.tile(turn), 0);
-        EXPECT_LT(order.tile(turn), tiles);
+        EXPECT_EQ((order.tile(turn + 1) - order.tile(turn) + tiles) % tiles, order.tile(1)) << turn;
     }
 }
 
@@ -111,19 +121,20 @@ TEST(CellsIn, CroppedTilesCountWhatTheyHold) {
 }
 
 TEST(TilePool, RunsEndAtHoles) {
-    const DealOrder order(10);
+    const DealOrder order(grid_of(2, 5));
     TileSet missing(10);
     for (const std::int64_t turn : {0, 1, 2, 5, 6, 9}) missing.add(order.tile(turn));
-    TilePool pool(missing);
+    TilePool pool(order, missing);
     EXPECT_EQ(pool.remaining(), 6);
     EXPECT_EQ(pool.take(2), (Turns{0, 2}));
     EXPECT_EQ(pool.take(10), (Turns{2, 3}));
     EXPECT_EQ(pool.take(10), (Turns{5, 7}));
+    EXPECT_EQ(pool.remaining(), 1);
     EXPECT_EQ(pool.take(10), (Turns{9, 10}));
     EXPECT_EQ(pool.remaining(), 0);
+    EXPECT_EQ(pool.all(), 6);
     EXPECT_EQ(pool.take(1).size(), 0);
-    EXPECT_EQ(TilePool(TileSet(10)).take(1).size(), 0);
-    EXPECT_EQ(TilePool(TileSet(0)).take(1).size(), 0);
+    EXPECT_EQ(TilePool(order, TileSet(10)).take(1).size(), 0);
 }
 
 TEST(TilePool, EveryTileIsDealtOnce) {
@@ -131,8 +142,8 @@ TEST(TilePool, EveryTileIsDealtOnce) {
     for (std::int64_t tile = 0; tile < 100; ++tile) {
         if (tile % 7 != 3 && (tile < 40 || tile > 60)) missing.add(tile);
     }
-    TilePool pool(missing);
-    const DealOrder order(100);
+    const DealOrder order(grid_of(10, 10));
+    TilePool pool(order, missing);
     TileSet dealt(100);
     while (pool.remaining() > 0) {
         const Turns run = pool.take(deal_size(pool.remaining(), pool.all(), 3));

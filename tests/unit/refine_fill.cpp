@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "output_examples.hpp"
@@ -19,8 +20,9 @@ using regime::Regime;
 // The cells on every fourth row and column around (row, column) of a grid of 33 by 33.
 class Around {
   public:
-    Around(const std::function<CellResult(double, double)>& cell_at, std::int64_t row, std::int64_t column)
-        : rows_(stencil_of({33, 4}, row)), columns_(stencil_of({33, 4}, column)) {
+    Around(const std::function<CellResult(double, double)>& cell_at, std::int64_t row, std::int64_t column,
+           std::int64_t stride = 2)
+        : rows_(stencil_of({33, 4}, row)), columns_(stencil_of({33, 4}, column)), stride_(stride) {
         for (std::size_t i = 0; i < rows_.size; ++i) {
             for (std::size_t j = 0; j < columns_.size; ++j) {
                 cells_.push_back(cell_at(static_cast<double>(rows_.positions[i]),
@@ -32,7 +34,7 @@ class Around {
     [[nodiscard]] std::size_t size() const { return cells_.size(); }
     CellResult& operator[](std::size_t i) { return cells_[i]; }  // row by row
     [[nodiscard]] std::optional<CellResult> filled(const job::Job& job = {}) const {
-        Surroundings around(rows_, columns_);
+        Surroundings around(rows_, columns_, stride_);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             around.set(i / columns_.size, i % columns_.size, cells_[i]);
         }
@@ -42,6 +44,7 @@ class Around {
   private:
     Stencil rows_;
     Stencil columns_;
+    std::int64_t stride_;
     std::vector<CellResult> cells_;
 };
 
@@ -148,19 +151,24 @@ TEST(RefineFill, InsideChaosItIsChaoticWithoutNumbers) {
     EXPECT_FALSE(cell->computed);
 }
 
-TEST(RefineFill, ChaosNextToItAndInFourFifthsOfTheCellsAround) {
-    const std::vector<std::size_t> next{5, 6, 9, 10};
-    const std::vector<std::size_t> far{0, 3, 7, 13};
-    for (const std::size_t place : next) {
-        Around around(chaotic, 14, 22);
+TEST(RefineFill, ChaosNextToItCounts) {
+    for (const std::size_t place : {5U, 6U, 9U, 10U}) {
+        Around around(chaotic, 14, 22, 1);
         around[place] = smooth(0, 0);
         EXPECT_FALSE(around.filled()) << place;
     }
-    Around around(chaotic, 14, 22);
-    for (std::size_t i = 0; i < 3; ++i) around[far[i]] = smooth(0, 0);
-    EXPECT_TRUE(around.filled());
-    around[far[3]] = smooth(0, 0);
-    EXPECT_FALSE(around.filled());
+}
+
+TEST(RefineFill, InsideChaosFewerOthersAreAllowedTheCoarserTheLattice) {
+    const std::vector<std::size_t> far{0, 3, 7, 13, 15};
+    for (const auto& [stride, allowed] :
+         std::vector<std::pair<std::int64_t, std::size_t>>{{1, 4}, {2, 2}, {4, 1}, {8, 0}}) {
+        Around around(chaotic, 14, 22, stride);
+        for (std::size_t i = 0; i < allowed; ++i) around[far[i]] = smooth(0, 0);
+        EXPECT_TRUE(around.filled()) << stride;
+        around[far[allowed]] = smooth(0, 0);
+        EXPECT_FALSE(around.filled()) << stride;
+    }
 }
 
 TEST(RefineFill, OnALineOfTheLatticeItsNeighboursOnBothSidesCount) {
