@@ -47,12 +47,16 @@ def test_a_disk_too_small_for_the_map(tmp_path, small_disk, ranks):
     assert list(disk.iterdir()) == []
 
 
+PAGE = 4096
+
+
 def punch_a_hole(path):
-    """Takes back most of the room that the file has for forces, as a file system that copies on write may."""
+    """Takes back a page of the room that the file has for forces, as a file system that copies on write may."""
     with h5py.File(path) as file:
         forces = file["peak_force_ratio"].id
-        first, size = forces.get_chunk_info(0).byte_offset, forces.get_storage_size()
-    subprocess.run(["fallocate", "--punch-hole", "-o", str(first + size // 4), "-l", str(size // 2), path], check=True)
+        middle = forces.get_chunk_info(0).byte_offset + forces.get_storage_size() // 2
+    hole = -(-middle // PAGE) * PAGE  # whole pages alone are taken back
+    subprocess.run(["fallocate", "--punch-hole", "-o", str(hole), "-l", str(PAGE), path], check=True)
 
 
 @pytest.mark.parametrize("ranks", RANKS)
@@ -64,7 +68,7 @@ def test_a_disk_that_fills_up_on_the_way(tmp_path, small_disk, medium_map_file, 
     punch_a_hole(disk / "job.h5")
     with open(disk / "ballast", "wb", buffering=0) as ballast, pytest.raises(OSError):
         while True:
-            ballast.write(bytes(4096))
+            ballast.write(bytes(PAGE))
     finished = launch.run(*run, cwd=tmp_path, ranks=ranks)
     assert finished.returncode == 3
     assert "disk/job.h5: H5Dwrite failed" in said(finished) and "No space left on device" in said(finished)
