@@ -42,7 +42,7 @@ def text(record, curves, machine):
 def remedies(record, tiles, present, machine):
     """What each gives in place of this Replay of a plane of `tiles` (rows, columns) with the costs of a RunRecord."""
     ranks = present.ranks
-    costs = TileCosts(record.tile_seconds, tiles)
+    costs = TileCosts(record.tile_seconds, tiles, ranks)
     least = ceil(ranks * machine.service / (BUSY * costs.total / costs.count))
 
     def with_floor(remaining, all_tiles, everyone):
@@ -56,4 +56,4 @@ def remedies(record, tiles, present, machine):
 
 def _one_group(record, tiles, groups, size, machine):
     fewer = tuple(max(1, round(side / sqrt(groups))) for side in tiles)
-    return replay(TileCosts(record.tile_seconds, fewer), size, machine).efficiency
+    return replay(TileCosts(record.tile_seconds, fewer, size), size, machine).efficiency

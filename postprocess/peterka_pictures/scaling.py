@@ -6,6 +6,7 @@ one falls, there are too few tiles for so many ranks.
 """
 
 from dataclasses import dataclass, replace
+from itertools import groupby
 from math import isqrt
 
 import numpy as np
@@ -13,7 +14,7 @@ from matplotlib.lines import Line2D
 
 from . import axes
 from .dealing import replay
-from .tile_costs import TileCosts, tiles_of
+from .tile_costs import TileCosts, goes_by_squares, tiles_of
 
 WIDTH, HEIGHT = 3.7, 3.0  # in, without the legend
 COLOURS = ("#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito
@@ -49,10 +50,14 @@ def curve(record, cells, ranks, machine):
     """The Curve of a map of about so many cells, as many along one side as along the other."""
     shape = record.shape if cells == record.cells else (isqrt(cells),) * 2
     tiles = tiles_of(shape)
-    costs = TileCosts(record.tile_seconds, tiles)
     ideal = replace(machine, service=0.0)
-    return Curve(cells, tiles, [replay(costs, number, machine) for number in ranks],
-                 [replay(costs, number, ideal) for number in ranks])
+    real, at_once = [], []
+    for _, group in groupby(ranks, lambda number: goes_by_squares(tiles[0] * tiles[1], number)):
+        numbers = list(group)
+        costs = TileCosts(record.tile_seconds, tiles, numbers[0])
+        real += [replay(costs, number, machine) for number in numbers]
+        at_once += [replay(costs, number, ideal) for number in numbers]
+    return Curve(cells, tiles, real, at_once)
 
 
 def measured_efficiency(records):

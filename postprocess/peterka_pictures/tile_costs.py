@@ -12,24 +12,27 @@ import numpy as np
 TILE = 16  # cells along a side
 ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, from one tile dealt to the next
 PIECE = 1 << 20  # tiles looked up at once
+MANY = 1500  # tiles a rank, from which on they are dealt by squares
 
 
 class TileCosts:
-    """`seconds` [rows][columns] of the measured tiles; `shape` of the finer grid's tiles, default: the measured one."""
+    """`seconds` [rows][columns] of the measured tiles; `shape` of the finer grid's tiles, default: the measured one; in
+    the order for so many `ranks`."""
 
-    def __init__(self, seconds, shape=None):
+    def __init__(self, seconds, shape=None, ranks=1):
         seconds = np.asarray(seconds, dtype=float)
         rows, columns = shape or seconds.shape
         measured_row = np.arange(rows) * seconds.shape[0] // rows
         measured_column = np.arange(columns) * seconds.shape[1] // columns
         self.count = rows * columns
-        self._before = np.zeros(self.count + 1)  # [s]; by turn
-        stride = deal_stride(rows, columns)
-        for first in range(0, self.count, PIECE):
-            end = min(first + PIECE, self.count)
-            row, column = np.divmod(np.arange(first, end) * stride % self.count, columns)
+        self._before = np.zeros(self.count + 1)  # [s]; by turn, not counting those without a tile
+        order = DealOrder(rows, columns, ranks)
+        end = 0
+        for first in range(0, order.turns, PIECE):
+            row, column = order.places(np.arange(first, min(first + PIECE, order.turns)))
             costs = seconds[measured_row[row], measured_column[column]]
-            self._before[first + 1:end + 1] = self._before[first] + np.cumsum(costs)
+            begin, end = end, end + len(costs)
+            self._before[begin + 1:end + 1] = self._before[begin] + np.cumsum(costs)
         self.total = float(self._before[-1])  # s
         self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
 
@@ -42,21 +45,51 @@ class TileCosts:
         return int(np.searchsorted(self._before, seconds, side="right"))
 
 
+class DealOrder:
+    """The order in which the program deals tiles; its rules are those of src/parallel/deal_order.cpp."""
+
+    def __init__(self, rows, columns, ranks):
+        self._grid = rows, columns
+        self._side = 4 if goes_by_squares(rows * columns, ranks) else 1
+        self._squares = -(-rows // self._side), -(-columns // self._side)
+        squares = self._squares[0] * self._squares[1]
+        self.turns = squares * self._side**2
+        self._stride = deal_stride(*self._squares)
+        self._first_alone = self.turns if self._side == 1 else squares * 3 // 4 * self._side**2
+        self._alone = max(self.turns - self._first_alone, 1)
+        self._alone_stride = deal_stride(1, self._alone)
+
+    def places(self, turns):
+        """Rows and columns of the tiles of these turns, without turns that have none."""
+        alone = (turns - self._first_alone) * self._alone_stride % self._alone
+        places = np.where(turns < self._first_alone, turns, self._first_alone + alone)
+        square, within = np.divmod(places, self._side**2)
+        square = square * self._stride % (self._squares[0] * self._squares[1])
+        row = square // self._squares[1] * self._side + within // self._side
+        column = square % self._squares[1] * self._side + within % self._side
+        exists = (row < self._grid[0]) & (column < self._grid[1])
+        return row[exists], column[exists]
+
+
+def goes_by_squares(tiles, ranks):
+    return tiles // ranks >= MANY
+
+
 def deal_stride(rows, columns):
-    """From one tile dealt to the next, modulo all tiles; the program's rule (src/parallel/deal_order.cpp)."""
-    tiles = rows * columns
-    if tiles < 2:
+    """From one square to the next, modulo all squares; scatters them evenly over the plane."""
+    squares = rows * columns
+    if squares < 2:
         return 1
     wanted = int(ROW_SHARE * rows + 0.5) * columns + int(COLUMN_SHARE * columns + 0.5)
-    strides = (stride for stride in count(max(wanted % tiles, 1)) if gcd(stride, tiles) == 1)
+    strides = (stride for stride in count(max(wanted % squares, 1)) if gcd(stride, squares) == 1)
     return max(islice(strides, 16), key=lambda stride: _spread(stride, rows, columns))
 
 
 def _spread(stride, rows, columns):
-    """The least squared distance of two tiles times the turns between them, up to 256, in a plane without edges."""
-    tiles = rows * columns
-    turns = np.arange(1, min(tiles - 1, 256) + 1)
-    row, column = np.divmod(turns * stride % tiles, columns)
+    """The least squared distance of two squares times the turns between them, up to 256, in a plane without edges."""
+    squares = rows * columns
+    turns = np.arange(1, min(squares - 1, 256) + 1)
+    row, column = np.divmod(turns * stride % squares, columns)
     up, along = np.minimum(row, rows - row) / rows, np.minimum(column, columns - column) / columns
     return np.min(turns * (up * up + along * along))
 

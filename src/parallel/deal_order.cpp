@@ -29,29 +29,61 @@ double spread(std::int64_t stride, const Extent& grid) {
     return least;
 }
 
-}  // namespace
-
 // By 0.755 of the rows and 0.570 of the columns: the additive recurrence of low discrepancy in the plane by the
 // powers of 1/g, g^3 = g + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018). The
-// stride must have no factor in common with the number of tiles, and rounding can lead back next door after a
-// few turns, so the best of the first 16 strides from there on is taken.
-DealOrder::DealOrder(const Tiling& tiling) : tiles_(tiling.count()), stride_(1) {
-    if (tiles_ < 2) return;
-    const Extent grid = tiling.tiles();
+// stride must have no factor in common with the number of all, and rounding can lead back next door after a few
+// turns, so the best of the first 16 strides from there on is taken.
+std::int64_t stride_in(const Extent& grid) {
+    const std::int64_t all = grid.rows * grid.columns;
+    if (all < 2) return 1;
     const std::int64_t wanted =
         part_of(grid.rows, 0.7548776662466927) * grid.columns + part_of(grid.columns, 0.5698402909980532);
-    // products must not overflow: beyond 3e9 tiles, files of 20 TB, the order is less even
-    const std::int64_t largest = std::numeric_limits<std::int64_t>::max() / tiles_ / 2;
-    std::int64_t stride = std::clamp<std::int64_t>(wanted % tiles_, 1, largest);
+    // products must not overflow: beyond 3e9, files of 20 TB and more, the order is less even
+    const std::int64_t largest = std::numeric_limits<std::int64_t>::max() / all / 2;
+    std::int64_t best = 1;
     double widest = 0;
-    for (int candidates = 0; candidates < 16; ++stride) {
-        if (std::gcd(stride, tiles_) != 1) continue;
+    int candidates = 0;
+    for (std::int64_t stride = std::clamp<std::int64_t>(wanted % all, 1, largest); candidates < 16; ++stride) {
+        if (std::gcd(stride, all) != 1) continue;
         ++candidates;
         const double its_spread = spread(stride, grid);
         if (its_spread <= widest) continue;
         widest = its_spread;
-        stride_ = stride;
+        best = stride;
     }
+    return best;
+}
+
+std::int64_t side_for(std::int64_t tiles, int ranks) {
+    constexpr std::int64_t many =
+        1500;  // tiles a rank; with fewer, the last costly squares would be waited for
+    return tiles / ranks >= many ? 4 : 1;
+}
+
+constexpr std::int64_t squares_along(std::int64_t tiles, std::int64_t side) {
+    return (tiles + side - 1) / side;
+}
+
+}  // namespace
+
+DealOrder::DealOrder(const Tiling& tiling, int ranks)
+    : grid_(tiling.tiles()),
+      side_(side_for(tiling.count(), ranks)),
+      squares_{squares_along(grid_.rows, side_), squares_along(grid_.columns, side_)},
+      stride_(stride_in(squares_)),
+      first_alone_(side_ == 1 ? turns() : squares_.rows * squares_.columns * 3 / 4 * side_ * side_),
+      alone_stride_(stride_in({1, std::max<std::int64_t>(turns() - first_alone_, 1)})) {}
+
+std::optional<std::int64_t> DealOrder::tile(std::int64_t turn) const {
+    const std::int64_t place =
+        turn < first_alone_ ? turn
+                            : first_alone_ + (turn - first_alone_) * alone_stride_ % (turns() - first_alone_);
+    const std::int64_t square = place / (side_ * side_) * stride_ % (squares_.rows * squares_.columns);
+    const std::int64_t within = place % (side_ * side_);
+    const std::int64_t row = square / squares_.columns * side_ + within / side_;
+    const std::int64_t column = square % squares_.columns * side_ + within % side_;
+    if (row >= grid_.rows || column >= grid_.columns) return std::nullopt;
+    return row * grid_.columns + column;
 }
 
 }  // namespace peterka::parallel

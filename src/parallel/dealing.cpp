@@ -35,7 +35,9 @@ bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, c
     std::int64_t all_solved = 0;
     if (session.is_root()) {
         all_solved =
-            Dealer(session, tiling, TilePool(DealOrder(tiling), std::move(missing)), work).run() ? 1 : 0;
+            Dealer(session, tiling, TilePool(DealOrder(tiling, session.size()), std::move(missing)), work).run()
+                ? 1
+                : 0;
     } else {
         Worker(session, tiling, work).run();
     }

@@ -17,7 +17,9 @@ TilePool::TilePool(const DealOrder& order, TileSet tiles)
     : order_(order), tiles_(std::move(tiles)), all_(tiles_.size()), remaining_(all_) {}
 
 bool TilePool::has(std::int64_t turn) const {
-    return turn < order_.tiles() && tiles_.has(order_.tile(turn));
+    if (turn >= order_.turns()) return false;
+    const auto tile = order_.tile(turn);
+    return tile && tiles_.has(*tile);
 }
 
 Turns TilePool::take(std::int64_t limit) {

@@ -14,7 +14,7 @@ namespace peterka::parallel {
 
 class TilePool {
   public:
-    // The order of as many tiles as could be in the set.
+    // The order of the set's tiles.
     TilePool(const DealOrder& order, TileSet tiles);
 
     [[nodiscard]] std::int64_t remaining() const { return remaining_; }

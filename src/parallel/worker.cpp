@@ -15,7 +15,7 @@ double report_interval_seconds(const Session& session) {
 }  // namespace
 
 Worker::Worker(const Session& session, const Tiling& tiling, const DealtWork& work)
-    : session_(session), tiling_(tiling), order_(tiling), work_(work) {}
+    : session_(session), tiling_(tiling), order_(tiling, session.size()), work_(work) {}
 
 Worker::~Worker() {
     if (receive_ == MPI_REQUEST_NULL) return;
@@ -43,7 +43,7 @@ void Worker::await_dismissal() {
 std::optional<Tile> Worker::next() {
     if (dismissed_ || runs_.empty()) return std::nullopt;
     Turns& run = runs_.front();
-    const Tile tile = tiling_.tile(order_.tile(run.first++));
+    const Tile tile = tiling_.tile(order_.tile(run.first++).value());
     if (run.size() == 0) runs_.pop_front();
     ++tiles_in_hand_;
     // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.

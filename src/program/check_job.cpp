@@ -35,7 +35,7 @@ std::int64_t cells_in_hand_bytes(const job::Job& job) {
     const bool side_by_side = std::holds_alternative<job::KelvinVoigt>(job.contact) &&
                               (engine == automatic || engine == exact || engine == split);
     if (!side_by_side || job.kind == job::Kind::sweep) return 0;
-    return job.kind == job::Kind::basin ? 4'000'000 : 14'000'000;
+    return job.kind == job::Kind::basin ? 4'000'000 : 17'000'000;
 }
 
 // What a rank needs [bytes]: what this process has so far, that is program, MPI and HDF5; what opening the file

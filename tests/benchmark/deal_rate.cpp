@@ -64,9 +64,11 @@ ExitCode run(const Session& session, std::int64_t tiles) {
     if (session.size() < 2)
         throw Failure(ExitCode::bad_job, "deal_rate needs 2 ranks or more: mpirun -n 2 ...");
     const parallel::Tiling tiling({parallel::tile_extent.rows, 2 * tiles * parallel::tile_extent.columns});
-    const parallel::DealOrder order(tiling);
+    const parallel::DealOrder order(tiling, session.size());
     parallel::TileSet apart(tiling.count());
-    for (std::int64_t n = 0; n < tiles; ++n) apart.add(order.tile(2 * n));
+    for (std::int64_t turn = 0; turn < order.turns(); turn += 2) {
+        if (const auto tile = order.tile(turn)) apart.add(*tile);
+    }
 
     std::vector<double> waits;
     const Stopwatch wall;

@@ -12,7 +12,7 @@ from conftest import POSTPROCESS
 from peterka_pictures import axes, remedies, scaling, tile_costs
 from peterka_pictures.dealing import Machine, deal_size, replay
 from peterka_pictures.run_record import read_record
-from peterka_pictures.tile_costs import TileCosts, deal_stride, tiles_of, whole_tiles
+from peterka_pictures.tile_costs import DealOrder, TileCosts, tiles_of, whole_tiles
 from picture_samples import write_map
 
 AT_ONCE = Machine(service=0.0, latency=0.0, look=1e-3)
@@ -126,19 +126,29 @@ def test_run_lengths_are_those_of_the_program():
     assert [deal_size(*case) for case in ((1, 16000, 7), (13, 16000, 7), (1, 1, 1))] == [1, 1, 1]
 
 
+def dealt(rows, columns, ranks, turns):
+    row, column = DealOrder(rows, columns, ranks).places(np.array(turns))
+    return (row * columns + column).tolist()
+
+
 def test_the_order_of_dealing_is_that_of_the_program():
     """The same numbers as in tests/unit/parallel_tile_pool.cpp."""
-    for rows, columns, dealt in ((64, 64, [0, 3111, 2126, 1141]), (5, 6, [0, 17, 4, 21])):
-        assert [turn * deal_stride(rows, columns) % (rows * columns) for turn in range(4)] == dealt
-    assert [deal_stride(*shape) for shape in ((1, 1), (1, 2), (3, 1))] == [1, 1, 1]
+    assert dealt(64, 64, 3, range(4)) == [0, 3111, 2126, 1141]
+    assert dealt(5, 6, 1, range(4)) == [0, 17, 4, 21]
+    assert dealt(64, 62, 2, range(14, 18)) == [188, 189, 3020, 3021]
+    assert dealt(64, 62, 2, range(3072, 3076)) == [992, 3211, 1626, 2833]
+
+
+@pytest.mark.parametrize("grid", [(1, 1, 1), (3, 1, 1), (20, 20, 4), (41, 53, 1), (3001, 1, 2)])
+def test_every_tile_has_one_turn(grid):
+    assert sorted(dealt(*grid, range(DealOrder(*grid).turns))) == list(range(grid[0] * grid[1]))
 
 
 def test_a_finer_grid_keeps_every_place_at_its_cost():
     seconds = uneven(4, 6)
     fine = TileCosts(seconds, (12, 12))
     blocks = np.kron(seconds, np.ones((3, 2)))
-    dealt = blocks.ravel()[np.arange(blocks.size) * deal_stride(12, 12) % blocks.size]
-    before = np.concatenate([[0], np.cumsum(dealt)])
+    before = np.concatenate([[0], np.cumsum(blocks.ravel()[dealt(12, 12, 1, range(144))])])
     assert fine.count == blocks.size and fine.total == pytest.approx(blocks.sum(), rel=1e-12)
     assert [fine.before(tile) for tile in range(fine.count + 1)] == pytest.approx(before, rel=1e-12)
     assert [fine.turn_after(seconds) for seconds in (0, before[5], before[5] + 1e-9, 1e9)] == [1, 6, 6, fine.count + 1]
@@ -146,10 +156,10 @@ def test_a_finer_grid_keeps_every_place_at_its_cost():
 
 
 def test_a_grid_larger_than_a_piece_is_whole(monkeypatch):
-    whole = TileCosts(uneven(4, 6), (12, 12))
+    whole = TileCosts(uneven(4, 6), (41, 53))
     monkeypatch.setattr(tile_costs, "PIECE", 25)
-    pieces = TileCosts(uneven(4, 6), (12, 12))
-    assert [pieces.before(turn) for turn in range(145)] == pytest.approx([whole.before(turn) for turn in range(145)])
+    pieces = TileCosts(uneven(4, 6), (41, 53))
+    assert [pieces.before(turn) for turn in range(2174)] == pytest.approx([whole.before(turn) for turn in range(2174)])
 
 
 def test_tiles_cut_off_by_the_border_count_as_whole_ones():

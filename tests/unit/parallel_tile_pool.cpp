@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace peterka::parallel {
@@ -21,51 +22,90 @@ Tiling grid_of(std::int64_t rows, std::int64_t columns) {
     return Tiling({rows, columns}, {1, 1});
 }
 
-std::vector<std::int64_t> first_turns(const Tiling& tiling, std::int64_t turns) {
-    const DealOrder order(tiling);
-    std::vector<std::int64_t> first;
-    for (std::int64_t turn = 0; turn < turns; ++turn) first.push_back(order.tile(turn));
-    return first;
+using Tiles = std::vector<std::int64_t>;
+
+// Of these turns; -1 where a turn has none.
+Tiles dealt_by(const DealOrder& order, std::int64_t first_turn, std::int64_t turns) {
+    Tiles dealt;
+    for (std::int64_t turn = first_turn; turn < first_turn + turns; ++turn) {
+        dealt.push_back(order.tile(turn).value_or(-1));
+    }
+    return dealt;
 }
 
+struct Dealing {
+    std::int64_t rows;
+    std::int64_t columns;
+    int ranks;
+};
+
 TEST(DealOrder, EveryTileHasOneTurn) {
-    for (const auto& [rows, columns] : std::vector<std::pair<std::int64_t, std::int64_t>>{
-             {1, 1}, {1, 2}, {2, 1}, {3, 1}, {2, 2}, {1, 30}, {64, 64}, {997, 1}, {30, 1001}}) {
-        const Tiling tiling = grid_of(rows, columns);
-        std::vector<std::int64_t> dealt = first_turns(tiling, tiling.count());
-        std::ranges::sort(dealt);
-        for (std::int64_t tile = 0; tile < tiling.count(); ++tile) {
-            ASSERT_EQ(dealt[static_cast<std::size_t>(tile)], tile) << rows << " by " << columns;
+    const std::vector<Dealing> one_by_one{{1, 1, 1},  {1, 2, 1},   {2, 1, 3},  {3, 1, 1},
+                                          {1, 30, 1}, {64, 64, 7}, {997, 1, 5}};
+    const std::vector<Dealing> by_squares{{64, 64, 1}, {41, 53, 1}, {3001, 1, 2}};
+    for (const auto& dealings : {one_by_one, by_squares}) {
+        for (const auto& [rows, columns, ranks] : dealings) {
+            const Tiling tiling = grid_of(rows, columns);
+            const DealOrder order(tiling, ranks);
+            Tiles dealt = dealt_by(order, 0, order.turns());
+            std::erase(dealt, -1);
+            std::ranges::sort(dealt);
+            ASSERT_EQ(std::ssize(dealt), tiling.count()) << rows << " by " << columns;
+            for (std::int64_t tile = 0; tile < tiling.count(); ++tile) {
+                ASSERT_EQ(dealt[static_cast<std::size_t>(tile)], tile) << rows << " by " << columns;
+            }
         }
     }
+}
+
+// How many of a square grid's 4 by 4 parts have any of these turns' tiles.
+std::size_t parts_reached(const DealOrder& order, std::int64_t side, std::int64_t first_turn,
+                          std::int64_t turns) {
+    std::set<std::int64_t> reached;
+    for (const std::int64_t tile : dealt_by(order, first_turn, turns)) {
+        if (tile >= 0) reached.insert(tile / side * 4 / side * 4 + tile % side * 4 / side);
+    }
+    return reached.size();
 }
 
 TEST(DealOrder, FewTurnsReachAllPartsOfThePlane) {
     for (const std::int64_t side : {20, 64, 99, 128, 232, 376, 454}) {
-        const DealOrder order(grid_of(side, side));
-        for (const std::int64_t begin : {std::int64_t{0}, side * side / 2}) {
-            std::set<std::int64_t> blocks;  // of 4 by 4
-            for (std::int64_t turn = begin; turn < begin + 64; ++turn) {
-                const std::int64_t tile = order.tile(turn);
-                blocks.insert(tile / side * 4 / side * 4 + tile % side * 4 / side);
-            }
-            EXPECT_EQ(blocks.size(), 16U) << side << ", from turn " << begin;
+        const DealOrder order(grid_of(side, side), 1000);
+        for (const std::int64_t first : {std::int64_t{0}, side * side / 2}) {
+            EXPECT_EQ(parts_reached(order, side, first, 64), 16U) << side << ", from turn " << first;
         }
     }
 }
 
+TEST(DealOrder, ManyTilesGoBySquaresAndTheLastOneByOne) {
+    for (const std::int64_t side : {99, 128, 454}) {
+        const DealOrder order(grid_of(side, side), 2);
+        EXPECT_EQ(parts_reached(order, side, 0, 64 * 16), 16U) << side;
+        EXPECT_EQ(parts_reached(order, side, order.turns() - 256, 256), 16U) << side;
+        Tiles square;
+        for (std::int64_t i = 0; i < 16; ++i) square.push_back(i / 4 * side + i % 4);
+        EXPECT_EQ(dealt_by(order, 0, 16), square);
+    }
+}
+
 TEST(DealOrder, IsKnown) {  // the replay in postprocess/ deals in the same order
-    EXPECT_EQ(first_turns(grid_of(64, 64), 4), (std::vector<std::int64_t>{0, 3111, 2126, 1141}));
-    EXPECT_EQ(first_turns(grid_of(5, 6), 4), (std::vector<std::int64_t>{0, 17, 4, 21}));
+    EXPECT_EQ(dealt_by(DealOrder(grid_of(64, 64), 3), 0, 4), (Tiles{0, 3111, 2126, 1141}));
+    EXPECT_EQ(dealt_by(DealOrder(grid_of(5, 6), 1), 0, 4), (Tiles{0, 17, 4, 21}));
+    const DealOrder by_squares(grid_of(64, 62), 2);
+    EXPECT_EQ(dealt_by(by_squares, 14, 4), (Tiles{188, 189, 3020, 3021}));
+    EXPECT_EQ(dealt_by(by_squares, 3072, 4), (Tiles{992, 3211, 1626, 2833}));
 }
 
 TEST(DealOrder, ManyTilesDontOverflow) {
     constexpr std::int64_t side = 1 << 27;  // of the longest axes that a job may have
-    const DealOrder order(grid_of(side, side - 1));
-    const std::int64_t tiles = order.tiles();
-    for (const std::int64_t turn : {std::int64_t{1}, tiles / 3, tiles / 2, tiles - 2}) {
-        EXPECT_GT(order.tile(turn), 0);
-        EXPECT_EQ((order.tile(turn + 1) - order.tile(turn) + tiles) % tiles, order.tile(1)) << turn;
+    for (const int ranks : {1, std::numeric_limits<int>::max()}) {
+        const DealOrder order(grid_of(side, side), ranks);
+        for (const std::int64_t turn :
+             {std::int64_t{1}, order.turns() / 3, order.turns() / 2, order.turns() - 16}) {
+            const Tiles near = dealt_by(order, turn, 16);
+            EXPECT_EQ(std::set<std::int64_t>(near.begin(), near.end()).size(), 16U);
+            for (const std::int64_t tile : near) EXPECT_TRUE(0 <= tile && tile < side * side) << tile;
+        }
     }
 }
 
@@ -121,9 +161,9 @@ TEST(CellsIn, CroppedTilesCountWhatTheyHold) {
 }
 
 TEST(TilePool, RunsEndAtHoles) {
-    const DealOrder order(grid_of(2, 5));
+    const DealOrder order(grid_of(2, 5), 3);
     TileSet missing(10);
-    for (const std::int64_t turn : {0, 1, 2, 5, 6, 9}) missing.add(order.tile(turn));
+    for (const std::int64_t turn : {0, 1, 2, 5, 6, 9}) missing.add(order.tile(turn).value());
     TilePool pool(order, missing);
     EXPECT_EQ(pool.remaining(), 6);
     EXPECT_EQ(pool.take(2), (Turns{0, 2}));
@@ -142,15 +182,16 @@ TEST(TilePool, EveryTileIsDealtOnce) {
     for (std::int64_t tile = 0; tile < 100; ++tile) {
         if (tile % 7 != 3 && (tile < 40 || tile > 60)) missing.add(tile);
     }
-    const DealOrder order(grid_of(10, 10));
+    const DealOrder order(grid_of(10, 10), 3);
     TilePool pool(order, missing);
     TileSet dealt(100);
     while (pool.remaining() > 0) {
         const Turns run = pool.take(deal_size(pool.remaining(), pool.all(), 3));
         ASSERT_GT(run.size(), 0);
         for (std::int64_t turn = run.first; turn < run.end; ++turn) {
-            EXPECT_FALSE(dealt.has(order.tile(turn)));
-            dealt.add(order.tile(turn));
+            const std::int64_t tile = order.tile(turn).value();
+            EXPECT_FALSE(dealt.has(tile));
+            dealt.add(tile);
         }
     }
     EXPECT_EQ(dealt, missing);
