@@ -12,7 +12,7 @@ import numpy as np
 TILE = 16  # cells along a side
 ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, from one tile dealt to the next
 PIECE = 1 << 20  # tiles looked up at once
-MANY = 1500  # tiles a rank, from which on they are dealt by squares
+MANY = 3500  # tiles a rank, from which on they are dealt by squares
 
 
 class TileCosts:
