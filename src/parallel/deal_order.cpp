@@ -1,6 +1,7 @@
 #include "parallel/deal_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -8,7 +9,7 @@ namespace peterka::parallel {
 namespace {
 
 std::int64_t part_of(std::int64_t count, double share) {
-    return static_cast<std::int64_t>(share * static_cast<double>(count) + 0.5);
+    return std::lround(share * static_cast<double>(count));
 }
 
 // The plane without edges, its sides 1 long.

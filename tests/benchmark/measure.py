@@ -224,18 +224,23 @@ def refinement(bench, sizes, _page):
     with h5py.File(refined.file) as file:
         computed = np.mean(file["computed"][:])
     wrong = ~found.same(true)
-    periodic, free, other = (100 * np.mean(share) for share in (
-        *(true.regime[wrong] == regime for regime in (PERIODIC, NO_IMPACT)),
-        ~np.isin(true.regime[wrong], [PERIODIC, NO_IMPACT])))
     row = [f"{points} × {points}", str(levels), f"{100 * computed:.2f} %", f"{100 - 100 * np.mean(wrong):.3f} %",
            f"{np.sum(found.cycles) / np.sum(true.cycles):.2f}", f"{refined.solving / whole.solving:.2f}"]
     return "\n\n".join([
         "## Refinement",
         "A refined map against the same one with every cell computed; one run of each.",
         markdown(["cells", "levels", "computed", "labels right", "cycles: refined/whole", "solving: refined/whole"], [row]),
-        f"Of the cells with a wrong label {periodic:.0f} % are periodic in the whole map, {free:.0f} % without impact, and "
-        f"{other:.0f} % something else; {100 * np.mean(found.regime[wrong] == CHAOTIC):.0f} % are filled as chaotic.",
+        *([what_is_wrong(true.regime[wrong], found.regime[wrong])] if np.any(wrong) else []),
     ])
+
+
+def what_is_wrong(true, found):
+    """Regimes of cells with a wrong label, in words."""
+    def share(regimes, regime):
+        return f"{100 * np.mean(regimes == regime):.0f} %"
+
+    return (f"Of the cells with a wrong label {share(true, PERIODIC)} are periodic in the whole map and "
+            f"{share(true, NO_IMPACT)} without impact; {share(found, CHAOTIC)} are filled as chaotic.")
 
 
 class Labels:
