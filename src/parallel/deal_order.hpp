@@ -2,7 +2,7 @@
 //
 // Costly cells lie side by side. In such an order runs of tiles cost about the same, so ranks finish together
 // (postprocess/scaling.py shows it), the time left can be told from what is done, and the file of a run that
-// was stopped shows all of the map in part. But a batch of like cells costs a rank up to a tenth less than a
+// was stopped shows all of the map in part. But a batch of like cells costs a rank some hundredths less than a
 // mixed one: where each rank gets many tiles, they go by squares of 4 x 4, the last quarter one by one.
 #pragma once
 

@@ -10,7 +10,6 @@ namespace peterka::parallel {
 Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, const DealtWork& work)
     : session_(session),
       tiling_(tiling),
-      order_(tiling, session.size()),
       pool_(std::move(pool)),
       work_(work),
       workers_(static_cast<std::size_t>(session.size() - 1)),
@@ -27,7 +26,7 @@ std::optional<Tile> Dealer::next() {
     const Turns mine = pool_.take(1);
     if (mine.size() == 0) return std::nullopt;
     ++tiles_in_hand_;
-    return tiling_.tile(order_.tile(mine.first).value());
+    return tiling_.tile(pool_.order().tile(mine.first).value());
 }
 
 void Dealer::solved(const Tile& tile) {

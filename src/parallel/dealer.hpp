@@ -46,7 +46,6 @@ class Dealer : private TileSource {
 
     const Session& session_;
     const Tiling& tiling_;
-    DealOrder order_;
     TilePool pool_;
     const DealtWork& work_;
     std::vector<Worker> workers_;  // by rank, beginning with rank 1

@@ -17,6 +17,7 @@ class TilePool {
     // The order of the set's tiles.
     TilePool(const DealOrder& order, TileSet tiles);
 
+    [[nodiscard]] const DealOrder& order() const { return order_; }
     [[nodiscard]] std::int64_t remaining() const { return remaining_; }
     [[nodiscard]] std::int64_t all() const { return all_; }  // remaining() when the pool was made
     // The next turns in a row, at most `limit` of them; none if nothing is left.
