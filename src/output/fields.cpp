@@ -19,7 +19,7 @@ constexpr double not_computed = regime::regime_not_computed;
 // clang-format off
 constexpr Field fields[] = {
     {{"regime", Number::int8, not_computed, "", "regime of the steady state", regime_names}, always, member<&CellResult::regime>, table_too},
-    {{"status", Number::int8, not_computed, "", "why a cell is unresolved or failed", status_names}, always, member<&CellResult::status>},
+    {{"status", Number::int8, not_computed, "", "why a cell is unresolved or failed, or what its proof leaves open", status_names}, always, member<&CellResult::status>},
     {{"computed", Number::int8, not_computed, "", "whether the cell is computed or filled from computed cells around it", computed_names}, Refined{}, member<&CellResult::computed>},
     {{"engine", Number::int8, not_computed, "", "engine that carried the cell; exact leaves a cubic spring out", engine_names}, always, member<&CellResult::engine>},
     {{"impacts", Number::int32, -1, "1", "impacts p of z = p/q"}, always, member<&CellResult::impacts>, table_too},
@@ -29,9 +29,10 @@ constexpr Field fields[] = {
     {{"chatter", Number::int8, not_computed, "", "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", chatter_names}, ContactLaw::restitution, member<&CellResult::chatter>},
     {{"impact_rate", Number::float64, regime::unknown, "1", "impacts per forcing cycle"}, always, member<&CellResult::impact_rate>},
     {{"cycles", Number::int32, -1, "1", "forcing cycles spent"}, always, member<&CellResult::cycles>},
+    {{"observed_cycles", Number::int32, -1, "1", "forcing cycles for which a chaotic or unresolved motion was followed"}, always, member<&CellResult::observed_cycles>},
     {{"multiplier", Number::float64, regime::unknown, "1", "largest absolute Floquet multiplier of the orbit"}, OptionalField::multiplier, member<&CellResult::multiplier>},
     {{"lyapunov", Number::float64, regime::unknown, "1", "largest Lyapunov exponent per forcing cycle"}, OptionalField::lyapunov, member<&CellResult::lyapunov>},
-    {{"sensitivity", Number::float64, regime::unknown, "1", "largest growth of a start perturbation, ln G"}, OptionalField::sensitivity, member<&CellResult::sensitivity>},
+    {{"sensitivity", Number::float64, regime::unknown, "1", "largest growth of an error that came in at any moment, ln G"}, OptionalField::sensitivity, member<&CellResult::sensitivity>},
     {{"orbit_displacement", Number::float64, regime::unknown, "1", "orbit at forcing phase 0, (x - y)/A0"}, OptionalField::orbit, member<&CellResult::orbit_displacement>, table_too},
     {{"orbit_velocity", Number::float64, regime::unknown, "1", "orbit at forcing phase 0, (x' - y')/(A0 omega)"}, OptionalField::orbit, member<&CellResult::orbit_velocity>, table_too},
     {{"impact_speed", Number::float64, regime::unknown, "m/s", "largest speed of the hammer against the stop at first touch"}, OptionalField::impact_speed, member<&CellResult::impact_speed>},

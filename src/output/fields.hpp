@@ -22,8 +22,9 @@ using StoredCell = regime::CellResult;
 
 inline constexpr std::array<const char*, 6> regime_names{"no_impact",         "periodic",   "chaotic",
                                                          "sustained_contact", "unresolved", "failed"};
-inline constexpr std::array<const char*, 6> status_names{"proved",          "budget",     "conservative",
-                                                         "too_many_events", "not_finite", "solver_failed"};
+inline constexpr std::array<const char*, 9> status_names{"proved",          "budget",     "conservative",
+                                                         "too_many_events", "not_finite", "solver_failed",
+                                                         "rounding",        "imprecise",  "chaotic_so_far"};
 inline constexpr std::array<const char*, 2> chatter_names{"no_chatter", "chatter"};
 inline constexpr std::array<const char*, 2> computed_names{"filled", "computed"};
 inline constexpr std::array<const char*, 2> jump_names{"no_jump", "jump"};

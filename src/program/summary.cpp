@@ -53,12 +53,16 @@ std::string regime_line(const Statistics& statistics, Regime regime, const char*
 
 // What a cell without a regime ran into, with the number of such cells.
 std::string reasons(std::span<const std::int64_t> cells_by_status) {
-    constexpr std::array words{"",
-                               "no proof within steady_state.max_cycles",
-                               "nothing dissipates, so nothing settles",
-                               "too many contacts in one cycle",
-                               "numbers grew out of range",
-                               "the integrator gave up"};
+    constexpr std::array words{
+        "",
+        "no proof within steady_state.max_cycles",
+        "nothing dissipates, so nothing settles",
+        "too many contacts in one cycle",
+        "numbers grew out of range",
+        "the integrator gave up",
+        "",
+        "",
+        "chaotic for max_cycles, too few in this rig to tell chaos from a long transient"};
     std::string text;
     for (std::size_t status = 0; status < std::min(words.size(), cells_by_status.size()); ++status) {
         if (cells_by_status[status] == 0) continue;

@@ -43,11 +43,11 @@ scene::Oscillator<double> with_cubic(scene::Oscillator<double> scene, double cub
 bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a, const EngineSettings& b) {
     if (a.engine != b.engine) return false;
     if (a.engine == Engine::exact) return true;
-    if (a.tolerance != b.tolerance) return false;
+    if (a.engine != Engine::split) return a.tolerance == b.tolerance;
     const auto steps = [&](const EngineSettings& settings) {
         return trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
     };
-    return a.engine != Engine::split || steps(a) == steps(b);
+    return steps(a) == steps(b);
 }
 
 // The different ones, in the order in which they were found first.

@@ -12,12 +12,14 @@ namespace peterka::regime {
 
 namespace {
 
-// Of a batch: many fill the vectors, few stay in the cache.
+// Many cells fill the vectors of a batch, few stay in the cache: with so many no more are taken.
 constexpr std::size_t capacity = 128;
-constexpr std::size_t most_far = 256;  // that wait for several cycles at once
-constexpr std::size_t most_parked = 128;
-constexpr std::size_t most_alone = 32;    // waiting cells, beyond which no more are taken
-constexpr double seconds_alone = 0.2e-3;  // that a step may give to them
+// A group waits until it has so many, of those that go several cycles at once so many.
+constexpr std::size_t enough_near = 64;
+constexpr std::size_t enough_far = 256;
+constexpr std::size_t most_in_hand = 768;  // with all that wait
+constexpr std::size_t most_alone = 32;     // waiting cells, beyond which no more are taken
+constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 
 }  // namespace
 
@@ -51,6 +53,11 @@ struct CellPool::Group {
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
     [[nodiscard]] bool goes_far() const { return wish.cycles > 1; }
+    [[nodiscard]] bool is_full() const {
+        // linear springs are what most cells have, and so the first to be many
+        const bool many_come = kind.springs == batch::Springs::linear;
+        return cells.size() >= (goes_far() && many_come ? enough_far : enough_near);
+    }
 
     // Carries all cells through the cycles that they wait for.
     void advance() {
@@ -113,8 +120,15 @@ CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take 
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
-    return in_hand_ - parked_.size() - far_ < capacity && far_ < most_far && parked_.size() < most_parked &&
-           alone_.size() < most_alone;
+    if (alone_.size() >= most_alone || in_hand_ >= most_in_hand) return false;
+    std::size_t waiting = 0;
+    for (const Group& group : groups_) {
+        if (!group.is_full())
+            waiting += group.cells.size();
+        else if (group.goes_far())
+            return false;
+    }
+    return in_hand_ - waiting < capacity;
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
@@ -130,14 +144,15 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
 // The batch of a spring-dashpot stop that its engine has. The absolute form of a cubic spring gains nothing in
 // one.
 std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
-    const auto& [engine, tolerance, largest_displacement] = desk.settings();
+    const EngineSettings& settings = desk.settings();
+    const Engine engine = settings.engine;
     const scene::Oscillator<double>& scene = desk.scene();
     if (!std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) return std::nullopt;
     if (engine == Engine::exact || (engine == Engine::split && scene.cubic == 0)) {
         return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(scene.frequency)};
     }
     if (engine != Engine::split || scene.cubic_form != job::CubicForm::relative) return std::nullopt;
-    const int steps = trajectory::split_steps(scene, largest_displacement, tolerance);
+    const int steps = trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
     if (steps == 0) return std::nullopt;
     return Batch{batch::Springs::split, steps};
 }
@@ -158,8 +173,6 @@ void CellPool::enter(std::unique_ptr<Cell> cell) {
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
-    } else if (cell->batch->springs == batch::Springs::split) {
-        parked_.push_back(std::move(cell));
     } else {
         board(std::move(cell));
     }
@@ -172,18 +185,18 @@ void CellPool::board(std::unique_ptr<Cell> cell) {
     put_in(group, std::move(cell));
 }
 
-void CellPool::board_parked() {
-    for (auto& cell : parked_) board(std::move(cell));
-    parked_.clear();
-}
-
 void CellPool::step() {
-    const bool go_far = far_ >= most_far || far_ + parked_.size() == in_hand_;
+    bool waits = true;
     for (Group& group : groups_) {  // on the way more may be appended
-        if (!group.cells.empty() && (go_far || !group.goes_far())) advance(group);
+        if (!group.is_full()) continue;
+        advance(group);
+        waits = false;
     }
-    if (!alone_.empty()) serve_alone();
-    if (parked_.size() >= most_parked || parked_.size() == in_hand_) board_parked();
+    if (!alone_.empty()) return serve_alone();
+    if (!waits) return;
+    const auto most =
+        std::ranges::max_element(groups_, {}, [](const Group& group) { return group.cells.size(); });
+    if (most != groups_.end() && !most->cells.empty()) advance(*most);
 }
 
 void CellPool::advance(Group& group) {
@@ -209,7 +222,6 @@ std::unique_ptr<CellPool::Cell> CellPool::take_out(Group& group, std::size_t slo
     std::unique_ptr<Cell> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
     group.cells.pop_back();
-    if (group.goes_far()) --far_;
     cell->seconds += group.paid - cell->paid_before;
     return cell;
 }
@@ -222,7 +234,6 @@ std::unique_ptr<CellPool::Cell> CellPool::leave(Group& group, std::size_t slot) 
 void CellPool::put_in(Group& group, std::unique_ptr<Cell> cell) {
     cell->paid_before = group.paid;
     group.cells.push_back(std::move(cell));
-    if (group.goes_far()) ++far_;
 }
 
 // To the batch of its new wish.

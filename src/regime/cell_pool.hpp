@@ -50,8 +50,8 @@ class CellPool {
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
 
-    // Carries the cells that wait for single cycles through one, and once they are many, or nobody else is
-    // left, those that wait for several through them all; the foremost of those outside batches through a few.
+    // Carries each batch that has become large through the cycles that its cells wait for, or the largest where
+    // none has; the foremost of the cells outside batches through a few.
     void step();
 
   private:
@@ -74,7 +74,6 @@ class CellPool {
     [[nodiscard]] Group& group_for(const Cell& cell);
     void enter(std::unique_ptr<Cell> cell);
     void board(std::unique_ptr<Cell> cell);
-    void board_parked();
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
@@ -89,10 +88,8 @@ class CellPool {
     Take take_;
     Findings findings_;
     std::list<Group> groups_;
-    std::vector<std::unique_ptr<Cell>> parked_;  // rare ones, whose batches would be too small for each alone
     std::deque<std::unique_ptr<Cell>> alone_;
     std::size_t in_hand_ = 0;
-    std::size_t far_ = 0;  // of them, in groups that go several cycles at once
 };
 
 }  // namespace peterka::regime

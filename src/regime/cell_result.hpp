@@ -17,7 +17,8 @@ enum class Regime : std::int8_t {
 };
 inline constexpr std::int8_t regime_not_computed = -128;
 
-// Why a cell is unresolved or failed; `proved` for all others. Stored as int8; part of the file format.
+// Why a cell is unresolved or failed, or what its proof leaves open; `proved` for all others. Stored as int8;
+// part of the file format.
 enum class Status : std::int8_t {
     proved = 0,
     budget = 1,           // max_cycles ran out before any proof
@@ -25,6 +26,9 @@ enum class Status : std::int8_t {
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers
     solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
+    rounding = 6,         // proved for this run, but one with the last bit of its start moved ends elsewhere
+    imprecise = 7,        // proved, but its peak force may be off by more than solver.tolerance
+    chaotic_so_far = 8,   // max_cycles ran out before chaos could be told from a long transient
 };
 
 // Which engine carried the cell. Stored as int8; part of the file format.
@@ -47,7 +51,9 @@ struct CellResult {
     std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
     std::int32_t period =
         0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none
-    std::int32_t cycles = 0;      // forcing cycles integrated in all: trajectory, Newton steps and measurement
+    std::int32_t cycles = 0;  // forcing cycles integrated in all: trajectory, Newton steps and measurement
+    std::int32_t observed_cycles =
+        0;  // for which a chaotic or unresolved motion was followed: what the claim speaks of
     double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed and where a rigid
                                   // stop is struck, whose forces have no bound
     double largest_displacement = unknown;  // of |u| = |x - y|/A0 over the same time, an upper bound

@@ -1,7 +1,9 @@
 #include "regime/cubic_shift.hpp"
 
 #include <cmath>
+#include <vector>
 
+#include "regime/orbit_round.hpp"
 #include "regime/periodic_orbit.hpp"
 #include "regime/stroboscopic_map.hpp"
 #include "trajectory/recorder.hpp"
@@ -10,21 +12,43 @@ namespace peterka::regime {
 
 Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> scene, EngineSettings engine,
                                 CellResult without) {
+    constexpr double converging = 0.1;  // of the first step: the second one is smaller
     StroboscopicMap map(scene, engine, desk);
-    const scene::State<double> start(without.orbit_displacement - scene.gap, without.orbit_velocity);
-    const auto orbit = co_await find_orbit(map, map.scaled(start), without.period);
-    if (!orbit || !is_stable(*orbit) || has_smaller_period(*orbit)) co_return {{}, map.cycles_spent()};
+    const auto q = static_cast<std::size_t>(without.period);
+    PeriodicOrbit orbit;
+    orbit.points = {
+        map.scaled(scene::State<double>(without.orbit_displacement - scene.gap, without.orbit_velocity))};
+
+    OrbitRound first(without.period);
+    for (std::size_t n = 0; n < q; ++n) {
+        const Passage cycle = co_await map.cycle(orbit.points[n]);
+        if (!cycle.ok) co_return {{}, map.cycles_spent()};
+        if (n + 1 < q) orbit.points.push_back(cycle.end);
+        first.add(cycle, orbit.points[(n + 1) % q]);
+    }
+    const auto step = first.correct(orbit.points);
+    if (!step) co_return {{}, map.cycles_spent()};
 
     Recorder<double> recorder;
-    for (const Point& point : orbit->points) {
-        const Passage cycle = co_await map.cycle(point, &recorder);
+    OrbitRound second(without.period);
+    for (std::size_t n = 0; n < q; ++n) {
+        const Passage cycle = co_await map.cycle(orbit.points[n], &recorder);
         if (!cycle.ok) co_return {{}, map.cycles_spent()};
+        second.add(cycle, orbit.points[(n + 1) % q]);
     }
+    orbit.multiplier = spectral_radius(second.jacobian());
+    const bool collapses = has_smaller_period(orbit);
+    const auto rest = second.correct(orbit.points);
     const auto& totals = recorder.totals();
-    const double change = std::abs(totals.peak_force() / without.peak_force - 1);
-    const bool alike = totals.impacts == without.impacts && std::isfinite(change) &&
-                       !goes_too_far(engine, totals.displacement_bound);
-    co_return {alike ? std::optional(change) : std::nullopt, map.cycles_spent()};
+    const bool alike = rest && *rest <= converging * *step && is_stable(orbit) && !collapses &&
+                       first.pattern() == second.pattern() && totals.impacts == without.impacts &&
+                       !goes_too_far(scene, engine, totals.displacement_bound);
+    if (!alike) co_return {{}, map.cycles_spent()};
+    const double change =
+        totals.struck_rigid_stop ? *step : std::abs(totals.peak_force() / without.peak_force - 1);
+    if (!std::isfinite(change)) co_return {{}, map.cycles_spent()};
+    const double open = *step > 0 ? *rest / *step : 0;
+    co_return {change * (1 + 2 * open), map.cycles_spent()};
 }
 
 }  // namespace peterka::regime

@@ -1,6 +1,7 @@
-// What the cubic part of the springs does to a periodic orbit that was found without it: Newton's method leads
-// from that orbit to the one of the whole springs, at the price of some cycles. So a cell next to a
-// bifurcation, of which a bound tells nothing, needs no second run from its start.
+// What the cubic part of the springs does to a periodic orbit that was found without it: two steps of Newton's
+// method lead from that orbit to the one of the whole springs, at the price of two of its periods. No bound
+// says as much: where an orbit's impacts are weak a small shift changes their force a lot, whatever its
+// multipliers.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +16,10 @@
 namespace peterka::regime {
 
 struct CubicShift {
-    // Relative change of the peak force. None where the whole springs have no stable orbit there with as many
-    // impacts in as many cycles, where it goes further than the engine was chosen for, or on a rigid stop.
-    std::optional<double> of_peak_force;
+    // Relative change of the peak force, or of the orbit itself on a rigid stop, whose forces have no bound;
+    // with what a third step might add. None where the whole springs have no stable orbit next to it with the
+    // same contacts, or where it goes further than the engine was chosen for.
+    std::optional<double> change;
     std::int64_t cycles = 0;  // spent
 };
 

@@ -33,18 +33,18 @@ trajectory::Integrator integrator_of(const scene::Oscillator<double>& scene, Eng
 
 CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
-    const auto& [engine, tolerance, largest_displacement] = settings;
-    switch (engine) {
+    switch (settings.engine) {
         case Engine::exact:
             break;
         case Engine::split: {
-            const int steps = trajectory::split_steps(scene, largest_displacement, tolerance);
+            const int steps = trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
             if (rigid) return trajectory::RigidSplitMap<double>(scene, steps);
             return trajectory::SplitCycleMap<double>(scene, steps);
         }
         case Engine::cvode:
         case Engine::arkode:
-            return trajectory::IntegratedCycleMap(scene, integrator_of(scene, engine), tolerance);
+            return trajectory::IntegratedCycleMap(scene, integrator_of(scene, settings.engine),
+                                                  settings.tolerance);
     }
     if (rigid) return trajectory::RigidExactMap<double>(scene);
     return trajectory::ExactCycleMap<double>(scene);
@@ -92,10 +92,12 @@ EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const j
     return {fit_with_cubic(scene, solver, largest_displacement), solver.tolerance, largest_displacement};
 }
 
-bool goes_too_far(const EngineSettings& chosen, double displacement) {
+bool goes_too_far(const scene::Oscillator<double>& scene, const EngineSettings& chosen, double displacement) {
     constexpr double slack =
         1.1;  // the kicks' error goes with the fourth power of it at most: half as much again
-    return chosen.engine == Engine::split && displacement > slack * chosen.largest_displacement;
+    if (chosen.engine != Engine::split || !(displacement > slack * chosen.largest_displacement)) return false;
+    const auto steps = [&](double reach) { return trajectory::split_steps(scene, reach, chosen.tolerance); };
+    return steps(displacement) != steps(chosen.largest_displacement);
 }
 
 }  // namespace peterka::regime

@@ -21,6 +21,7 @@ struct EngineSettings {
     Engine engine = Engine::exact;
     double tolerance = 1e-9;           // relative error asked for in peak force; `exact` has none
     double largest_displacement = 10;  // of |u|: what the number of kicks of `split` is chosen for
+    double orbit_tolerance = 1;        // the same of an orbit once it is found, where that is less
 };
 
 // The method that stands for an engine that integrates: implicit where the contact is stiff.
@@ -44,6 +45,6 @@ EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const j
                                  double largest_displacement);
 
 // Whether a motion went further than its engine was chosen for: the kicks of `split` hang on that.
-bool goes_too_far(const EngineSettings& chosen, double displacement);
+bool goes_too_far(const scene::Oscillator<double>& scene, const EngineSettings& chosen, double displacement);
 
 }  // namespace peterka::regime

@@ -4,27 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "regime/orbit_round.hpp"
 
 namespace peterka::regime {
 
 namespace {
 
 constexpr int newton_steps = 8;              // quadratic convergence needs 3 to 5 from a recurrence within 0.1
-constexpr double newton_residual = 1e-11;    // relative; some thousand times the rounding error of a cycle
+constexpr double nearly_there = 1e-7;        // a correction below this was the last but those of rounding
+constexpr double rounding = 1e-14;           // relative, of a cycle
 constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
 // Near a stable orbit; farther away Newton's method leads to one that isn't.
 constexpr double largest_stretch = 1.2;
 constexpr double nearness = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
-
-// A residual below this falls to rounding with one more step.
-constexpr double nearly_there = 1e-8;
 
 bool lie_together(const Point& there, const Point& here) {
     return (there - here).lpNorm<Eigen::Infinity>() <= nearness * magnitude(here);
 }
 
 bool returns_after(const PeriodicOrbit& orbit, std::int64_t cycles) {
-    return lie_together(orbit.points[static_cast<std::size_t>(cycles)], orbit.point);
+    return lie_together(orbit.points[static_cast<std::size_t>(cycles)], orbit.point());
 }
 
 }  // namespace
@@ -34,69 +35,66 @@ bool is_stable(const PeriodicOrbit& orbit) {
 }
 
 bool has_smaller_period(const PeriodicOrbit& orbit) {
-    for (std::int64_t divisor = 1; divisor < orbit.period; ++divisor) {
-        if (orbit.period % divisor == 0 && returns_after(orbit, divisor)) return true;
+    for (std::int64_t divisor = 1; divisor < orbit.period(); ++divisor) {
+        if (orbit.period() % divisor == 0 && returns_after(orbit, divisor)) return true;
     }
     return false;
 }
 
-std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian) {
-    const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - jacobian;
-    const Point correction = system.partialPivLu().solve(end - from);
-    if (!correction.allFinite() || correction.lpNorm<Eigen::Infinity>() > magnitude(from)) return std::nullopt;
-    return from + correction;
-}
-
-// Newton's method on M^q(x) = x. It goes on until rounding stops it, so the point is better than the residual
-// asked for.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q,
+// Each correction is about the square of the one before, times what the map's curvature makes of it: so two of
+// them tell how large the next one will be. Where rounding stops them, they no longer fall.
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, std::vector<Point> guess,
                                               double most_stretch) {
     PeriodicOrbit orbit;
-    orbit.point = guess;
-    orbit.period = q;
-    const double residual_asked = std::max(newton_residual, 10 * map.noise());
+    orbit.points = std::move(guess);
+    const std::size_t q = orbit.points.size();
+    const double small = std::max(nearly_there, 100 * map.noise());
     double last_size = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= newton_steps; ++step) {
-        orbit.points.clear();
-        orbit.jacobian.setIdentity();
-        orbit.pattern = 0;
-        orbit.touched = false;
-        Point end = orbit.point;
-        for (std::int64_t n = 0; n < q; ++n) {
-            orbit.points.push_back(end);
-            const Passage cycle = co_await map.cycle(end);
+        OrbitRound round(orbit.period());
+        for (std::size_t n = 0; n < q; ++n) {
+            const Passage cycle = co_await map.cycle(orbit.points[n]);
             if (!cycle.ok) co_return std::nullopt;
-            end = cycle.end;
-            orbit.jacobian = (cycle.jacobian * orbit.jacobian).eval();
-            orbit.pattern = append(orbit.pattern, cycle.pattern);
-            orbit.touched |= cycle.touched;
+            round.add(cycle, orbit.points[(n + 1) % q]);
         }
-        if (step == 0 && spectral_radius(orbit.jacobian) > most_stretch) co_return std::nullopt;
-        const double size = (end - orbit.point).lpNorm<Eigen::Infinity>() / magnitude(orbit.point);
-        const bool small = size < residual_asked;
-        const bool is_best = size > last_size / 2 || size < 1e-15 || last_size < nearly_there;
-        if (small && (is_best || step == newton_steps)) {
-            orbit.multiplier = spectral_radius(orbit.jacobian);
+        orbit.multiplier = spectral_radius(round.jacobian());
+        if (step == 0 && orbit.multiplier > most_stretch) co_return std::nullopt;
+        const auto size = round.correct(orbit.points);
+        if (!size) co_return std::nullopt;
+        const double fall = std::min(*size / last_size, 1.0);
+        if (*size < small && (*size * fall * fall < rounding || fall > 0.5)) {
+            orbit.jacobian = round.jacobian();
+            orbit.pattern = round.pattern();
+            orbit.touched = round.touched();
+            orbit.error = *size;
             co_return orbit;
         }
-        last_size = size;
-        const auto next = newton_step(orbit.point, end, orbit.jacobian);
-        if (!next) co_return std::nullopt;
-        orbit.point = *next;
+        last_size = *size;
     }
     co_return std::nullopt;
 }
 
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
+    std::vector<Point> points{guess};
+    while (static_cast<std::int64_t>(points.size()) < q) {
+        const Passage cycle = co_await map.cycle(points.back());
+        if (!cycle.ok) co_return std::nullopt;
+        points.push_back(cycle.end);
+    }
+    co_return co_await find_orbit(map, std::move(points));
+}
+
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                      std::int64_t q) {
-    const auto guess = newton_step(trajectory.state(q), trajectory.state(), trajectory.jacobian(q));
-    auto found = co_await find_orbit(map, guess.value_or(trajectory.state()), q, largest_stretch);
+    auto found = co_await find_orbit(map, trajectory.closed(q), largest_stretch);
     if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
     // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0 || !returns_after(*found, divisor)) continue;
-        auto smaller = co_await find_orbit(map, found->point, divisor, largest_stretch);
-        if (!smaller || !lie_together(smaller->point, found->point)) continue;
+        auto smaller = co_await find_orbit(
+            map, {found->points.begin(), found->points.begin() + static_cast<std::ptrdiff_t>(divisor)},
+            largest_stretch);
+        if (!smaller || !lie_together(smaller->point(), found->point())) continue;
         if (is_stable(*smaller) && smaller->pattern == trajectory.pattern(divisor)) co_return smaller;
     }
     if (!is_stable(*found)) co_return std::nullopt;
@@ -106,15 +104,15 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
 ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)
     : orbit_(orbit),
       norm_(orbit.jacobian, orbit.multiplier),
-      at_rest_(std::max(1e-9, 100 * noise) * magnitude(orbit.point)),
-      error_(state - orbit.point) {}
+      at_rest_(std::max(1e-9, 100 * noise) * magnitude(orbit.point())),
+      error_(state - orbit.point()) {}
 
 ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPattern pattern) {
     constexpr int needed_in_a_row = 2;
     constexpr int allowed_failures = 12;
 
     const Point before = error_;
-    error_ = state - orbit_.point;
+    error_ = state - orbit_.point();
     if (pattern != orbit_.pattern) return Verdict::refuted;
     const double remainder = norm_(error_ - orbit_.jacobian * before);
     const bool at_rest =

@@ -15,27 +15,28 @@
 namespace peterka::regime {
 
 struct PeriodicOrbit {
-    Point point;                // at forcing phase 0
-    std::vector<Point> points;  // there and one, two, ..., q - 1 cycles later
-    std::int64_t period = 0;    // q, forcing cycles
-    Eigen::Matrix2d jacobian;   // of the q-cycle map at the point
-    double multiplier = 0;      // spectral radius of the Jacobian, < 1
-    EventPattern pattern = 0;   // of the q cycles
+    std::vector<Point> points;  // at forcing phase 0, one cycle after the other: q of them
+    Eigen::Matrix2d jacobian;   // of the q-cycle map at the first point
+    double multiplier = 0;      // spectral radius of the Jacobian
+    EventPattern pattern = 0;   // of the q cycles from the first point
+    double error = 0;           // of the points, relative: Newton's last correction, made
     bool touched = false;       // the stop presses at some time
+
+    [[nodiscard]] const Point& point() const { return points.front(); }
+    [[nodiscard]] std::int64_t period() const { return static_cast<std::int64_t>(points.size()); }
 };
 
-// The orbit of period q, stable or not, that Newton's method reaches from a guess. None where the q cycles from
-// the guess stretch a perturbation by more than most_stretch.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q,
+// The orbit of as many points, stable or not, that Newton's method reaches from those guessed. None where the
+// cycles from these stretch a perturbation by more than most_stretch.
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, std::vector<Point> guess,
                                               double most_stretch = std::numeric_limits<double>::infinity());
+// The same from a single point; the others are those to which it leads.
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
 
 // Surely inside the unit circle, as far as rounding lets tell.
 bool is_stable(const PeriodicOrbit& orbit);
 // Whether the orbit returns to its point, or nearly, after a divisor of its period.
 bool has_smaller_period(const PeriodicOrbit& orbit);
-
-// Newton's step towards the orbit, from where the q cycles of a passage began; none where it leads nowhere.
-std::optional<Point> newton_step(const Point& from, const Point& end, const Eigen::Matrix2d& jacobian);
 
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.

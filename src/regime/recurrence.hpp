@@ -8,8 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <tuple>
 #include <vector>
 
+#include "regime/orbit_round.hpp"
 #include "regime/stroboscopic_map.hpp"
 
 namespace peterka::regime {
@@ -51,13 +54,35 @@ class Recurrence {
             pattern = append(pattern, passage(recorded_ - ago - i).pattern);
         return pattern;
     }
-    // Jacobian of the last q cycles, to some digits.
-    [[nodiscard]] Eigen::Matrix2d jacobian(std::int64_t q) const {
-        Eigen::Matrix2d product = Eigen::Matrix2d::Identity();
+    // The q states that end one cycle before the one so many cycles ago, moved by one step of Newton's method
+    // towards an orbit of q cycles.
+    [[nodiscard]] std::vector<Point> closed(std::int64_t q, std::int64_t ago = 0) const {
+        // the states are those of the trajectory: only the last one misses its successor
+        OrbitRound round(q);
+        std::vector<Point> points;
+        for (std::int64_t i = q; i > 0; --i) points.push_back(state(ago + i));
         for (std::int64_t i = q - 1; i >= 0; --i) {
-            product = (passage(recorded_ - i).jacobian.cast<double>() * product).eval();
+            Passage cycle;
+            cycle.end = state(ago + i);
+            cycle.jacobian = passage(recorded_ - ago - i).jacobian.cast<double>();
+            round.add(cycle, points[static_cast<std::size_t>((q - i) % q)]);
         }
-        return product;
+        std::ignore = round.correct(points);  // where that leads nowhere, they stay what they are
+        return points;
+    }
+
+    // How many cycles ago a state lay closest to that of q cycles before it.
+    [[nodiscard]] std::int64_t closest_return(std::int64_t q) const {
+        std::int64_t closest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        const auto kept = static_cast<std::int64_t>(states_.size());
+        for (std::int64_t ago = 0; ago + q < kept; ++ago) {
+            const double distance = (state(ago) - state(ago + q)).lpNorm<Eigen::Infinity>();
+            if (distance >= least) continue;
+            least = distance;
+            closest = ago;
+        }
+        return closest;
     }
 
     // The smallest q for which the state is close to that of q cycles ago, the last q patterns equal the q

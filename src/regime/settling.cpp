@@ -16,17 +16,16 @@ scene::Oscillator<double> without_cubic(scene::Oscillator<double> scene) {
     return scene;
 }
 
-// Integral over all times of |impulse response| of the free hammer, u'' + 2 zeta u' + u.
-double gain(double damping_ratio) {
-    if (damping_ratio >= 1) return 1;
-    return 1 / std::tanh(std::numbers::pi * damping_ratio / (2 * std::sqrt(1 - damping_ratio * damping_ratio)));
-}
-
 Task<Passage> one_cycle(StroboscopicMap& map, Point from, Recorder<double>& recorder) {
     co_return co_await map.cycle(from, &recorder);
 }
 
 }  // namespace
+
+double gain(double damping_ratio) {
+    if (damping_ratio >= 1) return 1;
+    return 1 / std::tanh(std::numbers::pi * damping_ratio / (2 * std::sqrt(1 - damping_ratio * damping_ratio)));
+}
 
 Settling::Settling(const StroboscopicMap& map)
     : scene_(map.scene()),
@@ -60,9 +59,9 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
     const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), desk);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
-    const Passage cycle = complete(one_cycle(free_map, orbit->point, recorder), desk);
+    const Passage cycle = complete(one_cycle(free_map, orbit->point(), recorder), desk);
     if (!cycle.ok || cycle.touched) return;
-    const scene::State<double> point = free_map.unscaled(orbit->point);
+    const scene::State<double> point = free_map.unscaled(orbit->point());
     free_orbit_ = {{point[0] + far.gap - scene_.gap, point[1]},
                    free_map.unscaled(orbit->jacobian),
                    recorder.totals().displacement_bound};

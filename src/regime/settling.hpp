@@ -28,6 +28,9 @@ struct SettledMotion {
     bool decays = true;               // otherwise what the start left rings on for ever
 };
 
+// H of the free hammer: the integral over all times of |impulse response| of u'' + 2 zeta u' + u.
+double gain(double damping_ratio);
+
 class Settling {
   public:
     explicit Settling(const StroboscopicMap& map);

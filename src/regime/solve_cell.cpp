@@ -6,6 +6,7 @@
 
 #include "regime/cubic_shift.hpp"
 #include "regime/scalar_engine.hpp"
+#include "regime/settling.hpp"
 
 namespace peterka::regime {
 
@@ -26,36 +27,187 @@ Measures measures_of(const job::Output& output) {
             output.has(OptionalField::force_per_cycle)};
 }
 
-// What leaving the cubic term out may have changed in the peak force. Next to a bifurcation an orbit moves by
-// about 1/(1 - |multiplier|) times as much as elsewhere; where this bound says too much, shift_by_cubic tells.
-double change_without_cubic(const scene::Oscillator<double>& scene, const CellResult& without) {
-    const double effect = effect_of_cubic(scene, without.largest_displacement);
-    return without.regime == Regime::periodic ? effect / (1 - without.multiplier) : effect;
-}
+// Growth from which on a label hangs on rounding: errors of 1e-16 become 1e-7, and any choice on the way may
+// turn.
+constexpr double rounding_decides = 20;
+// A disturbance that grew to this share of the motion may have turned a choice on the way.
+constexpr double harmless = 0.1;
 
 std::int32_t sum_of_cycles(std::int64_t some, std::int64_t more) {
     return static_cast<std::int32_t>(
         std::min<std::int64_t>(some + more, std::numeric_limits<std::int32_t>::max()));
 }
 
-// Keeps every term. The engine and its steps hang on the largest displacement; where the result goes
-// further than was assumed, it is solved again.
-Task<CellResult> solve_with_cubic(CycleDesk& desk, const scene::Cell& cell, const job::Solver& solver,
-                                  const Budget& budget, double largest_displacement, Measures measures,
-                                  Attractors attractors) {
-    constexpr int most_rounds = 3;
-    CellResult result;
-    std::int32_t cycles = 0;
-    for (int round = 0; round < most_rounds; ++round) {
-        const EngineSettings engine = engine_with_cubic(cell.oscillator, solver, largest_displacement);
-        result =
-            co_await find_steady_state(desk, cell.oscillator, cell.start, budget, engine, measures, attractors);
-        result.cycles = cycles = sum_of_cycles(cycles, result.cycles);
-        if (!goes_too_far(engine, result.largest_displacement)) break;
-        largest_displacement = result.largest_displacement;
-    }
-    co_return result;
+// Of regimes whose proof speaks of all later times; of the others a growth above any bound is a part.
+bool has_lasting_proof(const CellResult& result) {
+    return has_period(result.regime);
 }
+
+// One cell: all searches that it takes.
+class Solution {
+  public:
+    Solution(CycleDesk& desk, const job::Job& job, const scene::Cell& cell, Attractors attractors,
+             SteadyMotion* motion)
+        : desk_(desk),
+          cell_(cell),
+          solver_(job.solver),
+          budget_(budget_of(job.steady_state)),
+          attractors_(attractors),
+          measures_(measures_of(job.output)) {
+        measures_.motion = motion;
+    }
+
+    Task<CellResult> run() {
+        const bool automatic = solver_.engine == job::EngineChoice::automatic;
+        const bool is_linear = cell_.oscillator.cubic == 0;
+        const bool keeps_all =
+            (!is_linear && solver_.omit_tolerance == 0) || has_nonlinear_contact(cell_.oscillator);
+        CellResult result;
+        if (!automatic || keeps_all) {
+            result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
+        } else {
+            result = co_await search(linear(), cell_.start, exact());
+            if (!is_linear) result = co_await with_cubic_where_it_matters(result);
+        }
+        if (has_lasting_proof(result) && result.status == Status::proved &&
+            result.sensitivity > rounding_decides && !same_label(result, co_await from_next_door(result))) {
+            result.status = Status::rounding;
+        }
+        result.cycles = sum_of_cycles(spent_, 0);
+        co_return result;
+    }
+
+  private:
+    // The result without the cubic term where that changes neither the label, nor the peak force by more than
+    // is allowed; of what rounding decides, or chaos, nobody can tell. Else the one with it.
+    Task<CellResult> with_cubic_where_it_matters(CellResult without) {
+        const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
+        if (!(effect <= solver_.omit_tolerance) || !cubic_splits()) {
+            co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
+        }
+        if (!has_lasting_proof(without)) co_return without;
+        // How far the term moves the motion in a cycle, and what became of that in the end.
+        const double disturbance = effect / 3 * without.largest_displacement * cell_.oscillator.period();
+        const bool may_turn =
+            disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
+        if (may_turn || is_near_its_edge(without, effect)) {
+            const EngineSettings split{Engine::split, coarse(), reach_of(without)};
+            const CellResult with = co_await again(cell_.oscillator, cell_.start, split, rounding_decides);
+            if (with.sensitivity > rounding_decides) {
+                without.sensitivity = with.sensitivity;
+                without.status = Status::rounding;
+                co_return without;
+            }
+            if (same_label(with, without) && !changes_force(with, without)) co_return without;
+            co_return co_await with_all_terms(reach_of(with), fit_tolerance(with));
+        }
+        if (without.regime != Regime::periodic) co_return without;
+        const CubicShift shift = co_await shift_by_cubic(desk_, cell_.oscillator,
+                                                         {Engine::split, coarse(), reach_of(without)}, without);
+        spent_ += shift.cycles;
+        if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
+        co_return co_await with_all_terms(reach_of(without), coarse());
+    }
+
+    [[nodiscard]] bool changes_force(const CellResult& with, const CellResult& without) const {
+        if (with.regime == Regime::no_impact || std::isnan(without.peak_force)) return false;
+        return !(std::abs(with.peak_force / without.peak_force - 1) <= solver_.omit_tolerance);
+    }
+
+    // Keeps every term, in a search with this tolerance; an orbit found has the one asked for. The engine and
+    // its steps hang on the largest displacement; where the result goes further than was assumed, it is solved
+    // again.
+    Task<CellResult> with_all_terms(double largest_displacement, double tolerance) {
+        constexpr int most_rounds = 3;
+        CellResult result;
+        for (int round = 0; round < most_rounds; ++round) {
+            EngineSettings engine = engine_with_cubic(cell_.oscillator, solver_, largest_displacement);
+            if (engine.engine == Engine::split) engine.tolerance = tolerance;
+            searched_with_ = engine;
+            result = co_await search(cell_.oscillator, cell_.start, engine);
+            if (!goes_too_far(cell_.oscillator, engine, result.largest_displacement)) break;
+            largest_displacement = result.largest_displacement;
+        }
+        co_return result;
+    }
+
+    // Of a search whose errors grow as they did in this one, so that they turn no choice on its way.
+    [[nodiscard]] double fit_tolerance(const CellResult& found) const {
+        if (!has_lasting_proof(found) || found.sensitivity > rounding_decides) return coarse();
+        return std::clamp(harmless * std::exp(-found.sensitivity), solver_.tolerance, coarse());
+    }
+
+    // What a run with the last bit of its start moved ends in.
+    Task<CellResult> from_next_door(CellResult result) {
+        constexpr double last_bit = std::numeric_limits<double>::epsilon();
+        scene::State<double> moved = cell_.start;
+        for (double& coordinate : moved) coordinate -= last_bit * std::max(1.0, std::abs(coordinate));
+        return result.engine == Engine::exact ? again(linear(), moved, exact())
+                                              : again(cell_.oscillator, moved, searched_with_);
+    }
+
+    // Whether a cell that ends without a contact, or in one that never ends, may do otherwise with the cubic
+    // term. Leaving it out is a disturbance of at most effect/3 times the motion, and the response to a bounded
+    // disturbance at most `gain` times that (regime/settling.hpp).
+    [[nodiscard]] bool is_near_its_edge(const CellResult& without, double effect) const {
+        if (without.regime == Regime::periodic) return false;
+        if (without.regime == Regime::sustained_contact) {
+            return effect / (1 - without.multiplier) > solver_.omit_tolerance;
+        }
+        const double loop = effect * gain(cell_.oscillator.damping_ratio);
+        const double reach = without.largest_displacement;
+        return !(loop < 1) || reach * (1 + loop / 3 / (1 - loop)) >= cell_.oscillator.gap;
+    }
+
+    [[nodiscard]] scene::Oscillator<double> linear() const {
+        scene::Oscillator<double> scene = cell_.oscillator;
+        scene.cubic = 0;
+        return scene;
+    }
+    [[nodiscard]] EngineSettings exact() const { return {.tolerance = solver_.tolerance}; }
+    // To tell what the term does, not to solve with it.
+    [[nodiscard]] double coarse() const { return std::max(solver_.tolerance, solver_.omit_tolerance / 30); }
+    [[nodiscard]] bool cubic_splits() const {
+        job::Solver solver = solver_;
+        solver.tolerance = coarse();
+        return engine_with_cubic(cell_.oscillator, solver, EngineSettings{}.largest_displacement).engine ==
+               Engine::split;
+    }
+    // As far as a search for the motion may go, on its way, too.
+    static double reach_of(const CellResult& result) {
+        const double usual = EngineSettings{}.largest_displacement;
+        return std::isfinite(result.largest_displacement) ? std::max(usual, result.largest_displacement)
+                                                          : usual;
+    }
+
+    Task<CellResult> search(scene::Oscillator<double> scene, scene::State<double> start,
+                            EngineSettings engine) {
+        engine.orbit_tolerance = solver_.tolerance;
+        const CellResult result =
+            co_await find_steady_state(desk_, scene, start, budget_, engine, measures_, attractors_);
+        spent_ += result.cycles;
+        co_return result;
+    }
+    // For its label alone. It gives up where errors grow more than most_growth.
+    Task<CellResult> again(scene::Oscillator<double> scene, scene::State<double> start, EngineSettings engine,
+                           double most_growth = std::numeric_limits<double>::infinity()) {
+        Budget budget = budget_;
+        budget.most_growth = most_growth;
+        const CellResult result =
+            co_await find_steady_state(desk_, scene, start, budget, engine, {}, {attractors_.known, nullptr});
+        spent_ += result.cycles;
+        co_return result;
+    }
+
+    CycleDesk& desk_;
+    scene::Cell cell_;
+    job::Solver solver_;
+    Budget budget_;
+    Attractors attractors_;
+    Measures measures_;
+    std::int64_t spent_ = 0;
+    EngineSettings searched_with_;  // last, with all terms
+};
 
 }  // namespace
 
@@ -77,37 +229,8 @@ Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int
 
 Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
                             SteadyMotion* motion) {
-    const job::Solver& solver = job.solver;
-    const Budget budget = budget_of(job.steady_state);
-    Measures measures = measures_of(job.output);
-    measures.motion = motion;
-    const bool automatic = solver.engine == job::EngineChoice::automatic;
-    const bool is_linear = cell.oscillator.cubic == 0;
-    const bool keeps_all = (!is_linear && solver.omit_tolerance == 0) || has_nonlinear_contact(cell.oscillator);
-    if (!automatic || keeps_all) {
-        co_return co_await solve_with_cubic(desk, cell, solver, budget, EngineSettings{}.largest_displacement,
-                                            measures, attractors);
-    }
-
-    scene::Oscillator<double> linear = cell.oscillator;
-    linear.cubic = 0;
-    CellResult without = co_await find_steady_state(desk, linear, cell.start, budget, {}, measures, attractors);
-    if (is_linear || change_without_cubic(cell.oscillator, without) <= solver.omit_tolerance) {
-        co_return without;
-    }
-    const double largest_displacement = std::isfinite(without.largest_displacement)
-                                            ? without.largest_displacement
-                                            : EngineSettings{}.largest_displacement;
-    if (without.regime == Regime::periodic) {
-        const CubicShift shift = co_await shift_by_cubic(
-            desk, cell.oscillator, engine_with_cubic(cell.oscillator, solver, largest_displacement), without);
-        without.cycles = sum_of_cycles(without.cycles, shift.cycles);
-        if (shift.of_peak_force && *shift.of_peak_force <= solver.omit_tolerance) co_return without;
-    }
-    CellResult with =
-        co_await solve_with_cubic(desk, cell, solver, budget, largest_displacement, measures, attractors);
-    with.cycles = sum_of_cycles(with.cycles, without.cycles);
-    co_return with;
+    Solution solution(desk, job, cell, attractors, motion);
+    co_return co_await solution.run();
 }
 
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {

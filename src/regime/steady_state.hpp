@@ -22,6 +22,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
@@ -45,6 +46,8 @@ struct Budget {
     std::int64_t max_cycles = 3000;
     std::int64_t max_period = 64;
     std::int64_t chaos_cycles = 1000;
+    double most_growth =
+        std::numeric_limits<double>::infinity();  // of errors, ln; beyond it the search gives up
 
     // Where impacts go on for ever.
     [[nodiscard]] std::int64_t fewest_chaos_cycles() const { return chaos_cycles * 3 / 10; }

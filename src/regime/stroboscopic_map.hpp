@@ -67,6 +67,12 @@ class StroboscopicMap {
         return integrates ? settings_.tolerance : 0;
     }
     [[nodiscard]] Engine engine() const { return settings_.engine; }
+    // From now on with another tolerance.
+    void set_tolerance(double tolerance) {
+        if (tolerance == settings_.tolerance) return;
+        settings_.tolerance = tolerance;
+        desk_->use(scene_, settings_);
+    }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
     // co_await map.cycle(from) gives the Passage of one cycle.

@@ -84,7 +84,7 @@ void choose_engine(Course& course, const job::Solver& solver) {
     course.scene = whole;
     course.settings = regime::engine_with_cubic(whole, solver, reach);
     reach = follow(course, nobody).displacement_bound;
-    if (regime::goes_too_far(course.settings, reach)) {
+    if (regime::goes_too_far(whole, course.settings, reach)) {
         course.settings = regime::engine_with_cubic(whole, solver, reach);
     }
 }

@@ -9,11 +9,12 @@ WindowPlan plan_window(std::size_t impact, double touch_time, double width, doub
                        std::int64_t samples, double trace_length) {
     const double step = width / static_cast<double>(samples - 1);
     const auto steps_in = [&](double time) { return static_cast<std::int64_t>(std::floor(time / step)); };
+    const auto before = static_cast<std::int64_t>(share_before * static_cast<double>(samples - 1));
     return {.impact = impact,
             .touch_time = touch_time,
             .step = step,
-            .before = steps_in(std::min(share_before * width, touch_time)),
-            .after = steps_in(std::min((1 - share_before) * width, trace_length - touch_time)) + 1};
+            .before = std::min(before, steps_in(touch_time)),
+            .after = std::min(samples - before, steps_in(trace_length - touch_time) + 1)};
 }
 
 void ImpactWindow::touch(double /*speed*/) {

@@ -61,8 +61,9 @@ void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Rea
 template <class Real>
 void observe_leg(Phase phase, const motion::Leg<Real>& leg, Real from, Real length, Recorder<Real>& recorder) {
     if (recorder.observer() == nullptr) return;
-    recorder.observer()->stretch(phase, from, length,
-                                 [&](Real t) { return t > 0 ? leg.at(t).state : leg.start().state; });
+    recorder.observer()->stretch(phase, from, length, [&](Real t) {
+        return recorder.seen(from + t, t > 0 ? leg.at(t).state : leg.start().state);
+    });
 }
 
 }  // namespace peterka::trajectory

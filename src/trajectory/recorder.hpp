@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -80,6 +81,13 @@ class Recorder {
     [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
     [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
     [[nodiscard]] Observer<Real>* observer() const { return observer_; }
+    // For an engine whose states lie off the motion between its kicks: what an observer is to see of a state at
+    // a time tau of the cycle.
+    using Seen = std::function<scene::State<Real>(Real, const scene::State<Real>&)>;
+    void show(Seen seen) { seen_ = std::move(seen); }
+    [[nodiscard]] scene::State<Real> seen(Real tau, const scene::State<Real>& x) const {
+        return seen_ ? seen_(tau, x) : x;
+    }
     [[nodiscard]] const Totals<Real>& totals() const { return totals_; }
 
     // Something is still going on that counts in a later cycle.
@@ -203,6 +211,7 @@ class Recorder {
     Detail detail_;
     Latest<Touch<Real>>* touches_ = nullptr;
     Observer<Real>* observer_ = nullptr;
+    Seen seen_;
     Totals<Real> totals_;
     Press<Real> impact_;  // the one going on
     Real impact_force_ = 0;

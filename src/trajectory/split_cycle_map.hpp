@@ -50,6 +50,7 @@ class SplitCycleMap {
         Journey<Real> journey = legs_.front().depart(x);
         for (int step = 0; step < steps_; ++step) {
             half_kick(cart_[static_cast<std::size_t>(step)], journey);
+            show_motion(step, recorder);
             const Real end = step + 1 < steps_ ? period * Real(step + 1) / Real(steps_) : period;
             const Legs& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
             if (!legs.run(journey, end, recorder)) return journey.cycle;
@@ -72,6 +73,25 @@ class SplitCycleMap {
         const Real y = changes_ ? std::sin(middle) * std::sin(length / 2) / (length / 2) : Real(0);
         const Real y2 = changes_ ? (1 - std::cos(2 * middle) * std::sin(length) / length) / 2 : Real(0);
         return Legs(scene_, cubic_about_stop(scene_, y, y2));
+    }
+
+    // What a half kick takes from the velocity.
+    [[nodiscard]] Real half_kick(Real y, Real delta) const {
+        const Real impulse = scene_.cubic * scene_.period() / Real(2 * steps_);
+        return impulse * delta * delta * (3 * (scene_.gap + y) + delta);
+    }
+
+    // Within a step the velocity is that of the motion at its middle alone: before it a part of the half kick
+    // that was given came too early, and after it a part of the one that comes is missing. So much is put right
+    // for an observer; what is left is quadratic in the step.
+    void show_motion(int step, Recorder<Real>* recorder) const {
+        if (recorder == nullptr || recorder->observer() == nullptr) return;
+        const Real length = scene_.period() / Real(steps_);
+        recorder->show([this, step, length](Real tau, const State<Real>& x) {
+            const Real passed = tau / length - Real(step);  // 0 to 1
+            const Real y = changes_ ? std::sin(scene_.frequency * tau) : Real(0);
+            return State<Real>(x[0], x[1] + half_kick(y, x[0]) * (1 - 2 * passed));
+        });
     }
 
     void half_kick(Real y, Journey<Real>& journey) const {

@@ -38,15 +38,44 @@ TEST(Growth, RemembersTheLargestGrowth) {
     Growth growth;
     for (int n = 0; n < 10; ++n) growth.advance(2 * Eigen::Matrix2d::Identity());
     for (int n = 0; n < 500; ++n) growth.advance(0.5 * Eigen::Matrix2d::Identity());
-    EXPECT_NEAR(growth.sensitivity(), 10 * std::log(2.0), 1e-12);
+    // what came in with each of the ten cycles adds up: (4^11 - 1)/3 in squares
+    EXPECT_NEAR(growth.sensitivity(), std::log((std::pow(4, 11) - 1) / 3) / 2, 1e-12);
     EXPECT_FALSE(growth.surely_positive());
+}
+
+// A contact that ends all memory of the start is no end to rounding: what comes in after it grows.
+TEST(Growth, CountsErrorsThatComeInLate) {
+    Growth growth;
+    Eigen::Matrix2d forgets;
+    forgets << 1e-9, 0, 0, 1e-9;
+    for (int n = 0; n < 20; ++n) growth.advance(forgets);
+    for (int n = 0; n < 40; ++n) growth.advance(2 * Eigen::Matrix2d::Identity());
+    EXPECT_GT(growth.sensitivity(), 40 * std::log(2.0));
+    EXPECT_LT(growth.sensitivity(), 40 * std::log(2.0) + 0.5);
+}
+
+TEST(Growth, StaysFiniteHoweverFarErrorsGrowOrShrink) {
+    Growth growth;
+    for (int n = 0; n < 3000; ++n) growth.advance(10 * Eigen::Matrix2d::Identity());
+    EXPECT_NEAR(growth.sensitivity(), 3000 * std::log(10.0), 1);
+    for (int n = 0; n < 6000; ++n) growth.advance(0.1 * Eigen::Matrix2d::Identity());
+    for (int n = 0; n < 100; ++n) growth.advance(10 * Eigen::Matrix2d::Identity());
+    EXPECT_NEAR(growth.sensitivity(), 3000 * std::log(10.0), 1);
+}
+
+TEST(Growth, TellsHowFastAreasShrink) {
+    Growth growth;
+    Eigen::Matrix2d stretch;
+    stretch << 3, 1, 0, 0.2;
+    for (int n = 0; n < 2000; ++n) growth.advance(stretch);
+    EXPECT_NEAR(growth.dissipation(), -std::log(0.6), 1e-12);
 }
 
 TEST(Growth, SurvivesASingularMap) {
     Growth growth;
     for (int n = 0; n < 300; ++n) growth.advance(Eigen::Matrix2d::Zero());
     EXPECT_FALSE(growth.surely_positive());
-    EXPECT_EQ(growth.sensitivity(), 0);
+    EXPECT_LT(growth.sensitivity(), 1e-12);
 }
 
 }  // namespace
