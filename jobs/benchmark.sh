@@ -6,14 +6,16 @@
 #   --quick: smaller maps and fewer rounds; --huge: a map of 67 million cells, too
 #   PETERKA_BUILD=... jobs/benchmark.sh                                     with another build folder than build
 set -euo pipefail
-size=()
-case "${1:-}" in --quick | --huge) size=("$1"); shift ;; esac
-results=$(realpath -m "${1:-$(dirname "$0")/../results}")
-page=$(realpath -m "${2:-$(dirname "$0")/../postprocess/examples}")
+. "$(dirname "$0")/arguments.sh"
+read_arguments "--quick --huge" 2 "$@"
+! { has_option --quick && has_option --huge; } || refuse "--quick and --huge exclude each other"
+results=$(folder_argument "${words[0]:-$(dirname "$0")/../results}")
+page=$(folder_argument "${words[1]:-$(dirname "$0")/../postprocess/examples}")
 build=$(realpath -m "${PETERKA_BUILD:-$(dirname "$0")/../build}")
+[ -z "${PETERKA_BUILD:-}" ] || [ -f "$build/CMakeCache.txt" ] || refuse "PETERKA_BUILD=$PETERKA_BUILD is no build folder"
 cd "$(dirname "$0")/.."
 
 [ -n "${PETERKA_BUILD:-}" ] || jobs/prepare.sh
 cmake --build "$build" --target peterka benchmark
 . jobs/mpi_environment.sh
-/usr/bin/python3 tests/benchmark/measure.py "${size[@]}" --build "$build" --results "$results" --page "$page/benchmark.md"
+/usr/bin/python3 tests/benchmark/measure.py "${options[@]}" --build "$build" --results "$results" --page "$page/benchmark.md"

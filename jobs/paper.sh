@@ -6,10 +6,12 @@
 #   PETERKA_BINARY=... jobs/paper.sh        with a program that is built already
 set -euo pipefail
 shopt -s nullglob
-quick=""
-[ "${1:-}" != --quick ] || { quick=yes && shift; }
-folder=$(realpath -m "${1:-$(dirname "$0")/../results/paper${quick:+_quick}}")
-program=$(realpath -m "${PETERKA_BINARY:-$(dirname "$0")/../build/peterka}")
+. "$(dirname "$0")/arguments.sh"
+read_arguments --quick 1 "$@"
+quick=$(! has_option --quick || echo yes)
+folder=$(folder_argument "${words[0]:-$(dirname "$0")/../results/paper${quick:+_quick}}")
+program=$(realpath -m "$(dirname "$0")/../build/peterka")
+[ -z "${PETERKA_BINARY:-}" ] || program=$(program_argument PETERKA_BINARY)
 cd "$(dirname "$0")/.."
 
 [ -n "${PETERKA_BINARY:-}" ] || jobs/prepare.sh

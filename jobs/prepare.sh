@@ -2,6 +2,11 @@
 # Installs what is missing and builds peterka into build/. Safe to repeat. Used by quickstart.sh and tests/run.sh.
 #   [BUILD_TESTING=OFF] jobs/prepare.sh [EXTRA_PACKAGE...]      on Debian 12, Ubuntu 24.04 or later; as root or with sudo
 set -euo pipefail
+. "$(dirname "$0")/arguments.sh"
+read_arguments "" 1000 "$@"
+for package in "$@"; do
+    [[ $package =~ ^[a-z0-9][a-z0-9.+-]+$ ]] || refuse "$package is no name of a package"
+done
 cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build git
@@ -29,8 +34,6 @@ if [ ${#missing[@]} -gt 0 ]; then
         -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
 fi
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" \
-    -DPETERKA_UNITY_TESTS=ON >build.log 2>&1 ||
-    { cat build.log; exit 1; }
+configure build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" \
+    -DPETERKA_UNITY_TESTS=ON
 cmake --build build
-rm -f build.log

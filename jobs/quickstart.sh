@@ -3,8 +3,12 @@
 # 170 mm rig on 2 ranks, and draws it. Safe to repeat: what is done already is not done again.
 #   jobs/quickstart.sh [JOB.toml]           default: jobs/peterka_170mm.toml
 set -euo pipefail
+. "$(dirname "$0")/arguments.sh"
+read_arguments "" 1 "$@"
+job=${words[0]:-$(dirname "$0")/peterka_170mm.toml}
+[ -f "$job" ] && [ -r "$job" ] || refuse "there is no job file $job"
+job=$(realpath "$job")
 cd "$(dirname "$0")/.."
-job=${1:-jobs/peterka_170mm.toml}
 
 jobs/prepare.sh
 . jobs/mpi_environment.sh

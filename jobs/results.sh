@@ -5,15 +5,17 @@
 #   jobs/results.sh [RESULTS_FOLDER [PAGE_FOLDER]]     default: results, postprocess/examples
 #   PETERKA_BINARY=... jobs/results.sh                 with a program that is built already
 set -euo pipefail
-results=$(realpath -m "${1:-$(dirname "$0")/../results}")
-page=$(realpath -m "${2:-$(dirname "$0")/../postprocess/examples}")
-program=$(realpath -m "${PETERKA_BINARY:-$(dirname "$0")/../build/peterka}")
+. "$(dirname "$0")/arguments.sh"
+read_arguments "" 2 "$@"
+results=$(folder_argument "${words[0]:-$(dirname "$0")/../results}")
+page=$(folder_argument "${words[1]:-$(dirname "$0")/../postprocess/examples}")
+program=$(realpath -m "$(dirname "$0")/../build/peterka")
+[ -z "${PETERKA_BINARY:-}" ] || program=$(program_argument PETERKA_BINARY)
 cd "$(dirname "$0")/.."
 
 [ -n "${PETERKA_BINARY:-}" ] || jobs/prepare.sh
 . jobs/mpi_environment.sh
 
-mkdir -p "$results"
 files=()
 compute() { # JOB
     local file="$results/$1.h5"

@@ -9,14 +9,20 @@
 # this machine lacks what it needs. For each fault it adds a line "fault | how often tried | what happened" to the file
 # $ENDURANCE_ROWS. A part that ends otherwise gets a line that says so.
 set -euo pipefail
+. "$(dirname "$0")/../jobs/arguments.sh"
+read_arguments --list 1000 "$@"
 cd "$(dirname "$0")/.."
 
 parts=()
 for file in tests/endurance/*; do
     [ ! -f "$file" ] || [ ! -x "$file" ] || parts+=("$(basename "${file%.*}")")
 done
-if [ "${1:-}" = --list ]; then printf '%s\n' "${parts[@]}"; exit; fi
-[ $# = 0 ] || parts=("$@")
+if has_option --list; then printf '%s\n' "${parts[@]}"; exit; fi
+for part in "${words[@]}"; do
+    [[ " ${parts[*]} " == *" $part "* ]] || refuse "there is no part $part (--list tells them)"
+done
+[ ${#words[@]} = 0 ] || parts=("${words[@]}")
+[ -z "${PETERKA_BINARY:-}" ] || PETERKA_BINARY=$(program_argument PETERKA_BINARY)
 
 if [ -z "${PETERKA_BINARY:-}" ]; then
     jobs/prepare.sh
@@ -28,7 +34,6 @@ export PETERKA_BINARY PYTHONDONTWRITEBYTECODE=1
 failed=()
 for part in "${parts[@]}"; do
     program=$(find tests/endurance -maxdepth 1 -name "$part.*" -perm -u+x)
-    [ -n "$program" ] || { echo "endurance.sh: there is no part $part; see --list" >&2; exit 2; }
     echo "== $part"
     ENDURANCE_ROWS=$(mktemp)
     export ENDURANCE_ROWS

@@ -1,14 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests of every commit: C++ units, MPI tests, the program under mpirun, the pictures,
 # formatting and static analysis. Safe to repeat.
-#   tests/run.sh              everything
-#   tests/run.sh -R pattern   only the tests whose name matches, no analysis (arguments go to ctest)
+#   tests/run.sh                  everything
+#   tests/run.sh -R PATTERN       only the tests whose name matches, without static analysis
+#   tests/run.sh --rerun-failed   only those that failed the last time, without static analysis
 set -euo pipefail
+. "$(dirname "$0")/../jobs/arguments.sh"
+read_arguments "-R --rerun-failed" 1 "$@"
+! has_option -R || [ ${#words[@]} = 1 ] || refuse "-R wants a pattern"
+has_option -R || [ ${#words[@]} = 0 ] || refuse "${words[0]} follows no -R"
 cd "$(dirname "$0")/.."
 
 jobs/prepare.sh clang-format clang-tidy
 . jobs/mpi_environment.sh
-ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
+ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"
 [ $# = 0 ] || exit 0
 
 tests/style.sh

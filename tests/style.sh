@@ -4,14 +4,16 @@
 #   tests/style.sh [--deep]
 #   --deep: with the path-sensitive analyzer, too, file by file, which takes four times as long
 set -euo pipefail
+. "$(dirname "$0")/../jobs/arguments.sh"
+read_arguments --deep 0 "$@"
 cd "$(dirname "$0")/.."
 build=build/style unity=ON checks=(--checks=-clang-analyzer-*)
-[ "${1:-}" != --deep ] || { build=build/deep_style unity=OFF checks=(); }
+! has_option --deep || { build=build/deep_style unity=OFF checks=(); }
 
 mapfile -t files < <(find src tests -name '*.hpp' -o -name '*.cpp' | sort)
 clang-format --dry-run --Werror "${files[@]}"
 
-cmake -S . -B $build -G Ninja -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=$unity >/dev/null
+configure $build -G Ninja -DBUILD_TESTING=OFF -DCMAKE_UNITY_BUILD=$unity
 cmake --build $build --target peterka_commit >/dev/null  # a header that sources include
 sed -n 's/^ *"file": "\(.*\)",\?$/\1/p' $build/compile_commands.json |
     xargs -P "$(nproc)" -n 1 clang-tidy --quiet --config-file=.clang-tidy "${checks[@]}" -p $build \

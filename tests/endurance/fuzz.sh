@@ -2,6 +2,8 @@
 # A million texts for the job reader, which libFuzzer makes from the bad and the shipped jobs, under AddressSanitizer and
 # UBSan: none crashes it or takes a second, and every sound job comes back equal from its resolved text.
 set -euo pipefail
+. "$(dirname "$0")/../../jobs/arguments.sh"
+start_as_part "$@"
 cd "$(dirname "$0")/../.."
 command -v clang++ >/dev/null || { echo "skipped: there is no clang++ (jobs/prepare.sh clang libclang-rt-dev libomp-dev)"; exit 77; }
 

@@ -2,6 +2,8 @@
 # Two hosts with a cable between them (network namespaces): the same file as on one; the second host's processes are killed;
 # the cable is pulled.
 set -euo pipefail
+. "$(dirname "$0")/../../jobs/arguments.sh"
+start_as_part "$@"
 . tests/endurance/two_hosts.sh
 
 row() { echo "$1: $3"; echo "$1 | $2 | $3" >>"$ENDURANCE_ROWS"; }

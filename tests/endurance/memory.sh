@@ -2,6 +2,8 @@
 # valgrind, with Open MPI's suppressions: runs with each engine, a resumed run, a basin, and the tests on several ranks,
 # if they were built: then they lie in tests/ beside the program.
 set -euo pipefail
+. "$(dirname "$0")/../../jobs/arguments.sh"
+start_as_part "$@"
 command -v valgrind >/dev/null || { echo "skipped: valgrind is missing"; exit 77; }
 suppressions=$(find /usr/share -name openmpi-valgrind.supp | head -n 1)
 [ -n "$suppressions" ] || { echo "skipped: Open MPI's openmpi-valgrind.supp is missing"; exit 77; }

@@ -6,6 +6,12 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "end_to_end"))
 
+PART = Path(sys.argv[0])
+if "ENDURANCE_ROWS" not in os.environ or len(sys.argv) > 1:
+    print(f"{PART.name}: this is a part of tests/endurance.sh, without arguments: tests/endurance.sh {PART.stem}",
+          file=sys.stderr)
+    sys.exit(2)
+
 
 def row(fault, tried, what_happened):
     """A row of the table in README.md."""

@@ -2,6 +2,8 @@
 # jobs/slurm/map.sbatch on a real Slurm of two nodes: submitted, signalled before its time limit, requeued by itself, requeued
 # by an administrator, requeued because a node fails, finished.
 set -euo pipefail
+. "$(dirname "$0")/../../jobs/arguments.sh"
+start_as_part "$@"
 . tests/endurance/cluster.sh
 
 for program in slurmctld slurmd munged; do
