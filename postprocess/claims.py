@@ -15,6 +15,8 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
+import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+
 from peterka_claims import starts_picture  # noqa: E402
 from peterka_claims.claims import all_claims  # noqa: E402
 from peterka_claims.folder import Folder  # noqa: E402

@@ -24,6 +24,8 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
+import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+
 from peterka_pictures import axes  # noqa: E402
 from peterka_pictures.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,

@@ -1,5 +1,6 @@
 """Pictures of peterka's files, one module per picture.
 
+interpreter   finds a Python that has the packages
 checked_hdf5  single attributes and datasets of a file nobody vouches for
 opened        a file of any kind with a checked header
 read, tables  map and basin files: checks everything they say, and hands out bands of rows
