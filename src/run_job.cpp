@@ -61,14 +61,13 @@ void summarise(const Session& session, const RunPlan& plan, const scene::Scene& 
     if (!session.is_root() || plan.quiet) return;
     if (plan.existing == Existing::complete)
         fmt::print("{} is complete: nothing is computed\n", plan.file.string());
-    fmt::print("{}",
-               summary_text({plan.job, scene.scales(), findings, plan.file, {session.size(), wall.seconds()}}));
+    fmt::print("{}", summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}}));
 }
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
     if (!session.is_root()) return;
-    tell("peterka: stopped early ({}); the same command{} goes on from {}\n", stop.reason(),
-         plan.fresh ? " without --fresh" : "", plan.file.string());
+    tell("peterka: stopped early ({}); what is finished is kept, and the same command{} goes on from {}\n",
+         stop.reason(), plan.fresh ? " without --fresh" : "", plan.file.string());
 }
 
 ExitCode judge(const Session& session, const RunPlan& plan, const output::Statistics& statistics) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
 constexpr const char* force_error = "force_error";
+constexpr const char* sensitivity = "sensitivity";
 constexpr const char* seconds_path = "/run/audit_seconds";
 constexpr const char* agreeing_names[] = {"differs", "agrees"};
 
@@ -31,6 +32,7 @@ constexpr Variable columns[] = {
     {"period", Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
     {"peak_force_ratio", Number::float64, regime::unknown, "1", "peak impact force over hammer weight by it, F/(m g0)"},
     {force_error, Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
+    {sensitivity, Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label hangs on rounding; NaN where they agree"},
     {agrees, Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
 constexpr Variable results[] = {
@@ -73,6 +75,7 @@ AuditReport report(std::span<const AuditRow> rows) {
     std::vector<double> errors;
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
+        report.decided_by_rounding += !row.agrees && row.sensitivity > rounding_decides ? 1 : 0;
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
         if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
     }
@@ -131,17 +134,20 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("period", index, row.again.period);
     put("peak_force_ratio", index, row.again.peak_force);
     put(force_error, index, row.force_error);
+    put(sensitivity, index, row.sensitivity);
     write_block(check_, open(check_, file_, seconds_path).id(), Number::float64, Block(index, 1), &row.seconds);
     put(agrees, index, static_cast<std::int8_t>(row.agrees ? 1 : 0));
 }
 
 std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
     const auto errors = read_column<double>(check_, file_, path_of(force_error), count);
+    const auto growths = read_column<double>(check_, file_, path_of(sensitivity), count);
     const auto marks = read_column<std::int8_t>(check_, file_, path_of(agrees), count);
     const auto times = read_column<double>(check_, file_, seconds_path, count);
     std::vector<AuditRow> rows(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].force_error = errors[i];
+        rows[i].sensitivity = growths[i];
         rows[i].agrees = marks[i] == 1;
         rows[i].seconds = times[i];
     }

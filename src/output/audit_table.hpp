@@ -25,14 +25,20 @@ struct AuditRow {
     StoredCell again;  // the independent result
     double force_error =
         regime::unknown;  // of the map against it, relative; NaN where there is nothing to compare
-    bool agrees = false;  // same regime, and the same p/q where it is periodic
-    double seconds = 0;   // spent on solving it again
+    double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
+                                           // in either run
+    bool agrees = false;                   // same regime, and the same p/q where it is periodic
+    double seconds = 0;                    // spent on solving it again
 };
+
+// Above this sensitivity errors of rounding, some 1e-16, have grown so much that they may decide a label.
+inline constexpr double rounding_decides = 20;
 
 // What the sample says of the whole map.
 struct AuditReport {
     std::int64_t cells = 0;
     std::int64_t agreeing = 0;
+    std::int64_t decided_by_rounding = 0;         // of those that don't
     std::int64_t compared = 0;                    // cells with a force_error
     double median_force_error = regime::unknown;  // of these, relative; so the next two
     double force_error_99_percent = regime::unknown;

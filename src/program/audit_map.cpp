@@ -23,6 +23,12 @@ double force_error(const StoredCell& cell, const StoredCell& again) {
     return std::abs(cell.peak_force / again.peak_force - 1);
 }
 
+// Of the map's own run and of the one that solved the cell again.
+double largest_sensitivity(const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                           const StoredCell& again) {
+    return std::fmax(regime::solve_cell(scene, row, column).sensitivity, again.sensitivity);
+}
+
 AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const output::MapFile& file) {
     const Stopwatch stopwatch;
     std::int64_t row = cell / scene.columns();
@@ -37,12 +43,14 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const output::
     }
     const StoredCell again =
         output::in_file_units(regime::solve_again(scene, row, column, first.engine), scene.scales());
+    const bool agrees = regime::same_label(first, again);
     return {.cell = row * scene.columns() + column,
             .row = row,
             .column = column,
             .again = again,
             .force_error = force_error(first, again),
-            .agrees = regime::same_label(first, again),
+            .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
+            .agrees = agrees,
             .seconds = stopwatch.seconds()};
 }
 

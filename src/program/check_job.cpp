@@ -17,6 +17,7 @@
 #include "output/map_size.hpp"
 #include "output/samples.hpp"
 #include "program/run_plan.hpp"
+#include "program/starts_inside.hpp"
 #include "program/traced_cell.hpp"
 #include "refine/lattice.hpp"
 #include "refine/region.hpp"
@@ -95,6 +96,12 @@ std::string branches_text(const job::Job& job) {
     return "#   branches\n" + text;
 }
 
+// Of the plane, the branches or the one cell of a job.
+std::string starts_text(const job::Job& job) {
+    const std::string inside = starts_inside(scene::Scene(job));
+    return inside.empty() ? "" : fmt::format("#   starts   {}\n", inside);
+}
+
 std::string check_study(const Request& request, const job::Job& job) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
@@ -112,8 +119,9 @@ std::string check_trace(const Request& request, const TracedCell& traced) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   trace    of one cell, that {}\n"
+               "{}"
                "#   file     {} ({})\n\n",
-               request.job_file.string(), cell, map_file_of(request).string(),
+               request.job_file.string(), cell, starts_text(traced.job), map_file_of(request).string(),
                free_space_text(map_file_of(request))) +
            job::resolved_text(traced.job);
 }
@@ -132,13 +140,14 @@ std::string check_job(const Request& request) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}{}"
+               "{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
-               readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
+               starts_text(job), readable_count(tiling.count()), tiling.largest_tile().rows,
+               tiling.largest_tile().columns,
                readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job)),
                file.string(), readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job);

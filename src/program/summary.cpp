@@ -9,6 +9,7 @@
 
 #include "job/axis.hpp"
 #include "job/names.hpp"
+#include "program/starts_inside.hpp"
 #include "program/sweep_summary.hpp"
 #include "regime/solve_cell.hpp"
 #include "support/readable.hpp"
@@ -36,11 +37,16 @@ std::string what_the_cells_are(const job::Job& job) {
 }
 
 std::string heading(const SummaryInput& input) {
-    const job::Job& job = input.job;
+    const job::Job& job = input.scene.job();
     return fmt::format("\n{}\n{} cells: {} by {} {}\n", job.title.empty() ? "(no title)" : job.title,
                        readable_count(input.findings.statistics.counts.cells),
                        readable_count(job.columns.points), readable_count(job.row_count()),
                        what_the_cells_are(job));
+}
+
+std::string starts(const SummaryInput& input) {
+    const std::string inside = starts_inside(input.scene);
+    return inside.empty() ? "" : fmt::format("{}\n", inside);
 }
 
 std::string regime_line(const Statistics& statistics, Regime regime, const char* name,
@@ -74,7 +80,7 @@ std::string reasons(std::span<const std::int64_t> cells_by_status) {
 
 std::string regimes(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
-    const std::int64_t cycles = regime::budget_of(input.job.steady_state).fewest_chaos_cycles();
+    const std::int64_t cycles = regime::budget_of(input.scene.job().steady_state).fewest_chaos_cycles();
     const std::string observed = fmt::format(
         "chaotic for the {} cycles or more that were observed; it may settle later", readable_count(cycles));
     return "\nWhat the hammer settles into\n" +
@@ -108,7 +114,7 @@ std::string most_frequent_classes(const Statistics& statistics) {
 // How long impacts last that end, and who sees them in a run of so many cycles.
 std::string transients(const SummaryInput& input) {
     const output::Transients& ends = input.findings.statistics.transients;
-    if (!input.job.output.has(job::OptionalField::last_impact)) return "";
+    if (!input.scene.job().output.has(job::OptionalField::last_impact)) return "";
     if (ends.ended == 0) return "\nNo cell strikes the stop first and ends without impact.\n";
     const double mean = static_cast<double>(ends.cycles) / static_cast<double>(ends.ended);
     std::string text = fmt::format(
@@ -118,7 +124,7 @@ std::string transients(const SummaryInput& input) {
     const char* separator = " ";
     for (std::size_t n = 0; n < output::Transients::looks.size(); ++n) {
         const std::int64_t look = output::Transients::looks[n];
-        if (look >= input.job.steady_state.max_cycles) break;
+        if (look >= input.scene.job().steady_state.max_cycles) break;
         text += fmt::format("{}{} cycles: {}", separator, readable_count(look),
                             readable_share(ends.impacting[n], ends.cells));
         separator = ", ";
@@ -126,21 +132,45 @@ std::string transients(const SummaryInput& input) {
     return text + "\n";
 }
 
+// A largest value at the border of what was looked at may go on growing beyond.
+std::string border(const job::Job& job, const LargestForce& force) {
+    std::string borders;
+    const auto add = [&](bool is_there, const char* name) {
+        if (is_there) borders += fmt::format("{}{}", borders.empty() ? "" : ", ", name);
+    };
+    add(force.column == 0, "lowest frequency");
+    add(force.column + 1 == job.columns.points, "highest frequency");
+    add(job.kind == job::Kind::map && force.row == 0, "smallest gap");
+    add(job.kind == job::Kind::map && force.row + 1 == job.rows.points, "largest gap");
+    if (borders.empty()) return "";
+    return fmt::format(", on the {}'s border ({})", job::name(job.kind), borders);
+}
+
+// An orbit has one force, whatever start leads to it.
+std::string place_in_basin(const SummaryInput& input, const LargestForce& force, double x, double y) {
+    const output::Extremes& largest = input.findings.statistics.largest;
+    const bool is_orbit = force.peak_force_ratio == largest.periodic.peak_force_ratio;
+    if (is_orbit) return "on an orbit: the same from every start that leads to it";
+    return fmt::format("without a period, from x/A0 {:.4g}, x'/(A0 omega) {:.4g}", x, y);
+}
+
 std::string place(const SummaryInput& input, const LargestForce& force) {
-    const job::Job& job = input.job;
+    const job::Job& job = input.scene.job();
     const double x = job::axis_value(job.columns, force.column);
     const double y = job.kind == job::Kind::sweep ? job.sweep.branch(force.row).gap_ratio
                                                   : job::axis_value(job.rows, force.row);
-    if (job.kind == job::Kind::basin) return fmt::format("from x/A0 {:.4g}, x'/(A0 omega) {:.4g}", x, y);
-    const double natural_frequency_hz = input.scales.frequency_rad_per_s / (2 * std::numbers::pi);
-    return fmt::format("at Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", x,
-                       x * natural_frequency_hz, y, y * input.scales.length_m * 1e3);
+    if (job.kind == job::Kind::basin) return place_in_basin(input, force, x, y);
+    const double natural_frequency_hz = input.scene.scales().frequency_rad_per_s / (2 * std::numbers::pi);
+    return fmt::format("at Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm){}", x,
+                       x * natural_frequency_hz, y, y * input.scene.scales().length_m * 1e3,
+                       border(job, force));
 }
 
 std::string force_line(const SummaryInput& input, const char* of, const LargestForce& force) {
     if (!force.found() || !(force.peak_force_ratio > 0)) return "";
-    return fmt::format("  {:<12}{:>6.4g} weights = {:>5.4g} N   {}\n", of, force.peak_force_ratio,
-                       force.peak_force_ratio * input.scales.weight_n, place(input, force));
+    return fmt::format("  {:<12}{:>6.4g} weights = {:>8}   {}\n", of, force.peak_force_ratio,
+                       readable_amount(force.peak_force_ratio * input.scene.scales().weight_n, "N"),
+                       place(input, force));
 }
 
 bool strikes(const Statistics& statistics) {
@@ -151,7 +181,8 @@ bool strikes(const Statistics& statistics) {
 
 std::string forces(const SummaryInput& input) {
     const auto& largest = input.findings.statistics.largest;
-    if (job::law_of(input.job.contact) == job::ContactLaw::restitution && strikes(input.findings.statistics)) {
+    if (job::law_of(input.scene.job().contact) == job::ContactLaw::restitution &&
+        strikes(input.findings.statistics)) {
         return "\nNo peak forces: a rigid stop strikes with forces beyond any bound. Ask for impact_speed or "
                "impulse\n"
                "under [output] fields instead.\n";
@@ -159,7 +190,8 @@ std::string forces(const SummaryInput& input) {
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
     if (lines.empty()) return "\nNo cell strikes the stop for ever.\n";
-    return fmt::format("\nLargest peak force (the hammer weighs {:.3g} N)\n{}", input.scales.weight_n, lines);
+    return fmt::format("\nLargest peak force (the hammer weighs {})\n{}",
+                       readable_amount(input.scene.scales().weight_n, "N", 3), lines);
 }
 
 std::string refinement(const Statistics& statistics) {
@@ -182,6 +214,24 @@ std::string effort(const SummaryInput& input) {
         input.effort.ranks == 1 ? "rank" : "ranks");
 }
 
+// Why labels differ.
+std::string differing(const output::AuditReport& audit) {
+    const std::int64_t all = audit.cells - audit.agreeing;
+    if (all == 0) return "";
+    const std::int64_t others = all - audit.decided_by_rounding;
+    std::string text = fmt::format("  other label         {}: ", readable_count(all));
+    if (audit.decided_by_rounding > 0) {
+        text += fmt::format(
+            "in {} a perturbation grew by e^{:g} or more (sensitivity), so rounding decides the label",
+            all == 1 ? "it" : others == 0 ? "each" : readable_count(audit.decided_by_rounding), output::rounding_decides);
+    }
+    if (others > 0) {
+        text += fmt::format("{}{} for another reason; /audit in the file has the cells",
+                            audit.decided_by_rounding > 0 ? "; " : "", readable_count(others));
+    }
+    return text + "\n";
+}
+
 std::string audit(const SummaryInput& input) {
     if (!input.findings.audit) return "";
     const output::AuditReport& audit = *input.findings.audit;
@@ -190,6 +240,7 @@ std::string audit(const SummaryInput& input) {
         "  same regime and z   {} of {} ({})\n",
         readable_count(audit.cells), readable_count(audit.agreeing), readable_count(audit.cells),
         readable_share(audit.agreeing, audit.cells));
+    text += differing(audit);
     if (audit.compared > 0) {
         text += fmt::format(
             "  peak force          off by {:.1e} (median), {:.1e} (99 %), {:.1e} (largest) in {} cells\n",
@@ -213,10 +264,11 @@ std::string omitted(const SummaryInput& input) {
 
 std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
-    const char* kind = input.job.kind == job::Kind::sweep ? "Sweep file" : "Map file";
-    return heading(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
-           transients(input) + forces(input) + sweep_text(input.job, input.scales, input.findings.branches) +
-           effort(input) + audit(input) + omitted(input) +
+    const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
+    return heading(input) + starts(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
+           transients(input) + forces(input) +
+           sweep_text(input.scene.job(), input.scene.scales(), input.findings.branches) + effort(input) +
+           audit(input) + omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

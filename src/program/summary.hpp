@@ -11,7 +11,7 @@
 #include "output/audit_table.hpp"
 #include "output/statistics.hpp"
 #include "program/sweep_findings.hpp"
-#include "scene/scales.hpp"
+#include "scene/scene.hpp"
 
 namespace peterka {
 
@@ -29,8 +29,7 @@ struct Findings {
 };
 
 struct SummaryInput {
-    const job::Job& job;
-    const scene::Scales& scales;
+    const scene::Scene& scene;
     const Findings& findings;
     std::filesystem::path file;
     RunEffort effort;

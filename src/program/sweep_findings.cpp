@@ -53,6 +53,17 @@ std::vector<std::pair<MotionClass, std::int64_t>> points_by_class(std::span<cons
     return points;
 }
 
+Side side(const BranchFindings& found, std::int64_t column, std::int64_t other) {
+    if (other < 0 || other >= std::ssize(found.cells)) return Side::end_of_sweep;
+    const auto cell = [&](std::int64_t i) -> const StoredCell& {
+        return found.cells[static_cast<std::size_t>(i)];
+    };
+    const bool down = found.branch.direction == job::Direction::down;
+    const std::int64_t later = down ? std::min(column, other) : std::max(column, other);
+    if (cell(later).jump) return Side::jump;
+    return motion_class(cell(column)) == motion_class(cell(other)) ? Side::own_band : Side::other_band;
+}
+
 bool differ(const StoredCell& a, const StoredCell& b) {
     if (!regime::has_period(a.regime) || !regime::has_period(b.regime)) return false;
     return motion_class(a) != motion_class(b) ||
@@ -69,9 +80,12 @@ MotionClass motion_class(const StoredCell& cell) {
 BranchFindings find_in_branch(const job::Branch& branch, std::vector<StoredCell> cells) {
     BranchFindings found{.branch = branch, .cells = std::move(cells)};
     constexpr output::ImpactClass one_a_cycle{.period = 1, .impacts = 1};
-    found.resonance = column_of_largest_force(
+    found.one_to_one = column_of_largest_force(
         found.cells, [&](const StoredCell& cell) { return motion_class(cell).z == one_a_cycle; });
     found.largest = column_of_largest_force(found.cells, [](const StoredCell&) { return true; });
+    if (const auto at = found.one_to_one) {
+        found.around_one_to_one = {side(found, *at, *at - 1), side(found, *at, *at + 1)};
+    }
     found.jumps = jumps_of(found.cells, branch.direction);
     found.bands = bands_of(found.cells);
     found.points = points_by_class(found.bands);

@@ -1,4 +1,4 @@
-// What the branches of a sweep show: impact resonances, bands of one kind of motion, jumps, and hysteresis.
+// What the branches of a sweep show: strongest impacts, bands of one kind of motion, jumps, and hysteresis.
 #pragma once
 
 #include <cstdint>
@@ -40,12 +40,22 @@ struct Stretch {
     std::int64_t last = 0;
 };
 
+// What lies next to a point, seen along the frequencies. With both sides its own band, a largest force is a
+// maximum inside it: a resonance. Elsewhere the force may only be cut off.
+enum class Side { own_band, other_band, jump, end_of_sweep };
+struct Surroundings {
+    Side below = Side::own_band;
+    Side above = Side::own_band;
+    [[nodiscard]] bool inside() const { return below == Side::own_band && above == Side::own_band; }
+};
+
 struct BranchFindings {
     job::Branch branch;
     std::vector<output::StoredCell> cells = {};  // along the frequencies
-    // columns of the largest peak force among z = 1/1, the impact resonance, and among all
-    std::optional<std::int64_t> resonance = {};
+    // columns of the largest peak force among z = 1/1 and among all
+    std::optional<std::int64_t> one_to_one = {};
     std::optional<std::int64_t> largest = {};
+    Surroundings around_one_to_one = {};                            // of the former
     std::vector<Jump> jumps = {};                                   // in the branch's direction
     std::vector<Band> bands = {};                                   // along the frequencies
     std::vector<std::pair<MotionClass, std::int64_t>> points = {};  // of each class, most frequent first

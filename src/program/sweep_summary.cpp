@@ -48,7 +48,8 @@ class Words {
 
     [[nodiscard]] std::string branch(const BranchFindings& found) const {
         const std::string direction(job::name(found.branch.direction));
-        return line(direction, "impact resonance", resonance(found)) +
+        return line(direction, is_resonance(found) ? "impact resonance" : "largest 1/1 force",
+                    one_to_one(found)) +
                line("", "largest force", largest(found)) + line("", "jumps", jumps(found)) +
                line("", "bands", bands(found)) + line("", "shares", shares(found));
     }
@@ -75,20 +76,45 @@ class Words {
         return fmt::format("{:.4g} ({:.4g} Hz)", ratio, ratio * natural_hz());
     }
     [[nodiscard]] std::string force(const StoredCell& cell) const {
-        return fmt::format("{:.4g} mg = {:.4g} N", cell.peak_force, cell.peak_force * scales_.weight_n);
+        return fmt::format("{:.4g} weights = {}", cell.peak_force,
+                           readable_amount(cell.peak_force * scales_.weight_n, "N"));
     }
 
-    [[nodiscard]] std::string resonance(const BranchFindings& found) const {
-        if (!found.resonance) return "no impacts with z = 1/1 have a force";
-        return fmt::format("{} at Omega/omega {}, the largest of z = 1/1", force(at(found, *found.resonance)),
-                           frequency(value(*found.resonance)));
+    static bool is_resonance(const BranchFindings& found) {
+        return found.one_to_one && found.around_one_to_one.inside();
+    }
+    [[nodiscard]] std::string one_to_one(const BranchFindings& found) const {
+        if (!found.one_to_one) return "no impacts with z = 1/1 have a force";
+        return fmt::format("{} at Omega/omega {}, {}", force(at(found, *found.one_to_one)),
+                           frequency(value(*found.one_to_one)),
+                           is_resonance(found) ? "the largest of z = 1/1" : no_maximum(found));
+    }
+    // Why the largest force is no resonance. A branch comes to a band from one side and leaves it at the other.
+    static std::string no_maximum(const BranchFindings& found) {
+        const auto& [below, above] = found.around_one_to_one;
+        const bool down = found.branch.direction == job::Direction::down;
+        const Side before = down ? above : below;
+        const bool begins = before != Side::own_band;
+        const char* verb = begins ? "begins" : "ends";
+        switch (begins ? before : (down ? below : above)) {
+            case Side::jump:
+                return fmt::format("where z = 1/1 {} with a jump: no resonance", verb);
+            case Side::end_of_sweep:
+                return "at the end of the sweep: it may be larger beyond";
+            case Side::other_band:
+            case Side::own_band:
+                break;
+        }
+        return fmt::format("where z = 1/1 {}: no resonance", verb);
     }
 
     [[nodiscard]] std::string largest(const BranchFindings& found) const {
-        if (!found.largest || found.largest == found.resonance) return "";
+        if (!found.largest || found.largest == found.one_to_one) return "";
         const StoredCell& cell = at(found, *found.largest);
-        return fmt::format("{} at Omega/omega {}, {}", force(cell), frequency(value(*found.largest)),
-                           name(motion_class(cell)));
+        const bool at_end = found.largest == 0 || *found.largest + 1 == std::ssize(found.cells);
+        return fmt::format("{} at Omega/omega {}, {}{}", force(cell), frequency(value(*found.largest)),
+                           name(motion_class(cell)),
+                           at_end ? ", at the end of the sweep: it may be larger beyond" : "");
     }
 
     // The largest ones, in the branch's direction.
@@ -115,7 +141,7 @@ class Words {
     [[nodiscard]] std::string in_words(const BranchFindings& found, const Jump& jump) const {
         const StoredCell& before = at(found, jump.from);
         const StoredCell& after = at(found, jump.to);
-        return fmt::format("{} from {} ({:.3g} mg) to {} ({:.3g} mg)",
+        return fmt::format("{} from {} ({:.3g} weights) to {} ({:.3g} weights)",
                            frequency((value(jump.from) + value(jump.to)) / 2), name(motion_class(before)),
                            before.peak_force, name(motion_class(after)), after.peak_force);
     }

@@ -9,6 +9,8 @@
 #include "job/axis.hpp"
 #include "job/names.hpp"
 #include "output/fields.hpp"
+#include "program/starts_inside.hpp"
+#include "support/readable.hpp"
 
 namespace peterka {
 namespace {
@@ -37,7 +39,7 @@ std::string force_in_words(double ratio, const scene::Scene& scene) {
     const bool rigid = std::holds_alternative<job::Restitution>(scene.job().contact);
     if (std::isnan(ratio)) return rigid ? "none (the stop is rigid)" : "not known";
     const Scales& scales = scene.scales();
-    return fmt::format("{:.6g} N, {:.6g} mg", ratio * scales.weight_n, ratio);
+    return fmt::format("{}, {:.6g} weights", readable_amount(ratio * scales.weight_n, "N", 6), ratio);
 }
 
 std::string place_in_words(const scene::Scene& scene, const trace::Course& course) {
@@ -78,10 +80,11 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
                     impact.speed * scales.length_m * scales.frequency_rad_per_s);
     if (std::isnan(impact.record.peak_force)) return text;
     text += fmt::format(
-        "                   jump at touch {:.4g} N, peak {:.6g} N {:.4g} ms later, pressed for {:.4g} ms, "
+        "                   jump at touch {}, peak {} {:.4g} ms later, pressed for {:.4g} ms, "
         "impulse "
         "{:.4g} Ns\n",
-        trace::force_at_touch(scene, impact.speed) * newton, impact.record.peak_force * newton,
+        readable_amount(trace::force_at_touch(scene, impact.speed) * newton, "N"),
+        readable_amount(impact.record.peak_force * newton, "N", 6),
         1000 * (trace.hardest->peak.time - impact.time) * per_omega,
         1000 * impact.record.contact_time * per_omega, impact.record.impulse * newton * per_omega);
     return text;
@@ -113,6 +116,9 @@ std::string trace_in_words(const scene::Scene& scene, const trace::Trace& trace,
     std::string text = fmt::format("\n{}\n\nTrace {}\n", title.empty() ? "(no title)" : title,
                                    place_in_words(scene, trace.course));
     const StoredCell cell = output::in_file_units(trace.course.cell.value_or(StoredCell{}), scales);
+    if (const std::string inside = starts_inside(scene); !inside.empty()) {
+        text += fmt::format("  start            {}\n", inside);
+    }
     if (trace.course.cell) text += cell_in_words(cell, scene);
     text += impacts_in_words(trace, scales);
     if (map) text += map_in_words(*map, cell, scene);

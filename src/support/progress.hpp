@@ -25,6 +25,11 @@ struct ProgressCounts {
 // "[#####.....]"
 [[nodiscard]] std::string progress_bar(const ProgressCounts& counts, int width);
 
+// Both, on a terminal of so many columns: at most one less, for the last one would wrap. Where they don't fit
+// the bar gets shorter, then goes, then the rate goes. Padded with blanks over what a longer line may have
+// left.
+[[nodiscard]] std::string progress_line(const ProgressCounts& counts, double seconds, int columns);
+
 class Progress {
   public:
     // what: the work in a word, as in "12 cells to compute".

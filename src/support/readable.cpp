@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace peterka {
 
@@ -42,6 +43,17 @@ std::string readable_bytes(std::int64_t bytes) {
         ++unit;
     }
     return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", amount, units.at(unit));
+}
+
+std::string readable_amount(double amount, std::string_view unit, int digits) {
+    constexpr std::array prefixes{"n", "u", "m", "", "k", "M", "G", "T"};
+    constexpr int of_none = 3;
+    if (!std::isfinite(amount) || amount == 0) return fmt::format("{:g} {}", amount, unit);
+    const double rounded = std::stod(fmt::format("{:.{}e}", amount, digits - 1));  // 999.96 is 1 k
+    const int thousands = static_cast<int>(std::floor(std::log10(std::abs(rounded)) / 3 + 1e-12));
+    const int place = std::clamp(of_none + thousands, 0, static_cast<int>(prefixes.size()) - 1);
+    return fmt::format("{:.{}g} {}{}", rounded / std::pow(1000.0, place - of_none), digits,
+                       prefixes.at(static_cast<std::size_t>(place)), unit);
 }
 
 std::string readable_share(std::int64_t part, std::int64_t whole) {

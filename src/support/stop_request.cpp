@@ -2,18 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <sys/types.h>
+
+#include <algorithm>
 #include <array>
 #include <csignal>
+#include <fstream>
+#include <string>
 
 namespace peterka {
 namespace {
 
 constexpr std::array caught_signals{SIGINT, SIGTERM, SIGUSR1};
 
+static_assert(sizeof(pid_t) <= sizeof(std::sig_atomic_t));
 volatile std::sig_atomic_t received_signal = 0;
+volatile std::sig_atomic_t sender = 0;  // its process number, 0 for none
 
-extern "C" void remember_signal(int signal) {
+extern "C" void remember_signal(int signal, siginfo_t* info, void* /*context*/) {
     received_signal = signal;
+    sender = info->si_code == SI_USER ? info->si_pid : 0;  // a terminal's Ctrl-C comes from the kernel
+}
+
+// Open MPI turns what it gets itself into a SIGTERM to its ranks.
+std::string sender_in_words() {
+    std::string name;
+    std::getline(std::ifstream(fmt::format("/proc/{}/comm", sender)), name);  // gone, it has none
+    constexpr std::array launchers{"mpirun", "mpiexec", "orterun", "orted"};
+    if (received_signal == SIGUSR1 || std::ranges::find(launchers, name) == launchers.end()) return "";
+    return fmt::format(
+        " from {}, which sends it upon Ctrl-C, too, and ends with its own exit code instead of 5", name);
 }
 
 const char* signal_name(int signal) {
@@ -26,10 +44,11 @@ const char* signal_name(int signal) {
 
 StopRequest::StopRequest(double max_wall_seconds) : max_wall_seconds_(max_wall_seconds) {
     received_signal = 0;
+    sender = 0;
     for (const int signal : caught_signals) {
         struct sigaction action {};
-        action.sa_handler = remember_signal;
-        action.sa_flags = SA_RESTART;  // a write to the file must not be cut short
+        action.sa_sigaction = remember_signal;
+        action.sa_flags = SA_SIGINFO | SA_RESTART;  // a write to the file must not be cut short
         if (signal == SIGINT) action.sa_flags |= static_cast<int>(SA_RESETHAND);
         sigaction(signal, &action, nullptr);
     }
@@ -44,7 +63,8 @@ bool StopRequest::requested() const {
 }
 
 std::string StopRequest::reason() const {
-    if (received_signal != 0) return fmt::format("signal {}", signal_name(received_signal));
+    if (received_signal != 0)
+        return fmt::format("signal {}{}", signal_name(received_signal), sender_in_words());
     if (since_start_.seconds() >= max_wall_seconds_) {
         return fmt::format("--max-wall {:g} s is over", max_wall_seconds_);
     }

@@ -20,7 +20,7 @@ class StopRequest {
     StopRequest& operator=(const StopRequest&) = delete;
 
     [[nodiscard]] bool requested() const;
-    [[nodiscard]] std::string reason() const;  // "signal SIGTERM", "--max-wall 60 s is over"
+    [[nodiscard]] std::string reason() const;  // "signal SIGUSR1", "--max-wall 60 s is over"
 
   private:
     double max_wall_seconds_;

@@ -1,24 +1,48 @@
 #include "support/terminal.hpp"
 
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace peterka {
+namespace {
 
-bool stderr_is_watched() {
-    if (isatty(STDERR_FILENO) != 0) return true;
-    if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return false;
-
-    // Started by Open MPI: the parent is mpirun itself, or a daemon without a terminal on another machine.
+// The terminal to which mpirun on this machine, our parent, hands our stderr on; a daemon on another machine
+// has none.
+std::optional<std::string> terminal_of_mpirun() {
+    if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return std::nullopt;
     std::error_code unreadable;
     const auto launcher = "/proc/" + std::to_string(getppid());
     const auto name = std::filesystem::read_symlink(launcher + "/exe", unreadable).filename().string();
-    if (unreadable || !(name.starts_with("mpirun") || name.starts_with("orterun"))) return false;
+    if (unreadable || !(name.starts_with("mpirun") || name.starts_with("orterun"))) return std::nullopt;
     const auto target = std::filesystem::read_symlink(launcher + "/fd/2", unreadable).string();
-    return !unreadable && target.starts_with("/dev/pts/");
+    if (unreadable || !target.starts_with("/dev/pts/")) return std::nullopt;
+    return target;
+}
+
+int columns_of(int terminal) {
+    constexpr int usual = 80;
+    winsize size{};
+    return ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+}  // namespace
+
+bool stderr_is_watched() {
+    return isatty(STDERR_FILENO) != 0 || terminal_of_mpirun().has_value();
+}
+
+int stderr_columns() {
+    const auto elsewhere = isatty(STDERR_FILENO) != 0 ? std::nullopt : terminal_of_mpirun();
+    const int opened = elsewhere ? open(elsewhere->c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC) : -1;
+    const int columns = columns_of(opened < 0 ? STDERR_FILENO : opened);
+    if (opened >= 0) close(opened);
+    return columns;
 }
 
 }  // namespace peterka

@@ -7,4 +7,7 @@ namespace peterka {
 // then sees a pipe, although a person sits at the other end.
 [[nodiscard]] bool stderr_is_watched();
 
+// Of that terminal, as wide as it is now; 80 where it is not known.
+[[nodiscard]] int stderr_columns();
+
 }  // namespace peterka

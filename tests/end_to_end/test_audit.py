@@ -38,6 +38,21 @@ def test_the_independent_engine_agrees(audited_map):
         assert "Audit: 40 cells" in summary
 
 
+def test_labels_that_rounding_decides_are_told(tmp_path):
+    job = (jobs.RIG.format(kind="map", title="windows in chaos") + jobs.axis("frequency_ratio", 2.2, 2.4, 6)
+           + jobs.axis("gap_ratio", 1.0, 1.2, 6) + "[audit]\ncells = 36\n")
+    jobs.write(tmp_path, job)
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    with h5py.File(tmp_path / "job.h5") as file:
+        differs = file["audit/agrees"][()] == 0
+        sensitivity = file["audit/sensitivity"][()]
+    assert 0 < differs.sum() < 10
+    assert np.isnan(sensitivity[~differs]).all() and (sensitivity[differs] > 20).all()
+    count, words = differs.sum(), "in it" if differs.sum() == 1 else "in each"
+    line = next(line for line in finished.stdout.splitlines() if "other label" in line)
+    assert f"{count}: {words} a perturbation grew by e^20 or more" in line and "rounding decides" in line
+
+
 def test_errors_are_those_of_the_map(audited_map):
     with h5py.File(audited_map[0]) as file:
         audit = file["audit"]

@@ -1,8 +1,12 @@
 """The commands and what they print: help, version, check, summary, progress, quiet."""
 
+import fcntl
 import os
 import pty
+import re
+import struct
 import subprocess
+import termios
 
 import pytest
 
@@ -100,6 +104,32 @@ def test_an_output_without_a_name_is_refused(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
 
 
+STARTS_INSIDE = [  # job, its starts inside the stop of 5.5e6 N/m, how deep in A0
+    (jobs.small_map().replace("from = 0.0", "from = -1.5"), "320 of 1,400 starts lie", 1.5),
+    (jobs.small_sweep(points=9, gaps="[-0.5, 1.0]"), "2 of 4 starts lie", 0.5),
+    (jobs.trace(2.0, gap_ratio=-0.25), "the hammer starts", 0.25),
+]
+
+
+@pytest.mark.parametrize("job, which, depth", STARTS_INSIDE)
+def test_starts_inside_a_stop_that_yields_are_told(tmp_path, job, which, depth):
+    """As many words by check and by run; the stop presses with ki times the depth, less what the dashpot takes."""
+    jobs.write(tmp_path, job)
+    for command in (["check", "job.toml"], ["run", "job.toml"]):
+        shown = launch.run(*command, cwd=tmp_path)
+        assert shown.returncode == 0, shown.stderr
+        told = re.findall(r"(the hammer starts|[\d,]+ of [\d,]+ starts lie) inside the stop, by up to ([\d.]+) A0 .* with "
+                          r"up to ([\d.]+) kN at once", shown.stdout)
+        assert len(told) == 1 and told[0][0] == which, shown.stdout
+        assert float(told[0][1]) == depth
+        assert 0.9 < float(told[0][2]) / (5500 * depth * 0.89e-3) < 1
+
+
+def test_starts_outside_of_the_stop_are_not_worth_a_word(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    assert "starts lie" not in launch.run("check", "job.toml", cwd=tmp_path).stdout
+
+
 def test_check_refuses_a_bad_job(tmp_path):
     jobs.write(tmp_path, jobs.small_map().replace("0.298", "-1"))
     checked = launch.run("check", "job.toml", cwd=tmp_path)
@@ -139,9 +169,10 @@ def test_quiet_is_quiet(tmp_path, ranks):
     assert (again.returncode, again.stdout, again.stderr) == (0, "", "")
 
 
-def on_a_terminal(*arguments, cwd, ranks):
-    """What a terminal gets to see on stderr."""
+def on_a_terminal(*arguments, cwd, ranks, columns=80):
+    """What a terminal so wide gets to see on stderr."""
     mine, its = pty.openpty()
+    fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
     process = subprocess.Popen(launch.command(*arguments, ranks=ranks), cwd=cwd, env=launch.ENVIRONMENT,
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its)
     os.close(its)
@@ -169,6 +200,17 @@ def test_on_a_terminal_progress_is_one_bar(tmp_path, ranks):
     assert "\r[" in shown and "cells/s" in shown
     assert "[##############################] 100.0 %" in shown.split("\r[")[-1].join(["[", ""])
     assert shown.count("\n") == 1
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+@pytest.mark.parametrize("columns", [60, 40, 12])
+def test_progress_fits_a_narrow_terminal(tmp_path, ranks, columns):
+    if ranks is not None and "mpich" in launch.MPIEXEC:
+        columns = 80  # nobody knows there whether somebody watches: progress is lines
+    jobs.write(tmp_path, jobs.small_map())
+    shown = on_a_terminal("run", "job.toml", cwd=tmp_path, ranks=ranks, columns=columns)
+    assert "100.0 %" in shown
+    assert all(len(line) < columns for line in re.split(r"[\r\n]+", shown)), shown
 
 
 def test_default_output_is_the_jobs_stem_in_the_current_folder(tmp_path):

@@ -94,6 +94,22 @@ def test_other_signals_stop_a_program_of_its_own(tmp_path, name):
     assert name in errors
 
 
+def test_ctrl_c_under_mpirun_says_what_happened_and_how_to_go_on(tmp_path):
+    """mpirun turns it into SIGTERM, about two seconds later, and ends with a code of its own."""
+    jobs.write(tmp_path, jobs.small_map(columns=1500, rows=1500))
+    process = launch.start("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert "cells to compute" in process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=launch.HANGING)
+    said = [line for line in errors.splitlines() if line.startswith("peterka: stopped early")]
+    assert len(said) == 1, errors
+    assert "what is finished is kept, and the same command goes on from job.h5" in said[0]
+    if "mpich" not in launch.MPIEXEC:
+        assert process.returncode not in (0, 5)
+        assert "SIGTERM from mpirun, which sends it upon Ctrl-C, too, and ends with its own exit code" in said[0]
+    assert 0 < map_contents.done_tiles(tmp_path / "job.h5") < map_contents.tile_count(tmp_path / "job.h5")
+
+
 @pytest.mark.parametrize("ranks", [None, 3])
 def test_a_run_with_a_killed_rank_ends_and_goes_on(tmp_path, larger_map_file, ranks):
     process = start_and_wait_for_work(tmp_path, ranks)

@@ -27,6 +27,16 @@ TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
     EXPECT_NEAR(result.seconds_per_cell, 0.5, 1e-12);
 }
 
+TEST(AuditReport, CountsLabelsThatRoundingDecides) {
+    const auto other = [](double sensitivity) {
+        return AuditRow{.again = {}, .sensitivity = sensitivity, .agrees = false};
+    };
+    const std::vector<AuditRow> rows{row(1e-5, true), other(55), other(415), other(19), other(regime::unknown)};
+    const AuditReport result = report(rows);
+    EXPECT_EQ(result.agreeing, 1);
+    EXPECT_EQ(result.decided_by_rounding, 2);
+}
+
 TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {
     const AuditRow only = row(regime::unknown, true);
     const AuditReport result = report(std::span(&only, 1));

@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "rig.hpp"
+
 namespace peterka {
 namespace {
 
 job::Job job_of(job::Kind kind) {
-    job::Job job;
+    job::Job job = testing::job_170mm(0);
+    job.hammer.mass_kg = 2.5 / scene::standard_gravity;
     job.kind = kind;
     job.title = "a title";
     job.columns = {0.5, 4.5, 41, job::Spacing::linear};
@@ -38,12 +41,7 @@ output::Statistics statistics_of_a_hundred_cells() {
 std::string summary(const output::Statistics& statistics, job::Kind kind = job::Kind::map,
                     const std::vector<std::string>& omitted = {},
                     const std::optional<output::AuditReport>& audit = {}) {
-    const job::Job job = job_of(kind);
-    scene::Scales scales;
-    scales.length_m = 0.89e-3;
-    scales.frequency_rad_per_s = 2 * 3.14159265358979 * 4.5;
-    scales.weight_n = 2.5;
-    return summary_text({job, scales, {statistics, audit, omitted}, "maps/a.h5", {3, 12.5}});
+    return summary_text({scene::Scene(job_of(kind)), {statistics, audit, omitted}, "maps/a.h5", {3, 12.5}});
 }
 
 // The line of the text that contains `word`.
@@ -78,16 +76,56 @@ TEST(Summary, ClassesByFrequency) {
 
 TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
     const std::string text = summary(statistics_of_a_hundred_cells());
-    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights =   200 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights =    200 N")) << text;
     EXPECT_TRUE(contains(line_with(text, "of all"), "Omega/omega 2.5 (11.25 Hz), gap/A0 1 (0.89 mm)")) << text;
-    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights =   175 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights =    175 N")) << text;
     EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "Omega/omega 2 (9 Hz), gap/A0 0 (0 mm)")) << text;
 }
 
 TEST(Summary, ABasinNamesItsPointAndItsStarts) {
     const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::basin);
     EXPECT_TRUE(contains(text, "Omega/omega 1.8, gap/A0 1.6")) << text;
-    EXPECT_TRUE(contains(line_with(text, "of all"), "x/A0 2.5, x'/(A0 omega) 1")) << text;
+}
+
+TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {
+    output::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest.periodic = statistics.largest.one_to_one;
+    const std::string text = summary(statistics, job::Kind::basin);
+    EXPECT_TRUE(contains(line_with(text, "of all"), "without a period, from x/A0 2.5, x'/(A0 omega) 1"))
+        << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "on an orbit: the same from every start")) << text;
+    EXPECT_FALSE(contains(line_with(text, "of z = 1/1"), "x/A0")) << text;
+}
+
+TEST(Summary, ALargestForceOnTheBorderSaysSo) {
+    output::Statistics statistics = statistics_of_a_hundred_cells();  // of z = 1/1 in row 0
+    std::string text = summary(statistics);
+    EXPECT_FALSE(contains(line_with(text, "of all"), "border")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), ", on the map's border (smallest gap)")) << text;
+    statistics.largest.any_regime = {80.0, 50, 40};
+    text = summary(statistics);
+    EXPECT_TRUE(contains(line_with(text, "of all"), ", on the map's border (highest frequency, largest gap)"))
+        << text;
+}
+
+TEST(Summary, LargeForcesAreInKilonewtons) {
+    output::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest.any_regime = {1085.6, 10, 20};
+    const std::string text = summary(statistics);
+    EXPECT_TRUE(contains(line_with(text, "of all"), "1086 weights = 2.714 kN")) << text;
+}
+
+TEST(Summary, StartsInsideAStopThatYieldsAreTold) {
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "inside the stop"));
+    job::Job job = job_of(job::Kind::map);
+    job.rows = {-2.0, 2.0, 5, job::Spacing::linear};
+    const output::Statistics statistics = statistics_of_a_hundred_cells();
+    const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {1, 1}});
+    // 5.5e6 N/m times 1.78 mm, less what the dashpot takes: the cart leaves at A0 Omega, slowest at 0.5 omega
+    EXPECT_TRUE(contains(text,
+                         "82 of 205 starts lie inside the stop, by up to 2 A0 (1.78 mm): it presses with "
+                         "up to 9.77 kN at once\n"))
+        << text;
 }
 
 TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
@@ -95,7 +133,7 @@ TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
     job.steady_state.max_cycles = 900;
     output::Statistics statistics = statistics_of_a_hundred_cells();
     statistics.transients = {100, 20, 5000, 801, {50, 40, 25, 0, 0, 0}};
-    const auto text = [&] { return summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}); };
+    const auto text = [&] { return summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {1, 1}}); };
     EXPECT_FALSE(contains(text(), "Impacts that end"));
     job.output.fields = {job::OptionalField::last_impact};
     EXPECT_TRUE(
@@ -122,11 +160,12 @@ TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
     job.contact = job::Restitution{0.5};
     output::Statistics statistics = statistics_of_a_hundred_cells();
     statistics.largest = {};
-    const std::string text = summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}});
+    const scene::Scene scene(job);
+    const std::string text = summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}});
     EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
     EXPECT_FALSE(contains(text, "No cell strikes the stop for ever")) << text;
     statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
-    EXPECT_TRUE(contains(summary_text({job, {}, {statistics, {}, {}}, "a.h5", {1, 1}}),
+    EXPECT_TRUE(contains(summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}}),
                          "No cell strikes the stop for ever"));
 }
 
@@ -159,7 +198,26 @@ TEST(Summary, AnAuditIsReportedWithItsErrorsAndItsTime) {
         << text;
     EXPECT_TRUE(contains(line_with(text, "time per cell"), "250.0 ms by the integrator, 5.0 ms in the map"))
         << text;
+    EXPECT_TRUE(contains(line_with(text, "other label"), "1: 1 for another reason; /audit in the file"))
+        << text;
     EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Audit"));
+}
+
+TEST(Summary, AnAuditSaysWhereRoundingDecides) {
+    const auto text = [](std::int64_t agreeing, std::int64_t decided_by_rounding) {
+        return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},
+                       output::AuditReport{
+                           .cells = 100, .agreeing = agreeing, .decided_by_rounding = decided_by_rounding});
+    };
+    EXPECT_FALSE(contains(text(100, 0), "other label"));
+    EXPECT_TRUE(contains(text(98, 2),
+                         "other label         2: in each a perturbation grew by e^20 or more "
+                         "(sensitivity), so rounding decides the label\n"))
+        << text(98, 2);
+    EXPECT_TRUE(contains(text(99, 1), "1: in it a perturbation grew")) << text(99, 1);
+    EXPECT_TRUE(contains(text(95, 3), "5: in 3 a perturbation grew")) << text(95, 3);
+    EXPECT_TRUE(contains(text(95, 3), "; 2 for another reason; /audit in the file has the cells\n"))
+        << text(95, 3);
 }
 
 TEST(Summary, FitsAScreen) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace peterka {
 namespace {
 
@@ -30,6 +33,24 @@ TEST(ProgressBar, FillsFromTheLeft) {
     EXPECT_EQ(progress_bar({100, 0, 39}, 10), "[###.......]");
     EXPECT_EQ(progress_bar({100, 0, 100}, 10), "[##########]");
     EXPECT_EQ(progress_bar({0, 0, 0}, 10), "[##########]");
+}
+
+TEST(ProgressLine, FitsAnyTerminal) {
+    const ProgressCounts counts{10'000'000, 0, 1'234'567};
+    for (int columns = 1; columns <= 200; ++columns) {
+        const std::string line = progress_line(counts, 1000, columns);
+        EXPECT_EQ(line.size(), static_cast<std::size_t>(std::clamp(columns - 1, 1, 79))) << columns;
+    }
+}
+
+TEST(ProgressLine, GivesUpTheBarFirstAndThePercentageLast) {
+    const ProgressCounts counts{10'000'000, 0, 5'000'000};
+    const std::string text = " 50.0 %  5,000 cells/s  ETA 16 min 40 s";
+    EXPECT_EQ(progress_line(counts, 1000, 80), "[###############...............] " + text + "       ");
+    EXPECT_EQ(progress_line(counts, 1000, 60), "[######.......] " + text + "    ");
+    EXPECT_EQ(progress_line(counts, 1000, 50), text + "          ");
+    EXPECT_EQ(progress_line(counts, 1000, 30), " 50.0 %  ETA 16 min 40 s     ");
+    EXPECT_EQ(progress_line(counts, 1000, 12), " 50.0 %    ");
 }
 
 TEST(Progress, LinesBeginWithOneThatSaysWhatIsToDo) {

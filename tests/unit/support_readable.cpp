@@ -49,6 +49,20 @@ TEST(Readable, NamesAsAShellReadsThem) {
     EXPECT_EQ(shell_word(""), "''");
 }
 
+TEST(Readable, AmountsHaveThePrefixThatKeepsThemBetweenOneAndAThousand) {
+    EXPECT_EQ(readable_amount(2714.2, "N"), "2.714 kN");
+    EXPECT_EQ(readable_amount(2714.2, "N", 3), "2.71 kN");
+    EXPECT_EQ(readable_amount(375.14, "N"), "375.1 N");
+    EXPECT_EQ(readable_amount(999.94, "N"), "999.9 N");
+    EXPECT_EQ(readable_amount(999.96, "N"), "1 kN");  // never "1000 N"
+    EXPECT_EQ(readable_amount(0.0123, "N"), "12.3 mN");
+    EXPECT_EQ(readable_amount(-1.5e7, "N"), "-15 MN");
+    EXPECT_EQ(readable_amount(0, "N"), "0 N");
+    EXPECT_EQ(readable_amount(1e-12, "N"), "0.001 nN");
+    EXPECT_EQ(readable_amount(3e17, "N"), "3e+05 TN");
+    EXPECT_EQ(readable_amount(std::numeric_limits<double>::quiet_NaN(), "N"), "nan N");
+}
+
 TEST(Readable, SharesOfNothingAreNothing) {
     EXPECT_EQ(readable_share(1, 3), "33.3 %");
     EXPECT_EQ(readable_share(0, 0), "0.0 %");
