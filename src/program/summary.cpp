@@ -221,9 +221,10 @@ std::string differing(const output::AuditReport& audit) {
     const std::int64_t others = all - audit.decided_by_rounding;
     std::string text = fmt::format("  other label         {}: ", readable_count(all));
     if (audit.decided_by_rounding > 0) {
+        const std::string each = all == 1 ? "it" : "each";
         text += fmt::format(
             "in {} a perturbation grew by e^{:g} or more (sensitivity), so rounding decides the label",
-            all == 1 ? "it" : others == 0 ? "each" : readable_count(audit.decided_by_rounding), output::rounding_decides);
+            others == 0 ? each : readable_count(audit.decided_by_rounding), output::rounding_decides);
     }
     if (others > 0) {
         text += fmt::format("{}{} for another reason; /audit in the file has the cells",
