@@ -3,10 +3,10 @@
 
     compare.py A.h5 B.h5 [--output-dir DIR] [--formats png,pdf]
 
-Prints counts, the labels that differ, and quantiles of the difference in peak force; draws A_against_B. The files must
-have the same axes; their rigs may differ, and forces are then compared after the median factor between them, too.
-Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or their axes differ; 3 a picture cannot be
-written.
+Prints the keys of the jobs that differ, counts, the labels that differ, and B's peak force over A's; draws A_against_B.
+Rig, start and solver may differ. Where the grids differ, the points of the coarser one that the other has are compared.
+Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or they have no two common points along an axis;
+3 a picture cannot be written.
 """
 
 import os

@@ -59,7 +59,7 @@ class Sweep:
     def resonance(self, millimetres, direction="up"):
         """(frequency [Hz], force [N]); None without z = 1/1."""
         branch = self.branches(millimetres)[direction]
-        at = branch.resonance()
+        at = branch.strongest_single()
         return None if at is None else (float(self.hertz[at]), float(branch.force[at] * self.newtons))
 
     def doubling(self, millimetres):

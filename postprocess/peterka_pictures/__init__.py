@@ -6,7 +6,8 @@ opened        a file of any kind with a checked header
 read, tables  map and basin files: checks everything they say, and hands out bands of rows
 reduce        brings a large map down to what a picture can show
 classes       the fixed colour of each class of z = p/q
-log_ticks     ticks of logarithmic axes whose labels have room
+log_ticks, linear_ticks   ticks whose labels have room
+titles, notes, units   titles and notes that have room, and amounts with prefixes
 axes          axis labels, second scales and the pieces every picture shares
 field_map     a number per cell: what force_map and quantity_map share
 peterka_map, force_map, quantity_map, basin_map, audit_map   the pictures: each takes a file and returns a Figure

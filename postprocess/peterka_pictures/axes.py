@@ -5,7 +5,6 @@ they are, without interpolation, between their borders: linear or logarithmic. S
 """
 
 import os
-import textwrap
 
 import matplotlib
 
@@ -13,14 +12,15 @@ matplotlib.use("Agg")
 
 import matplotlib.patheffects as patheffects
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.legend_handler import HandlerTuple
-from matplotlib.patches import Patch, PathPatch
-from matplotlib.path import Path
-from matplotlib.ticker import MaxNLocator, NullFormatter, NullLocator
+from matplotlib.patches import Patch
+from matplotlib.ticker import NullFormatter, NullLocator
 
+from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
+from .titles import write_title  # noqa: F401: a piece every picture shares
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -44,10 +44,8 @@ STYLE = {
     "agg.path.chunksize": 20000,
 }
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
-CROSS_HATCH = [("/" * 7, "white"), ("\\" * 7, "black")]  # one of them is seen on any colour
 COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
-LETTERS_PER_INCH = 12.5  # of a title in 9 pt
 LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
@@ -56,25 +54,38 @@ def new_figure(width, height, cells=1):
     """A Figure [in x in] in the common style, with a raster fine enough for so many cells along a side."""
     matplotlib.rcParams.update(STYLE)
     dpi = COARSE_DPI if cells <= FINE_FROM else FINE_DPI
-    return Figure(figsize=(width, height), dpi=dpi, layout="constrained")
+    figure = Figure(figsize=(width, height), dpi=dpi, layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
 
 
-def label_axes(ax, file, second_scales=True):
-    """Axis labels and scales; Hz on top and mm at the right where the file gives the frequency and the amplitude."""
+def label_axes(ax, file):
+    """Axis labels and scales; on top and at the right in Hz, mm and m/s where the file gives frequency and amplitude."""
     for axis, ticks, which in ((file.columns, ax.xaxis, "x"), (file.rows, ax.yaxis, "y")):
         getattr(ax, f"set_{which}label")(LABELS[axis.name])
         getattr(ax, f"set_{which}scale")("log" if axis.log else "linear")
         getattr(ax, f"set_{which}lim")(axis.edges[0], axis.edges[-1])
         _set_ticks(ticks, axis.log)
+    top, right = (_second_scale(file, axis.name) for axis in (file.columns, file.rows))
+    if top:
+        scale = ax.secondary_xaxis("top", functions=scale_functions(top[1]))
+        scale.set_xlabel(top[0], fontsize=8)
+        _set_ticks(scale.xaxis, file.columns.log)
+    if right:
+        scale = ax.secondary_yaxis("right", functions=scale_functions(right[1]))
+        scale.set_ylabel(right[0], fontsize=8)
+        _set_ticks(scale.yaxis, file.rows.log)
+
+
+def _second_scale(file, name):
+    """(label, factor from the ratios of this axis) of its scale in SI units; None where the file doesn't tell."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    if second_scales and hertz:
-        top = ax.secondary_xaxis("top", functions=scale_functions(hertz))
-        top.set_xlabel("excitation frequency (Hz)", fontsize=8)
-        _set_ticks(top.xaxis, file.columns.log)
-    if second_scales and metres:
-        right = ax.secondary_yaxis("right", functions=scale_functions(1000 * metres))
-        right.set_ylabel("gap (mm)", fontsize=8)
-        _set_ticks(right.yaxis, file.rows.log)
+    if name == "frequency_ratio":
+        return ("excitation frequency (Hz)", hertz) if hertz else None
+    if name == "velocity_ratio":
+        return (r"$\dot{x}$ (m/s)", 2 * np.pi * hertz * metres) if hertz and metres else None
+    label = "gap (mm)" if name == "gap_ratio" else "$x$ (mm)"
+    return (label, 1000 * metres) if metres else None
 
 
 def _set_ticks(ticks, log):
@@ -84,7 +95,8 @@ def _set_ticks(ticks, log):
         ticks.set_major_formatter(LogNumbers())
         ticks.set_minor_formatter(NullFormatter())
     else:
-        ticks.set_major_locator(MaxNLocator(nbins=7, steps=[1, 2, 5, 10]))
+        ticks.set_major_locator(LinearTicks())
+        ticks.set_major_formatter(LinearNumbers())
 
 
 def scale_functions(factor):
@@ -113,36 +125,6 @@ def legend_patch(label, colour, hatched=False):
     return Patch(facecolor=colour, edgecolor="black", linewidth=0.3, label=label)
 
 
-def cross_hatch(ax, reduced):
-    """Lines over the cells that are True, white in one direction and black in the other."""
-    rectangles = Path.make_compound_path(*(_rectangle(reduced, *run) for run in _runs(reduced.image != 0)))
-    for hatch, colour in CROSS_HATCH:
-        ax.add_patch(
-            PathPatch(rectangles, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, rasterized=True)
-        )
-
-
-def cross_hatched_patch(label):
-    """Its entry of a legend: patches that are drawn over each other."""
-    return tuple(
-        Patch(facecolor="#8C8C8C" if number == 0 else "none", edgecolor=colour, hatch=hatch, linewidth=0, label=label)
-        for number, (hatch, colour) in enumerate(CROSS_HATCH)
-    )
-
-
-def _runs(mask):
-    """(row, first column, column after the last) of each run of True cells."""
-    padded = np.pad(mask.astype(np.int8), ((0, 0), (1, 1)))
-    starts, ends = (np.argwhere(np.diff(padded, axis=1) == step) for step in (1, -1))
-    return [(row, first, last) for (row, first), (_, last) in zip(starts, ends)]
-
-
-def _rectangle(reduced, row, first, last):
-    (left, right), (low, high) = reduced.column_edges[[first, last]], reduced.row_edges[[row, row + 1]]
-    corners = [(left, low), (right, low), (right, high), (left, high), (left, low)]
-    return Path(corners, [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY])
-
-
 def stack(width, image, legends, bar=False, panel=0.0):
     """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
     [in] if asked for.
@@ -159,8 +141,7 @@ def stack(width, image, legends, bar=False, panel=0.0):
     for legend_ax, (handles, columns, title) in zip(below[bar:], legends):
         legend_ax.axis("off")
         legend_ax.legend(
-            handles, [_label(handle) for handle in handles], handler_map={tuple: HandlerTuple(1, pad=0)}, ncol=columns,
-            title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False, handlelength=1.4,
+            handles=handles, ncol=columns, title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False, handlelength=1.4,
             handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
         )
     return figure, ax, (below[0] if bar else below[-1] if panel else None)
@@ -182,10 +163,6 @@ def diagram(width, height, handles, panels=1, columns=2):
     return figure, (all_axes[0] if panels == 1 else list(all_axes[:panels]))
 
 
-def _label(handle):
-    return (handle[0] if isinstance(handle, tuple) else handle).get_label()
-
-
 def percent(share):
     """A share 0..1 for a legend; neither 0 % nor 100 % unless it is exactly that."""
     value = 100 * share
@@ -194,20 +171,6 @@ def percent(share):
     if 99.9 < value < 100:
         return "> 99.9 %"
     return f"{value:.1f} %"
-
-
-def write_title(figure, file, extra=""):
-    """Title of the file, wrapped to the figure; `extra` below it. Never read as mathematics: it may hold a $."""
-    text = _balanced(file.title, int(figure.get_figwidth() * LETTERS_PER_INCH))
-    figure.suptitle("\n".join(filter(None, [text, extra])), fontsize=9, parse_math=False)
-
-
-def _balanced(text, width):
-    """Wrapped to as few lines as `width` letters allow, and these about equally long."""
-    lines = len(textwrap.wrap(text, width))
-    while width > 1 and len(textwrap.wrap(text, width - 1)) == lines:
-        width -= 1
-    return textwrap.fill(text, width)
 
 
 def operating_point(file):

@@ -1,8 +1,9 @@
 """Basins of attraction over the start plane, x(0)/A0 and x'(0)/(A0 omega) (the paper's Fig. 24).
 
 By attractor: each has the colour of its class of z; a second, third, ... attractor of the same class has a paler or
-darker one. A dot marks the attractor itself where it lies inside the picture: its point at forcing phase 0, where the
-cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') is the start (u, u' + Omega/omega).
+darker one. A dot marks the attractor itself where it lies inside the picture, and the legend tells of those outside: its
+point at forcing phase 0, where the cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') is the
+start (u, u' + Omega/omega). Where the stop is at the start, x = gap, is a line.
 By impact: the paper's two colours, impact and no impact; chaos is impact, whatever is not decided stays apart. Where
 the file knows when the last impact came, also as a run of so many cycles would see it.
 """
@@ -11,8 +12,9 @@ from collections import Counter
 
 import numpy as np
 from matplotlib.colors import to_hex, to_rgb
+from matplotlib.lines import Line2D
 
-from . import axes
+from . import axes, units
 from .classes import CHAOTIC, CLASSES, INDEX, NO_IMPACT, PERIODIC, class_of, classify
 from .reduce import class_picture
 
@@ -20,6 +22,9 @@ WIDTH = 3.7  # in
 NAMED_ATTRACTORS = 20  # a legend with more is not read; the smaller ones share one colour
 SHADES = [(0, "white"), (0.5, "white"), (0.4, "black"), (0.75, "white"), (0.65, "black")]  # mixed into a class's colour
 OTHER_COLOUR = CLASSES[INDEX["other p/q"]].colour
+MARK = {"marker": "o", "markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.8, "linestyle": "none",
+        "path_effects": axes.outline(2.0), "zorder": 6}
+STOP = {"color": "black", "linewidth": 0.9, "linestyle": (0, (1, 1.2)), "path_effects": axes.outline(1.8), "zorder": 5}
 IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough to differ from the blue in grey
 
 
@@ -36,8 +41,12 @@ def draw_attractors(file):
     def label(attractor, regime, impacts, period):
         return np.where(attractor >= 0, number[attractor], classify(regime, impacts, period))
 
-    figure, ax = _draw(file, ["attractor", "regime", "impacts", "period"], label, entries, 1)
-    _mark_attractors(ax, file, named, named_entries)
+    marks = _attractor_points(file, named, named_entries)
+    inside = [point for point in marks if _is_inside(file, point)]
+    figure, ax = _draw(file, ["attractor", "regime", "impacts", "period"], label, entries, 1,
+                       _mark_handles(len(inside), len(marks) - len(inside)))
+    for x, y, colour in inside:
+        ax.plot(x, y, **MARK | {"markerfacecolor": colour})
     return figure
 
 
@@ -68,13 +77,19 @@ def draw_impact_after(file, cycles):
     return figure
 
 
-def _draw(file, names, label, entries, columns):
+def _draw(file, names, label, entries, columns, marks=()):
     """Figure and map axes of labelled starts; `entries` holds (legend text, colour) of each label, `columns` is
-    for the legend."""
+    for the legend, `marks` are further entries of it."""
     reduced, counts = class_picture(file, names, label, len(entries))
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(_legend_entries(counts, entries), columns, None)])
+    gap = file.number("gap_ratio")
+    shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
+    stop = [Line2D([], [], label="stop at the start, $x$ = gap", **STOP)] if shows_stop else []
+    legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop], 1, None)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
     axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])
-    axes.label_axes(ax, file, second_scales=False)
+    axes.label_axes(ax, file)
+    if shows_stop:
+        ax.axvline(gap, **STOP)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file))
     return figure, ax
@@ -106,7 +121,7 @@ def _attractor_entries(table, named):
         entry = class_of(table.regime[row], table.impacts[row], table.period[row])
         text = f"$z$ = {entry.label}" if table.regime[row] == PERIODIC else entry.label
         if table.regime[row] != NO_IMPACT and np.isfinite(table.peak_force_ratio[row]):
-            text += f", $F/(m\\,g)$ = {table.peak_force_ratio[row]:.3g}"
+            text += f", $F/(m\\,g)$ = {units.number(table.peak_force_ratio[row])}"
         entries.append((text, _shade(entry.colour, seen[entry.colour])))
         seen[entry.colour] += 1
     return entries
@@ -117,16 +132,24 @@ def _shade(colour, repeat):
     return to_hex([(1 - weight) * own + weight * other for own, other in zip(to_rgb(colour), to_rgb(towards))])
 
 
-def _mark_attractors(ax, file, named, entries):
-    """A dot in the attractor's colour at its phase-0 point, where that lies in the picture."""
-    frequency_ratio = file.positive("frequency_ratio")
+def _attractor_points(file, named, entries):
+    """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is no single point."""
+    frequency_ratio, table = file.positive("frequency_ratio"), file.attractors
     if frequency_ratio is None:
-        return
-    table = file.attractors
-    for row, (_, colour) in zip(named, entries):
-        x, y = table.orbit_displacement[row], table.orbit_velocity[row] + frequency_ratio
-        if table.regime[row] != CHAOTIC and np.isfinite([x, y]).all():  # a chaotic one is no single point
-            ax.plot(
-                x, y, marker="o", markersize=5, markerfacecolor=colour, markeredgecolor="black", markeredgewidth=0.8,
-                path_effects=axes.outline(2.0), zorder=6,
-            )
+        return []
+    points = [(table.orbit_displacement[row], table.orbit_velocity[row] + frequency_ratio, colour)
+              for row, (_, colour) in zip(named, entries) if table.regime[row] != CHAOTIC]
+    return [point for point in points if np.isfinite(point[:2]).all()]
+
+
+def _is_inside(file, point):
+    return all(axis.edges[0] <= value <= axis.edges[-1] for axis, value in zip((file.columns, file.rows), point))
+
+
+def _mark_handles(inside, outside):
+    handles = [Line2D([], [], label="its attractor, at forcing phase 0", **MARK | {"markerfacecolor": "white"})]
+    handles = handles if inside else []
+    if outside:
+        words = "1 attractor lies" if outside == 1 else f"{outside} attractors lie"
+        handles.append(Line2D([], [], label=f"{words} outside the picture", linestyle="none"))
+    return handles

@@ -11,7 +11,8 @@ WHERE = {
     "impact_displacement": ("$x/A_0$ at first touch", "x at first touch (mm)"),
 }
 # The falling branch lies below in larger, paler dots: where both agree a dark dot has a pale ring.
-DOTS = {"up": ("#00304F", 0.9, 3), "down": ("#F5A742", 2.6, 2), "independent": ("#00304F", 0.9, 3)}
+DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 2),
+        "independent": (LOOKS["independent"].colour, 0.9, 3)}
 
 
 def draw(file, measured, name):

@@ -1,30 +1,34 @@
-"""Two files over the same plane, cell by cell: where regime, z = p/q or peak force differ, as numbers.
+"""Two files over planes with common points, cell by cell: where regime, z = p/q or peak force differ, as numbers.
 
-The rigs may differ: then all forces differ by much the same factor, so besides the plain differences there are those
-that are left when the forces of the second file are divided by the median of that factor, `scale`. Forces are compared
-where both files have the same label and a force that lasts: z = p/q, or sustained contact. Chaotic peaks grow with the
-time observed and say little. Memory: 16 bytes for each such cell.
+Forces are told as B's over A's, where both files have the same label and a force that lasts: z = p/q, or sustained
+contact. Chaotic peaks grow with the time observed and say little. Memory: 16 bytes for each such cell.
 """
 
+import tomllib
 from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 
+from .checked_hdf5 import printable
 from .classes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT, class_of
+from .common_plane import CommonPlane
 from .opened import NotDrawable
 
-SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
-SHARES = (50, 90, 99)  # % of the cells; quantiles of the differences that are told
+SHARES = (1, 50, 99)  # % of the cells; quantiles of the ratio that are told
+MOST_KEYS = 6  # that differ
 NAMES = ("regime", "impacts", "period", "peak_force_ratio")
+UNTOLD = ("title",)  # it is told already
+LONGEST_JOB, LONGEST_VALUE = 100_000, 40
 _ORBIT = 8  # codes of a label below it are regimes
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Of files A and B. `moves`: cells of each (label in A, label in B) where they differ. `force_ratio` (n,): forces
-    of B over those of A; `place` (row, column) of each, (n, 2)."""
+    """Of files A and B at their common points. `moves`: cells of each (label in A, label in B) where they differ. `force_ratio` (n,): forces
+    of B over those of A; `place` (row, column) of each in the common plane, (n, 2)."""
 
+    plane: CommonPlane
     cells: int
     same_regime: int
     same_label: int
@@ -43,10 +47,10 @@ class Comparison:
 
 def compare(first, second):
     """The Comparison of two open files; NotDrawable where they don't lie over the same plane."""
-    refuse_other_plane(first, second)
+    plane = CommonPlane(first, second)
     cells = same_regime = same_label = 0
     moves, ratios, places = Counter(), [], []
-    for row, a, b in bands(first, second):
+    for row, a, b in plane.bands(NAMES):
         both = there(a) & there(b)
         codes = label_codes(**a), label_codes(**b)
         same = both & (codes[0] == codes[1])
@@ -57,24 +61,7 @@ def compare(first, second):
         forced = same & has_lasting_force(a, b)
         ratios.append(b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced])
         places.append(np.argwhere(forced).astype(np.int32) + np.array([row, 0], dtype=np.int32))
-    return Comparison(cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(places))
-
-
-def refuse_other_plane(first, second):
-    if first.kind != second.kind:
-        raise second.refusal(f"is a {second.kind} and {first.path} a {first.kind}: their cells can't be compared")
-    for side in ("rows", "columns"):
-        a, b = getattr(first, side), getattr(second, side)
-        length = a.values[-1] - a.values[0]
-        if len(a.values) != len(b.values) or np.any(np.abs(a.values - b.values) > SAME_POINT * length):
-            raise second.refusal(f"has {_span(b)}, and {first.path} has {_span(a)}: only cells at the same places can "
-                                 "be compared; compute one of them again with the axes of the other")
-
-
-def bands(first, second, multiple=1):
-    """(first row, {name: array} of A, the same of B), band by band."""
-    for (row, a), (_, b) in zip(first.bands(NAMES, multiple), second.bands(NAMES, multiple)):
-        yield row, a, b
+    return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(places))
 
 
 def there(band):
@@ -100,6 +87,7 @@ def force_difference(ratio, scale=1.0):
 def text(first, second, comparison):
     """What is told, some lines."""
     lines = [f"A  {first.path}: {first.title}", f"B  {second.path}: {second.title}",
+             *differing_keys(first, second), *filter(None, [comparison.plane.in_words]),
              f"{comparison.cells} cells that both files hold"]
     if not comparison.cells:
         return "\n".join(lines)
@@ -111,26 +99,57 @@ def text(first, second, comparison):
         lines.append(f"  {a + ' -> ' + b:<40}{count:>10}{_percent(count, comparison.cells)}")
     if len(comparison.moves) > 12:
         lines.append(f"  and {len(comparison.moves) - 12} more")
-    return "\n".join(lines + _force_lines(first, comparison))
+    return "\n".join(lines + _force_lines(comparison))
 
 
-def _force_lines(first, comparison):
-    count = len(comparison.force_ratio)
-    if not count:
+def _force_lines(comparison):
+    ratio = comparison.force_ratio
+    if not len(ratio):
         return ["No peak force to compare."]
-    lines = [f"Peak force in {count} cells of the same regime and z; B's are {comparison.scale:.6g} times A's (median)"]
-    scales = [("difference", 1.0)]
-    if abs(comparison.scale - 1) > 0.01:
-        scales.append(("divided by that", comparison.scale))
-    for name, scale in scales:
-        differences = comparison.differences(scale)
-        worst = int(np.argmax(differences))
-        row, column = comparison.place[worst]
-        quantiles = ", ".join(f"{value:.2e} ({share} %)" for share, value in
-                              zip(SHARES, np.percentile(differences, SHARES, method="inverted_cdf")))
-        lines.append(f"  {name:<20}{quantiles}, {differences[worst]:.2e} at most, at {first.columns.name} "
-                     f"{first.columns.values[column]:.6g}, {first.rows.name} {first.rows.values[row]:.6g}")
+    quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
+                          zip(SHARES, np.percentile(ratio, SHARES, method="inverted_cdf")))
+    lines = [f"Peak force in {len(ratio)} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
+    for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
+        row, column = comparison.place[extreme]
+        columns, rows = comparison.plane.columns, comparison.plane.rows
+        lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at {columns.name} "
+                     f"{columns.values[column]:.6g}, {rows.name} {rows.values[row]:.6g}")
     return lines
+
+
+def change(ratio):
+    """+5.0 %, -29.0 %, or a factor where that says more."""
+    return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
+
+
+def differing_keys(first, second):
+    """A line for each key of the jobs that differs, as both files tell them; none where they don't."""
+    jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
+    if None in jobs:
+        return []
+    keys = [key for key in dict.fromkeys([*jobs[0], *jobs[1]]) if jobs[0].get(key) != jobs[1].get(key)]
+    lines = [f"{key}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
+    more = len(lines) - MOST_KEYS
+    return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
+
+
+def _keys(text):
+    """{table.key: value} of a job's resolved text; None where it is none."""
+    try:
+        return _flat(tomllib.loads(text)) if isinstance(text, str) and len(text) < LONGEST_JOB else None
+    except tomllib.TOMLDecodeError:
+        return None
+
+
+def _flat(table, path=""):
+    keys = {}
+    for name, value in table.items():
+        keys |= _flat(value, f"{path}{name}.") if isinstance(value, dict) else {path + name: value}
+    return keys
+
+
+def _value(job, key):
+    return printable(str(job[key]))[:LONGEST_VALUE] if key in job else "nothing"
 
 
 def _moves(codes_a, codes_b):
@@ -146,11 +165,6 @@ def _name(code):
 
 def _percent(count, total):
     return f"{100 * count / total:>10.3f} %"
-
-
-def _span(axis):
-    spacing = ", evenly in the logarithm" if axis.log else ""
-    return f"{len(axis.values)} points of {axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}{spacing}"
 
 
 __all__ = ["Comparison", "NotDrawable", "compare", "text"]

@@ -1,7 +1,7 @@
 """A number per cell over the plane of a map: how force_map and quantity_map draw.
 
-Values have a colour of the scale from 0 up; the largest of all cells drawn is marked with its value. Cells without a
-value keep colours that the scale hasn't: those of their class where the picture tells it apart, else two pale ones.
+Values have a colour of the scale from 0 up; the largest of all cells of a map is marked with its value, which may grow on
+beyond the border where it lies there. Cells without a value keep colours that the scale hasn't: those of their class where the picture tells it apart, else two pale ones.
 Cells of a reduced map show the largest value in their block.
 """
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from . import axes
 from .classes import CHAOTIC, CLASSES, INDEX, PERIODIC, classify
+from .notes import write_beside
 from .reduce import class_picture, field_picture
 
 WIDTH = 3.7  # in
@@ -65,11 +66,12 @@ def draw(file, field):
         values.column_edges, values.row_edges, np.ma.masked_invalid(values.image) * scale.factor,
         cmap=COLOURS, vmin=0, vmax=top * scale.factor, rasterized=True,
     )
-    axes.label_axes(ax, file, second_scales=file.kind == "map")
+    axes.label_axes(ax, file)
     _draw_bar(figure, bar_ax, mesh, scale, peak.value > top)
-    _mark(ax, peak, scale.text(peak.value))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file))
+    if file.kind == "map":  # in a basin all starts of an orbit share the largest value
+        _mark(ax, peak, scale.text(peak.value))
     return figure
 
 
@@ -111,16 +113,10 @@ def _draw_bar(figure, bar_ax, mesh, scale, beyond):
 
 
 def _mark(ax, peak, text):
-    """A cross at the largest value, its text beside it on the side where the picture has room."""
-    place = ax.transData.transform((peak.column_value, peak.row_value))
-    across, up = ax.transAxes.inverted().transform(place)
+    """A cross at the largest value, its text beside it."""
     ax.plot(
         peak.column_value, peak.row_value, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
         path_effects=axes.outline(2.4), zorder=6,
     )
-    ax.annotate(
-        f"max {text}", (peak.column_value, peak.row_value), textcoords="offset points",
-        xytext=(8 if across < 0.5 else -8, 8 if up < 0.5 else -8),
-        ha="left" if across < 0.5 else "right", va="bottom" if up < 0.5 else "top",
-        path_effects=axes.outline(2.4), zorder=7,
-    )
+    where = ", on the map's border" if peak.on_border else ""
+    write_beside(ax, peak.column_value, peak.row_value, f"max {text}{where}")

@@ -4,7 +4,7 @@ Force is F/(m g), with a second scale in newtons where the file knows the hammer
 without a force; where no cell has one there is no picture.
 """
 
-from . import field_map
+from . import field_map, units
 from .classes import PERIODIC
 from .field_map import Field, Scale
 
@@ -21,10 +21,16 @@ def draw_all_impacts(file):
 
 
 def _draw(file, carries, what, apart):
-    label, newtons = f"peak force $F/(m\\,g)$, {what}", file.newtons
-    second = ("peak force (N)", newtons) if newtons else None
+    newtons = file.newtons
 
     def text(force):
-        return f"{force:.3g}" + (f" ({force * newtons:.3g} N)" if newtons else "")
+        return units.number(force) + (f" ({units.amount(force * newtons, 'N')})" if newtons else "")
 
-    return field_map.draw(file, Field("peak_force_ratio", carries, apart, lambda _: Scale(label, 1, text, second)))
+    def scale(largest):
+        label = f"peak force $F/(m\\,g)$, {what}"
+        if not newtons:
+            return Scale(label, 1, text)
+        factor, unit = units.with_prefix(largest * newtons, "N")
+        return Scale(label, 1, text, (f"peak force ({unit})", newtons * factor))
+
+    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale))

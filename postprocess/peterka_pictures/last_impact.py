@@ -25,7 +25,7 @@ def draw(file):
                for n in np.flatnonzero(counts)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, "forcing cycles until the last impact")])
     axes.show_classes(ax, reduced, COLOURS, MISSING)
-    axes.label_axes(ax, file, second_scales=file.kind == "map")
+    axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file))
     return figure

@@ -4,8 +4,8 @@ The dashed line is the edge of no impact of a hammer at rest in its steady state
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
 stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
 
-Crossed lines lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in
-rest and counts as one impact.
+White dots lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest and
+counts as one impact. Dots, since lines across a class look like stripes of another one.
 """
 
 import numpy as np
@@ -17,6 +17,9 @@ from .reduce import class_picture
 
 WIDTH = 3.7  # in
 LINE_POINTS = 2000
+DOTS = 48  # along a side
+CHATTER_LOOK = {"marker": "o", "markersize": 1.7, "color": "white", "markeredgecolor": "black", "markeredgewidth": 0.3,
+                "linestyle": "none", "clip_on": False}
 EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path_effects": axes.outline(1.4)}
 
 
@@ -31,7 +34,7 @@ def draw(file):
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     if chatter:
-        axes.cross_hatch(ax, chatter)
+        ax.plot(*_dots(chatter), **CHATTER_LOOK)
     _draw_edge_of_no_impact(ax, file)
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
@@ -69,7 +72,21 @@ def _chatter(file):
     reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: chatter == 1, 2)
     if not counts[1]:
         return None, []
-    return reduced, [axes.cross_hatched_patch(f"chatter ({axes.percent(counts[1] / counts.sum())})")]
+    return reduced, [Line2D([], [], label=f"chatter ({axes.percent(counts[1] / counts.sum())})",
+                            **CHATTER_LOOK | {"markersize": 3.5})]
+
+
+def _dots(reduced):
+    """(x, y) of a dot for each block of the plane with such a cell: at the cell that is nearest to the block's middle."""
+    shape = np.array(reduced.image.shape)
+    cells = np.argwhere(reduced.image != 0)
+    blocks = (cells * DOTS) // shape
+    away = np.sum(((cells + 0.5) * DOTS / shape - blocks - 0.5) ** 2, axis=1)
+    order = np.argsort(away, kind="stable")
+    _, first = np.unique(blocks[order] @ [DOTS, 1], return_index=True)
+    row, column = cells[order][first].T
+    middles = [(edges[1:] + edges[:-1]) / 2 for edges in (reduced.column_edges, reduced.row_edges)]
+    return middles[0][column], middles[1][row]
 
 
 def _draw_edge_of_no_impact(ax, file):

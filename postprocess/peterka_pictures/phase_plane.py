@@ -4,7 +4,6 @@ Dots mark the beginning of each cycle (forcing phase 0), crosses the impacts."""
 
 import numpy as np
 from matplotlib.lines import Line2D
-from matplotlib.ticker import MaxNLocator
 
 from . import axes, trace_look
 
@@ -31,7 +30,6 @@ def draw(file):
     if file.impacts is not None:
         touches = np.searchsorted(motion["time"], file.impacts["touch_time"])
         ax.plot(*_before(motion["time"], file.impacts["touch_time"], touches, displacement, velocity), **TOUCH)
-    ax.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     ax.set_xlabel(f"hammer displacement $x$ ({unit})")
     ax.set_ylabel(r"hammer velocity $\dot{x}$ (m/s)")
     trace_look.grid(ax)

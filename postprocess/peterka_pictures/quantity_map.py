@@ -3,7 +3,7 @@
 Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
 """
 
-from . import field_map
+from . import field_map, units
 from .field_map import WITHOUT_IMPACTS, Field, Scale
 from .classes import FAILED, NOT_COMPUTED, UNRESOLVED
 from .read import QUANTITIES
@@ -15,7 +15,6 @@ TITLES = {
     "contact_power_w": "mean power into the contact",
     "max_displacement": "largest displacement $|x - y|$",
 }
-PREFIXES = [(1e-6, "µ"), (1e-3, "m"), (1, ""), (1e3, "k"), (1e6, "M")]
 
 
 def draw(file, name):
@@ -26,17 +25,10 @@ def draw(file, name):
     return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(name, largest)))
 
 
-def with_prefix(largest, unit):
-    """(factor, unit with the prefix) that bring a scale's largest value to 1 ... 1000 where prefixes can."""
-    fitting = [(size, letter) for size, letter in PREFIXES if largest >= size]
-    size, letter = fitting[-1] if fitting else (PREFIXES[0] if largest > 0 else (1, ""))
-    return 1 / size, letter + unit
-
-
 def _proved(regime, *_):
     return (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
 
 
 def _scale(name, largest):
-    factor, unit = with_prefix(largest, QUANTITIES[name][0])
-    return Scale(f"{TITLES[name]} ({unit})", factor, lambda value: f"{value * factor:.3g} {unit}")
+    factor, unit = units.with_prefix(largest, QUANTITIES[name][0])
+    return Scale(f"{TITLES[name]} ({unit})", factor, lambda value: units.amount(value, QUANTITIES[name][0]))

@@ -61,9 +61,13 @@ class PeterkaFile(OpenedFile):
         All bands but the last one have a number of rows divisible by `multiple`. Values are checked on the way."""
         rows = multiple * max(1, BAND_CELLS // (self.shape[1] * multiple))
         for first in range(0, self.shape[0], rows):
-            band = {name: self.data.values(name, slice(first, first + rows)) for name in names}
-            self._check_values(band)
-            yield first, band
+            yield first, self.band(names, first, first + rows)
+
+    def band(self, names, first, last):
+        """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
+        band = {name: self.data.values(name, slice(first, last)) for name in names}
+        self._check_values(band)
+        return band
 
     def check_content(self):
         if self.kind not in COORDINATES:
@@ -109,11 +113,16 @@ class PeterkaFile(OpenedFile):
         values = np.asarray(self.data.values(name, slice(None)), dtype=float)
         if not (np.isfinite(values).all() and np.all(np.diff(values) > 0)):
             raise self.refusal(f"has a coordinate {name} that does not ascend")
-        log = _evenly_spaced_in_log(values)
-        edges = np.exp(_edges(np.log(values))) if log else _edges(values)
-        if name == "frequency_ratio" and values[0] >= 0:
-            edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
-        return Axis(name, values, edges, log)
+        return axis_of(name, values)
+
+
+def axis_of(name, values):
+    """The Axis with these ascending values."""
+    log = _evenly_spaced_in_log(values)
+    edges = np.exp(_edges(np.log(values))) if log else _edges(values)
+    if name == "frequency_ratio" and values[0] >= 0:
+        edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
+    return Axis(name, values, edges, log)
 
 
 def _edges(centres):

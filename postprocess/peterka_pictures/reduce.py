@@ -29,6 +29,7 @@ class Largest:
     value: float
     row_value: float
     column_value: float
+    on_border: bool  # of the plane
 
 
 def block_size(shape, limit=LIMIT):
@@ -81,7 +82,9 @@ def field_picture(file, name, carries, limit=LIMIT):
         if usable.any():
             row, column = np.unravel_index(np.nanargmax(values), values.shape)
             if best is None or values[row, column] > best.value:
-                best = Largest(float(values[row, column]), file.rows.values[first + row], file.columns.values[column])
+                on_border = first + row in (0, file.shape[0] - 1) or column in (0, file.shape[1] - 1)
+                best = Largest(float(values[row, column]), file.rows.values[first + row], file.columns.values[column],
+                               on_border)
         pieces.append(largest(values, block))
     return with_edges(file, np.concatenate(pieces), block), best, lacking
 

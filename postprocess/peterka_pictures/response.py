@@ -1,5 +1,5 @@
 """Frequency response of a sweep: peak force against the excitation frequency, a panel for each gap (the paper's Figs. 9
-to 11 and 14 to 16), with jumps and the impact resonance.
+to 11 and 14 to 16), with jumps and the largest force of z = 1/1: the impact resonance, where it is a maximum inside.
 
 Motions with a period are lines; largest forces of those without one, over the window observed, are single marks.
 """
@@ -7,19 +7,20 @@ Motions with a period are lines; largest forces of those without one, over the w
 import numpy as np
 from matplotlib.lines import Line2D
 
-from . import sweep_panels
+from . import sweep_panels, units
 from .sweep_panels import LOOKS
 
 MOST_LABELLED = 3  # jumps of a branch
 CLOSE = 0.004  # of the panel's width: marks of both branches that are closer than this are one
 RESONANCE = {"marker": "*", "markersize": 9, "markeredgecolor": "black", "markeredgewidth": 0.7, "linestyle": "none"}
+CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
 
 def draw(file, measured):
     """The response as a Figure; None where no point has a force."""
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
-    second = ("peak force (N)", file.newtons) if file.newtons else None
+    second = _second_scale(file)
     has_measured = any(point.force is not None for point in measured.points)
     figure, panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured)
     for gap, ax in panels.items():
@@ -28,10 +29,18 @@ def draw(file, measured):
         points = measured.at_gap(gap)
         top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
                   + [point.force for point in points if point.force is not None])
-        notes = [*_jump_notes(file, gap), *_mark_resonances(ax, file, gap)]
+        notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
         sweep_panels.head_notes(ax, notes, 1.05 * top if top > 0 else 1)
         sweep_panels.draw_measured(ax, points, lambda point: point.force)
     return figure
+
+
+def _second_scale(file):
+    if not file.newtons:
+        return None
+    largest = max(np.nanmax(np.nan_to_num(branch.force)) for branch in file.branches)
+    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    return f"peak force ({unit})", file.newtons * factor
 
 
 def _handles(file):
@@ -43,8 +52,12 @@ def _handles(file):
         if any(_scattered(branch).any() for branch in file.branches if branch.direction == name):
             handles.append(Line2D([], [], label=f"{name}: no period", color=look.colour, marker=look.marker,
                                   markersize=2.5, linestyle="none"))
-    if any(branch.resonance() is not None for branch in file.branches):
+    strongest = [(branch, branch.strongest_single()) for branch in file.branches]
+    found = {branch.is_resonance(at) for branch, at in strongest if at is not None}
+    if True in found:
         handles.append(Line2D([], [], label="impact resonance ($z = 1/1$)", color="white", **RESONANCE))
+    if False in found:
+        handles.append(Line2D([], [], label="largest of $z = 1/1$, cut off", color="white", **CUT_OFF))
     if any(branch.jumps() for branch in file.branches):
         handles.append(Line2D([], [], label="jump", color="black", linewidth=0.7, linestyle=":"))
     return handles
@@ -82,17 +95,19 @@ def _jump_notes(file, gap):
     return notes
 
 
-def _mark_resonances(ax, file, gap):
-    """A star at the resonance of each branch; gives their notes."""
+def _mark_strongest(ax, file, gap):
+    """A star at the resonance of each branch, a square at a largest force that is none; gives their notes."""
     notes = []
     for branch in file.at_gap(gap):
-        at = branch.resonance()
+        at = branch.strongest_single()
         if at is None:
             continue
+        look, sign = (RESONANCE, "★") if branch.is_resonance(at) else (CUT_OFF, "■")
         x, force = file.frequency_ratio[at], branch.force[at]
-        ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **RESONANCE)
-        newtons = f" = {force * file.newtons:.3g} N" if file.newtons else ""
-        _add(notes, file, (x, force, f"★ {force:.3g}{newtons} at {sweep_panels.frequency_text(file, x)}", "black"))
+        ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
+        newtons = f" = {units.amount(force * file.newtons, 'N')}" if file.newtons else ""
+        text = f"{sign} {units.number(force)}{newtons} at {sweep_panels.frequency_text(file, x)}"
+        _add(notes, file, (x, force, text, "black"))
     return notes
 
 

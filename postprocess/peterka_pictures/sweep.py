@@ -48,10 +48,20 @@ class Branch:
         order = np.argsort(-np.abs(self.force[after] - self.force[before]), kind="stable")
         return [(int(before[i]), int(after[i])) for i in order]
 
-    def resonance(self):
-        """Index of the largest force among z = 1/1, the impact resonance; None where no point has one."""
-        single = (self.regime == classes.PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
+    def strongest_single(self):
+        """Index of the largest force among z = 1/1; None where no point has one."""
+        single = self._single()
         return int(np.argmax(np.where(single, self.force, -1.0))) if single.any() else None
+
+    def is_resonance(self, at):
+        """Whether the largest force is a maximum inside its band of z = 1/1; else it may be cut off, by a jump, by another
+        class or by the end of the sweep."""
+        inside = 0 < at < len(self.force) - 1
+        landings = (at, at - 1) if self.direction == "down" else (at, at + 1)
+        return bool(inside and self._single()[at - 1:at + 2].all() and not self.jump[list(landings)].any())
+
+    def _single(self):
+        return (self.regime == classes.PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
 
 
 class SweepFile(OpenedFile):

@@ -1,7 +1,8 @@
 """What pictures of a sweep share: a panel for each gap, the classes of the motions above it, second scales, measured
 points, and how the directions look.
 
-Directions differ in line, marker and brightness, so that they are told apart without colour, too.
+Directions differ in line, marker and brightness, so that they are told apart without colour, too. Their colours, and that
+of measured points, are those of no class.
 """
 
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from matplotlib.lines import Line2D
 from . import axes
 from .classes import CLASSES, INDEX, classify
 
-WIDTH, PANEL = 7.0, 2.05  # in: two journal columns, and the height of one panel
+WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
 ROW, LETTER = 0.085, 0.0093  # height of a line of notes and width of its letters, over those of the panel
 STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
@@ -31,11 +32,11 @@ class Look:
 
 
 LOOKS = {
-    "up": Look("frequency rising", "#00477D", "-", "^", 1.6, 2.0),
-    "down": Look("frequency falling", "#E07B00", (0, (3.5, 1.8)), "v", 1.1, 2.2),
-    "independent": Look("each from the start", "#00477D", "-", "o", 1.3, 2.0),
+    "up": Look("frequency rising", "#003355", "-", "^", 1.6, 2.0),
+    "down": Look("frequency falling", "#0099AA", (0, (3.5, 1.8)), "v", 1.1, 2.2),
+    "independent": Look("each from the start", "#003355", "-", "o", 1.3, 2.0),
 }
-MEASURED = {"marker": "D", "markersize": 5, "markerfacecolor": "#F0E442", "markeredgecolor": "black",
+MEASURED = {"marker": "D", "markersize": 5, "markerfacecolor": "white", "markeredgecolor": "black",
             "markeredgewidth": 0.9, "linestyle": "none"}
 
 
@@ -45,7 +46,7 @@ def panels(file, handles, ylabel, second, has_measured):
     `second` is the (label, factor) of a second scale at the right, or None. Returns figure and {gap: Axes}."""
     if has_measured:
         handles = [*handles, Line2D([], [], label="measured", **MEASURED)]
-    figure, all_axes = axes.diagram(WIDTH, PANEL * len(file.gaps), [*handles, *_class_handles(file)],
+    figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4)
     all_axes = [all_axes] if len(file.gaps) == 1 else all_axes
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):

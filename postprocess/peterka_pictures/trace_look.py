@@ -1,6 +1,8 @@
 """What the pictures of a trace share: lines and their look, and axes in mm, N and seconds."""
 
-from . import axes
+import numpy as np
+
+from . import axes, units
 
 HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
 HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
@@ -16,14 +18,24 @@ def displacement(file, ratio):
 
 
 def force(file, ratio):
-    """(values, label unit) in N where the file knows the mass."""
-    return (ratio * file.newtons, "N") if file.newtons else (ratio, "$mg$")
+    """(values, label unit) in N where the file knows the mass; all of a trace with the same prefix."""
+    factor, unit = _force_scale(file)
+    return factor * ratio, unit
+
+
+def _force_scale(file):
+    if not file.newtons:
+        return 1.0, "$mg$"
+    forces = [file.motion["force_ratio"]] + ([] if file.impacts is None else [file.impacts["peak_force_ratio"]])
+    largest = max(np.max(np.nan_to_num(values), initial=0) for values in forces)
+    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    return factor * file.newtons, unit
 
 
 def second_force_scale(ax, file):
     """F/mg at the right of a scale in N."""
-    weight = file.newtons
-    if weight:
+    if file.newtons:
+        weight = _force_scale(file)[0]
         right = ax.secondary_yaxis("right", functions=(lambda force: force / weight, lambda ratio: ratio * weight))
         right.set_ylabel("$F/(mg)$", fontsize=8)
 

@@ -4,6 +4,7 @@ import h5py
 import matplotlib.image
 import numpy as np
 import pytest
+from matplotlib.colors import to_rgb
 from peterka_pictures import comparison, comparison_map
 from peterka_pictures.read import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, PLAIN, Drawn, orbit, write_basin, write_map
@@ -44,36 +45,84 @@ def test_counts_moves_and_forces(pair):
     assert found.scale == 1
 
 
-def test_rigs_whose_forces_differ_by_a_factor(tmp_path):
+def test_forces_have_a_sign_and_no_median_is_taken_out(tmp_path):
+    """A force that is 29 % lower is neither the same nor just different."""
     first = write_map(tmp_path / "a.h5", PLAIN, forces=FORCES)
-    second = write_map(tmp_path / "b.h5", PLAIN, forces=1.25 * np.array(FORCES), natural_frequency_hz=5.25)
+    second = write_map(tmp_path / "b.h5", PLAIN, forces=0.71 * np.array(FORCES))
     with PeterkaFile(first) as a, PeterkaFile(second) as b:
         found = comparison.compare(a, b)
         told = comparison.text(a, b, found)
         drawn = Drawn(comparison_map.draw(a, b, found), tmp_path / "picture.png")
-    assert found.scale == 1.25 and found.differences(found.scale).max() < 1e-12
-    assert "B's are 1.25 times A's" in told and "divided by that" in told
-    assert drawn.legend_texts() == ["same z, peak force/1.25 within 1 % (100.0 %)"]
+        back = Drawn(comparison_map.draw(b, a, comparison.compare(b, a)), tmp_path / "back.png")
+        weaker, stronger = drawn.colour_of(a, 0, 0), back.colour_of(a, 0, 0)
+    assert found.scale == pytest.approx(0.71)
+    assert "ratio               0.71 (1 %), 0.71 (50 %), 0.71 (99 %)" in told and "0.71 (-29 %), at" in told
+    red, blue = (to_rgb(colour) for colour in (stronger, weaker))
+    assert blue[2] > blue[0] + 0.2 and red[0] > red[2] + 0.2
+    assert "median 0.71" in drawn.figure.axes[1].get_xlabel()
 
 
 def test_the_picture_tells_each_kind_of_difference(pair, tmp_path):
     with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b:
         drawn = Drawn(comparison_map.draw(a, b, comparison.compare(a, b)), tmp_path / "picture.png")
-        colours = {place: drawn.colour_of(a, *place) for place in [(0, 0), (0, 1), (0, 2), (3, 3), (1, 0)]}
+        colours = {place: drawn.colour_of(a, *place) for place in [(0, 2), (3, 3), (3, 1)]}
+        forces = [drawn.colour_of(a, *place) for place in [(1, 0), (0, 0), (0, 1)]]
     kinds = comparison_map
-    assert colours == {
-        place: kinds.COLOURS[kind] for place, kind in {
-            (0, 0): kinds.FORCE, (0, 1): kinds.MUCH_FORCE, (0, 2): kinds.ORBIT, (3, 3): kinds.REGIME,
-            (1, 0): kinds.SAME}.items()
-    }
-    assert len(drawn.legend_texts()) == 6
+    assert colours == {(0, 2): kinds.COLOURS[kinds.ORBIT], (3, 3): kinds.COLOURS[kinds.REGIME],
+                       (3, 1): kinds.COLOURS[kinds.SAME]}
+    redness = [to_rgb(colour)[0] - to_rgb(colour)[2] for colour in forces]  # the same, 5 % more, twice as much
+    assert abs(redness[0]) < 0.02 and redness[0] < redness[1] < redness[2]
+    assert drawn.legend_texts() == ["same, no lasting force (37.5 %)", "same regime, other z (6.2 %)", "other regime (6.2 %)",
+                                    "not in both files (6.2 %)"]
+
+
+def test_scales_in_hertz_and_millimetres_where_both_rigs_have_them(pair, tmp_path):
+    other = write_map(tmp_path / "c.h5", PLAIN, forces=FORCES, natural_frequency_hz=5.25)
+    with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b, PeterkaFile(other) as c:
+        same = comparison_map.draw(a, b, comparison.compare(a, b)).axes[0]
+        differs = comparison_map.draw(a, c, comparison.compare(a, c)).axes[0]
+    assert [child.get_xlabel() or child.get_ylabel() for child in same.child_axes] == ["excitation frequency (Hz)", "gap (mm)"]
+    assert [child.get_xlabel() or child.get_ylabel() for child in differs.child_axes] == ["gap (mm)"]
+
+
+def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):
+    for name, damping in (("a.h5", 1200.0), ("b.h5", 900.0)):
+        with h5py.File(tmp_path / name, "r+") as file:
+            file.attrs["job"] = f'title = "{name}"\n[hammer]\nmass_kg = 0.298\n[contact]\ndamping_ns_per_m = {damping}\n'
+    line = "contact.damping_ns_per_m: 1200.0 in A, 900.0 in B"
+    assert f"\n{line}\n" in run_compare("a.h5", "b.h5")[1]
+    with PeterkaFile(pair[0]) as a, PeterkaFile(pair[1]) as b:
+        assert comparison.differing_keys(a, b) == [line] and comparison.differing_keys(a, a) == []
+        title = comparison_map.draw(a, b, comparison.compare(a, b))._suptitle.get_text()
+    assert title == f"Sample\nA: a, B: b\n{line}"
+
+
+def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, run_compare):
+    fine = np.random.default_rng(1).integers(0, 2, (9, 13))
+    coarse = fine[::2, ::3].copy()
+    coarse[1, 2] = 1 - coarse[1, 2]
+
+    def cells(ones):
+        return [[orbit(1, 1) if one else NO_IMPACT for one in row] for row in ones]
+
+    write_map(tmp_path / "fine.h5", cells(fine), np.linspace(1, 4, 13), np.linspace(0, 3, 9))
+    write_map(tmp_path / "coarse.h5", cells(coarse), np.linspace(1, 4, 5), np.linspace(0, 3, 5))
+    for pair in (("fine.h5", "coarse.h5"), ("coarse.h5", "fine.h5")):
+        code, told, complaint = run_compare(*pair)
+        assert (code, complaint) == (0, "")
+        assert "compared at the 5 by 5 points that both have: A has " in told
+        assert "25 cells that both files hold" in told and "same regime               24" in told
+    shifted = np.linspace(1, 4, 5)
+    shifted[1:4] += 0.01  # two points, the ends, are those of the other
+    write_map(tmp_path / "shifted.h5", cells(coarse), shifted, np.linspace(0, 3, 5))
+    assert "10 cells that both files hold" in run_compare("fine.h5", "shifted.h5")[1]
 
 
 def test_the_program_tells_and_draws(pair, tmp_path, run_compare):
     code, told, complaint = run_compare("a.h5", "b.h5")
     assert (code, complaint) == (0, "")
     assert "same regime and z           13    86.667 %" in told and "2/2 -> 1/1" in told
-    assert "at most, at frequency_ratio 2, gap_ratio 0" in told
+    assert "largest             2 (+100 %), at frequency_ratio 2, gap_ratio 0" in told
     assert matplotlib.image.imread(tmp_path / "pictures" / "a_against_b.png").shape[1] == 1110
 
 
@@ -86,11 +135,9 @@ def test_files_without_a_common_force_or_cell(tmp_path, run_compare):
 
 
 def test_other_planes_are_refused_in_one_line(pair, tmp_path, run_compare):
-    write_map(tmp_path / "shifted.h5", frequency_ratio=[1, 2, 3, 4.001])
-    write_map(tmp_path / "wide.h5", [row + row for row in PLAIN])
+    write_map(tmp_path / "shifted.h5", frequency_ratio=[1, 2.1, 3.1, 4.001])
     write_basin(tmp_path / "basin.h5")
     for name, words in (("shifted.h5", "4 points of frequency_ratio from 1 to 4.001, and"),
-                        ("wide.h5", "8 points of frequency_ratio from 1 to 4, and"),
                         ("basin.h5", "is a basin and a.h5 a map"), ("none.h5", "does not exist")):
         code, _, complaint = run_compare("a.h5", name)
         assert code == 2 and words in complaint, complaint

@@ -55,12 +55,15 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
         r"$z$ = 1/2, $F/(m\,g)$ = 60 (12.5 %)",
     ]
     assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 (12.5 %)"
-    assert texts[5:] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
+    assert texts[5:7] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
+    assert texts[7:] == ["its attractor, at forcing phase 0", "stop at the start, $x$ = gap"]
 
 
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
     # At phase 0 the cart moves at A0 Omega: the relative velocity -1 is -1 + 1.8 of a start.
     marks = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").map_axes.lines
+    stop, *marks = marks
+    assert stop.get_xdata() == [1.6, 1.6]
     assert len(marks) == 4, "all but the chaotic one"
     for mark in marks:
         assert np.ravel(mark.get_data()) == pytest.approx([0.5, 0.8])
@@ -71,6 +74,24 @@ def test_a_mark_outside_the_picture_does_not_widen_it(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", [[NO_IMPACT] * 4] * 4, table, np.zeros((4, 4)))) as file:
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
     assert drawn.map_axes.get_xlim() == pytest.approx((-4, 4))
+    assert drawn.legend_texts()[1:] == ["1 attractor lies outside the picture", "stop at the start, $x$ = gap"]
+
+
+def test_scales_in_mm_and_metres_a_second_follow_the_file(basin, tmp_path):
+    assert basin_map.draw_attractors(basin).axes[0].child_axes == []
+    path = write_basin(tmp_path / "b.h5", CELLS, TABLE, ATTRACTOR, natural_frequency_hz=5.25, cart_amplitude_m=0.89e-3)
+    with PeterkaFile(path) as file:
+        drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "b.png")
+    top, right = drawn.map_axes.child_axes
+    assert (top.get_xlabel(), right.get_ylabel()) == ("$x$ (mm)", r"$\dot{x}$ (m/s)")
+    assert top.get_xlim() == pytest.approx(np.multiply(drawn.map_axes.get_xlim(), 0.89))
+    assert right.get_ylim() == pytest.approx(np.multiply(drawn.map_axes.get_ylim(), 0.89e-3 * 2 * np.pi * 5.25))
+
+
+def test_a_stop_outside_the_picture_has_no_line(tmp_path):
+    with PeterkaFile(write_basin(tmp_path / "a.h5", CELLS, TABLE, ATTRACTOR, gap_ratio=4.5)) as file:
+        drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
+    assert "stop at the start, $x$ = gap" not in drawn.legend_texts()
 
 
 def test_before_the_table_is_written_classes_are_drawn(tmp_path):
@@ -88,7 +109,7 @@ def test_many_attractors_share_one_colour(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(1, 1)] * 6] * 6, table, numbers)) as file:
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
         assert drawn.colour_of(file, 4, 5) == basin_map.OTHER_COLOUR
-    assert len(drawn.legend_texts()) == basin_map.NAMED_ATTRACTORS + 1
+    assert len(drawn.legend_texts()) == basin_map.NAMED_ATTRACTORS + 3
     assert "other attractors (27.8 %)" in drawn.legend_texts()
 
 
@@ -100,6 +121,7 @@ def test_two_colours(basin, tmp_path):
     assert drawn.colour_of(basin, 3, 2) == colour_named("unresolved")
     assert drawn.legend_texts() == [
         "impact (62.5 %)", "no impact (25.0 %)", "sustained contact (6.2 %)", "unresolved (6.2 %)",
+        "stop at the start, $x$ = gap",
     ]
 
 

@@ -48,9 +48,9 @@ def test_the_largest_force_is_marked_with_its_value(tmp_path):
     forces[1, 0], forces[0, 3] = 12.5, 40.0  # z = 1/1, and a larger one that is 1/2
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
         single, every = force_map.draw_single_impact(file).axes[0], force_map.draw_all_impacts(file).axes[0]
-    assert [text.get_text() for text in single.texts] == ["max 12.5 (36.5 N)"]
+    assert [text.get_text() for text in single.texts] == ["max 12.5 (36.5 N), on the map's border"]
     assert [float(value[0]) for value in single.lines[0].get_data()] == [1.0, 1.0]  # Omega/omega, gap/A0
-    assert [text.get_text() for text in every.texts] == ["max 40 (117 N)"]
+    assert [text.get_text() for text in every.texts] == ["max 40 (117 N), on the map's border"]
     assert [float(value[0]) for value in every.lines[0].get_data()] == [4.0, 0.0]
 
 
@@ -74,7 +74,7 @@ def test_a_single_spike_does_not_flatten_the_scale(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5", cells, forces=forces)) as file:
         drawn = Drawn(force_map.draw_all_impacts(file), tmp_path / "a.png")
     assert drawn.map_axes.collections[-1].get_clim()[1] == pytest.approx(10.0)
-    assert drawn.map_texts() == ["max 1e+03 (2.92e+03 N)"]
+    assert drawn.map_texts() == ["max 1000 (2.92 kN)"]
 
 
 def test_no_picture_without_a_force(tmp_path):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
 from matplotlib.colors import to_hex
-from peterka_pictures import field_map, force_map, quantity_map
+from peterka_pictures import field_map, force_map, quantity_map, units
 from peterka_pictures.read import QUANTITIES, PeterkaFile
 from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin,
@@ -42,7 +42,7 @@ def test_values_and_their_absence_have_their_colours(tmp_path):
     for column, label in enumerate(["no impact", "sustained contact", "unresolved", "failed"]):
         assert seen[1, column] == colour_named(label), "what is no proved impact shows no value, even if it has one"
     assert drawn.legend_texts() == ["no impact", "sustained contact", "unresolved", "failed", "no value"]
-    assert drawn.map_texts() == ["max 400 mm/s"]
+    assert drawn.map_texts() == ["max 400 mm/s, on the map's border"]
     assert drawn.figure.axes[1].get_xlabel() == "largest impact speed (mm/s)"
 
 
@@ -50,7 +50,7 @@ def test_displacement_is_drawn_without_impacts_too(tmp_path):
     path = write_map(tmp_path / "a.h5", CELLS, fields={"max_displacement": np.full((3, 4), 2e-3)})
     drawn, seen = drawn_from(path, "max_displacement", tmp_path / "a.png")
     assert seen[1, 0] == seen[1, 1] == seen[0, 0] == colour_of_value(1.0)
-    assert drawn.legend_texts() == ["unresolved", "failed"] and drawn.map_texts() == ["max 2 mm"]
+    assert drawn.legend_texts() == ["unresolved", "failed"] and drawn.map_texts() == ["max 2 mm, on the map's border"]
 
 
 def test_what_is_not_computed_stays_open(tmp_path):
@@ -63,7 +63,7 @@ def test_values_of_zero_have_a_scale(tmp_path):
     path = write_map(tmp_path / "a.h5", fields={"contact_time": np.zeros((4, 4))})
     drawn, seen = drawn_from(path, "contact_time", tmp_path / "a.png")
     assert seen[0, 0] == colour_of_value(0) and drawn.figure.axes[1].get_xlim() == (0, 1)
-    assert drawn.map_texts() == ["max 0 s"]
+    assert drawn.map_texts() == ["max 0 s, on the map's border"]
 
 
 def test_colours_without_a_value_are_none_of_the_scale():
@@ -87,7 +87,7 @@ def test_a_rigid_stop_gives_its_other_numbers_instead_of_an_empty_force_map(tmp_
 
 def test_forces_that_some_impacts_lack_are_told(tmp_path):
     forces = np.full((4, 4), 10.0)
-    forces[0, 0] = NAN
+    forces[0, 0], forces[2, 0] = NAN, 11.0  # its note stands elsewhere
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
         for picture in (force_map.draw_single_impact, force_map.draw_all_impacts):
             drawn = Drawn(picture(file), tmp_path / "a.png")
@@ -105,11 +105,20 @@ def test_a_basin_gives_its_numbers_over_starts(tmp_path, draw):
 
 
 @pytest.mark.parametrize("largest, shown", [
-    (2.0, (1, "s")), (0.5, (1e3, "ms")), (3e-5, (1e6, "µs")), (1e-9, (1e6, "µs")), (4e3, (1e-3, "ks")), (0, (1, "s")),
+    (2.0, (1, "s")), (0.5, (1e3, "ms")), (3e-5, (1e6, "µs")), (1e-12, (1e9, "ns")), (4e3, (1e-3, "ks")), (0, (1, "s")),
 ])
 def test_prefixes(largest, shown):
-    factor, unit = quantity_map.with_prefix(largest, "s")
+    factor, unit = units.with_prefix(largest, "s")
     assert (pytest.approx(factor), unit) == shown
+
+
+@pytest.mark.parametrize("value, shown", [
+    (2714.2, "2.71 kN"), (375.1, "375 N"), (999.6, "1 kN"), (0.0123, "12.3 mN"), (0, "0 N"), (3.32e12, "3.32 TN"),
+    (3.32e18, "3.32e+06 TN"), (1086, "1.09 kN"),
+])
+def test_amounts_never_need_an_exponent_that_a_prefix_has(value, shown):
+    assert units.amount(value, "N") == shown
+    assert units.number(1085.6) == "1090" and units.number(41.25) == "41.2" and units.number(1e9) == "1e+09"
 
 
 @pytest.mark.parametrize("name", QUANTITIES)
@@ -127,7 +136,14 @@ def test_a_number_in_another_unit_is_refused(tmp_path, draw, name):
     assert "of shape (4, 5)" in draw(path).stderr
 
 
-def test_chatter_is_hatched_and_in_the_legend(tmp_path, draw):
+def test_in_a_basin_no_start_is_marked_as_the_one_of_the_largest_value(tmp_path):
+    """All starts of an orbit share it."""
+    with PeterkaFile(write_basin(tmp_path / "a.h5", fields={"impulse": np.full((4, 4), 0.02)})) as file:
+        ax = quantity_map.draw(file, "impulse").axes[0]
+    assert not len(ax.texts) and not len(ax.lines)
+
+
+def test_chatter_is_dotted_and_in_the_legend(tmp_path, draw):
     chatter = np.zeros((4, 4))
     chatter[1, :2], chatter[3, 3] = 1, -128
     path = write_map(tmp_path / "a.h5", PLAIN, fields={"chatter": chatter})
@@ -135,10 +151,12 @@ def test_chatter_is_hatched_and_in_the_legend(tmp_path, draw):
 
     with PeterkaFile(path) as file:
         drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")
-        own = {drawn.colour_at(x, 1.05) for x in np.linspace(0.7, 1.3, 60)}
+        own = [drawn.colour_at(x, 1.05) for x in np.linspace(0.7, 1.3, 60)]
         other = {drawn.colour_at(x, 0.05) for x in np.linspace(0.7, 1.3, 60)}
+        dots = drawn.map_axes.lines[0].get_xydata()
     assert other == {colour_named("1/1")}
-    assert len(own) > 3, "lines of black and white cross the colour of the class"
+    assert own.count(colour_named("1/1")) > 40, "no stripes: the class keeps its colour but for dots"
+    assert sorted(map(tuple, dots.tolist())) == [(1.0, 1.0), (2.0, 1.0)]
     assert "chatter (12.5 %)" in drawn.legend_texts()
     without = write_map(tmp_path / "b.h5", PLAIN, fields={"chatter": np.zeros((4, 4))})
     with PeterkaFile(without) as file:

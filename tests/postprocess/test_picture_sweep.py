@@ -3,10 +3,13 @@
 import h5py
 import numpy as np
 import pytest
+from colour_distance import deuteranope_sight, difference, normal_sight
 from peterka_pictures import bifurcation, response
+from peterka_pictures.classes import CLASSES
 from peterka_pictures.measured import Measurements, Point
 from peterka_pictures.opened import NotDrawable
 from peterka_pictures.sweep import SweepFile
+from peterka_pictures.sweep_panels import LOOKS, MEASURED
 from sweep_samples import WEIGHT, write_sweep
 
 NOTHING = Measurements([], [])
@@ -67,8 +70,33 @@ def test_jumps_and_resonance_carry_their_numbers(tmp_path):
     assert texts(first)[1:] == [f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]
     # up jumps between 1.75 and 1.875, down between 1.625 and 1.5
     assert sorted(texts(second)[1:]) == [
-        "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"★ 50 = {50 * WEIGHT:.3g} N at 1.5 (6.75 Hz)",
-        f"★ 60 = {60 * WEIGHT:.3g} N at 1.75 (7.875 Hz)"]
+        "1.562 (7.031 Hz)", "1.812 (8.156 Hz)", f"■ 50 = {50 * WEIGHT:.3g} N at 1.5 (6.75 Hz)",
+        f"■ 60 = {60 * WEIGHT:.3g} N at 1.75 (7.875 Hz)"]
+
+
+def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):
+    """At gap 0 it is; at 1.5 both branches are cut off by a jump."""
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        assert [branch.is_resonance(branch.strongest_single()) for branch in file.branches] == [True, True, False, False]
+        figure = response.draw(file, NOTHING)
+    assert legend_texts(figure)[4:6] == ["impact resonance ($z = 1/1$)", "largest of $z = 1/1$, cut off"]
+    cut = write_sweep(tmp_path / "b.h5", gaps=(0.0,))
+    with h5py.File(cut, "r+") as file:
+        file["peak_force_ratio"][0] = np.linspace(20, 40, 13)  # it rises to the end of the sweep
+        file["impacts"][1, 9] = 2  # 2/1 next to the largest
+    with SweepFile(cut) as file:
+        assert [branch.is_resonance(branch.strongest_single()) for branch in file.branches] == [False, False]
+
+
+@pytest.mark.parametrize("sight, distance", [(normal_sight, 14), (deuteranope_sight, 9.5)])
+def test_lines_and_marks_have_the_colours_of_no_class(sight, distance):
+    lines = {look.colour for look in LOOKS.values()} | {dots[0] for dots in bifurcation.DOTS.values()}
+    for colour in lines:
+        for entry in CLASSES:
+            assert difference(sight(colour), sight(entry.colour)) > distance, (colour, entry.label)
+    first, second = (LOOKS[name].colour for name in ("up", "down"))
+    assert difference(sight(first), sight(second)) > distance
+    assert MEASURED["markerfacecolor"] == "white"
 
 
 def test_without_rig_there_are_ratios_alone(tmp_path):
