@@ -6,6 +6,10 @@ tiles when it takes the last one of the present run. Rank 0 deals them in an ord
 tiles: it looks for requests every so often, and its own tiles take longer by what it serves. A message takes a fixed
 time whatever else is under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is
 thought to be done one tile after the other.
+
+Which rank gets the last dear tile, and when, is chance: with few tiles a rank, times scatter by some per cent with a small
+change of any tile's time, and a quicker rank 0 may end later. So a mean counts, of replays whose tiles take a little more
+or less, as they would if they were measured again; the same ones for all machines that are compared.
 """
 
 from collections import deque
@@ -13,7 +17,12 @@ from dataclasses import dataclass
 from heapq import heapify, heapreplace
 from math import ceil
 
+import numpy as np
+
 RUNS_PER_RANK = 16
+MOST_REPLAYS, REPLAYED_TILES = 24, 400_000  # of one case, and in all of them
+MANY = 2000  # tiles a rank, from which on one replay is as good as another
+NOISE = 0.05  # of a tile's time, from one measurement to the next
 
 
 @dataclass(frozen=True)
@@ -32,6 +41,7 @@ class Replay:
     seconds: float  # until the last rank is done
     work: float  # computing time of all tiles [s]
     runs: int  # that rank 0 dealt to others
+    scatter: float = 0.0  # of the seconds: their standard deviation over the mean
 
     @property
     def efficiency(self):
@@ -42,6 +52,18 @@ def deal_size(remaining, tiles, ranks, runs_per_rank=RUNS_PER_RANK):
     """How many tiles a run has; the program's rule (deal_size in src/parallel/tile_pool.cpp)."""
     longest = max(tiles // (runs_per_rank * ranks), 1)
     return min(-(-remaining // (2 * ranks)), longest)
+
+
+def typical(costs, ranks, machine, size=deal_size):
+    """The mean of several replays, as a Replay."""
+    random = np.random.default_rng(ranks)
+    few = ranks > 1 and costs.count < MANY * ranks
+    count = min(MOST_REPLAYS, max(1, REPLAYED_TILES // costs.count)) if few else 1
+    replays = [replay(costs if count == 1 else costs.measured_again(random, NOISE), ranks, machine, size)
+               for _ in range(count)]
+    efficiency = np.array([one.efficiency for one in replays])
+    return Replay(ranks, costs.total / (ranks * float(efficiency.mean())), costs.total,
+                  round(float(np.mean([one.runs for one in replays]))), float(efficiency.std() / efficiency.mean()))
 
 
 def replay(costs, ranks, machine, size=deal_size):

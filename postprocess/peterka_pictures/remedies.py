@@ -8,7 +8,7 @@
 from dataclasses import dataclass
 from math import ceil, sqrt
 
-from .dealing import deal_size, replay
+from .dealing import deal_size, typical
 from .tile_costs import TileCosts
 
 BEST_PART = 0.9  # efficiency over that of a rank 0 that serves at once, below which there is something to remedy
@@ -50,10 +50,10 @@ def remedies(record, tiles, present, machine):
 
     groups = {size: _one_group(record, tiles, ranks / size, size, machine) for size in GROUP_SIZES if size < ranks}
     best = max(groups, key=groups.get, default=ranks)
-    floor = replay(costs, ranks, machine, with_floor).efficiency
+    floor = typical(costs, ranks, machine, with_floor).efficiency
     return Remedies(ranks, present.efficiency, floor, groups.get(best, present.efficiency), best)
 
 
 def _one_group(record, tiles, groups, size, machine):
     fewer = tuple(max(1, round(side / sqrt(groups))) for side in tiles)
-    return replay(TileCosts(record.tile_seconds, fewer, size), size, machine).efficiency
+    return typical(TileCosts(record.tile_seconds, fewer, size), size, machine).efficiency

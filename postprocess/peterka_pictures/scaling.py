@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import axes
-from .dealing import replay
+from .dealing import MOST_REPLAYS, typical
 from .tile_costs import TileCosts, goes_by_squares, tiles_of
 
 WIDTH, HEIGHT = 3.7, 3.0  # in, without the legend
@@ -55,8 +55,8 @@ def curve(record, cells, ranks, machine):
     for _, group in groupby(ranks, lambda number: goes_by_squares(tiles[0] * tiles[1], number)):
         numbers = list(group)
         costs = TileCosts(record.tile_seconds, tiles, numbers[0])
-        real += [replay(costs, number, machine) for number in numbers]
-        at_once += [replay(costs, number, ideal) for number in numbers]
+        real += [typical(costs, number, machine) for number in numbers]
+        at_once += [typical(costs, number, ideal) for number in numbers]
     return Curve(cells, tiles, real, at_once)
 
 
@@ -82,6 +82,13 @@ def most_ranks(replays, least=WELL_USED):
     return well
 
 
+def well_used(curve):
+    """Up to how many ranks, and whether rank 0 is what limits that."""
+    real, ideal = most_ranks(curve.replays), most_ranks(curve.ideal)
+    ranks = f"{real} rank{'s' * (real > 1)}"
+    return f"{ranks}, and up to {ideal} if rank 0 served at once" if ideal > real else f"{ranks}; rank 0 is not what limits it"
+
+
 def text(curves, machine):
     """The numbers of the picture, and where rank 0 is too slow."""
     lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 served at once':>26}"]
@@ -90,8 +97,11 @@ def text(curves, machine):
             lines.append(f"{one.cells:>9.3g}{real.ranks:>8}{real.seconds:>11.4g}{100 * real.efficiency:>10.1f} %"
                          f"{100 * ideal.efficiency:>24.1f} %")
     for one in curves:
-        lines.append(f"{one.cells:.3g} cells: {100 * WELL_USED:.0f} % efficiency up to {most_ranks(one.replays)} ranks, "
-                     f"and up to {most_ranks(one.ideal)} if rank 0 served at once.")
+        lines.append(f"{one.cells:.3g} cells: {100 * WELL_USED:.0f} % efficiency up to {well_used(one)}.")
+    scatter = max(real.scatter for one in curves for real in one.replays)
+    if scatter > 0:
+        lines.append("Which rank gets the last dear tile is chance: times are means of up to "
+                     f"{MOST_REPLAYS} replays, which scatter by {100 * scatter:.1f} % at most (standard deviation).")
     return "\n".join([*lines, assumptions(machine)])
 
 

@@ -4,6 +4,7 @@ On a finer grid each measured tile stands for the block of smaller tiles that co
 16 x 16 cells costs there what it costs here. Tiles at the border that hold fewer cells count as whole ones.
 """
 
+from copy import copy
 from itertools import count, islice
 from math import gcd
 
@@ -35,6 +36,14 @@ class TileCosts:
             self._before[begin + 1:end + 1] = self._before[begin] + np.cumsum(costs)
         self.total = float(self._before[-1])  # s
         self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
+
+    def measured_again(self, random, noise):
+        """TileCosts whose tiles take this share more or less, at random (standard deviation)."""
+        again = copy(self)
+        costs = np.diff(self._before) * np.maximum(1 + noise * random.standard_normal(self.count), 0)
+        again._before = np.concatenate([[0.0], np.cumsum(costs)])
+        again.total = float(again._before[-1])
+        return again
 
     def before(self, turn):
         """Time of all tiles dealt before this turn, 0 to count [s]."""

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from peterka_pictures import axes, remedies, scaling, tile_costs
-from peterka_pictures.dealing import Machine, deal_size, replay
+from peterka_pictures.dealing import Machine, Replay, deal_size, replay, typical
 from peterka_pictures.run_record import read_record
 from peterka_pictures.tile_costs import DealOrder, TileCosts, tiles_of, whole_tiles
 from picture_samples import write_map
@@ -263,3 +263,40 @@ def test_a_measured_file_without_its_like_on_one_rank_is_left_out(tmp_path, run_
     lonely = write_run(tmp_path / "lonely.h5", ranks=2)
     code, _, complaint = run_scaling("good.h5", "--cells", "1e4", "--ranks", "2", "--measured", lonely)
     assert code == 0 and "lonely.h5 is left out" in complaint
+
+
+CHANCE = 1e-3 * (0.2 + np.random.default_rng(5).exponential(1.0, (40, 40)) ** 2)  # some tiles are dear
+
+
+def lead_of_a_slow_rank_0(one_replay):
+    """By how much more efficient it is at most than one that serves at once: which it can only be by chance."""
+    costs = TileCosts(CHANCE)
+    slow, at_once = Machine(3e-6, 2e-6, 5e-4), Machine(0.0, 2e-6, 5e-4)
+    return max(one_replay(costs, ranks, slow).efficiency / one_replay(costs, ranks, at_once).efficiency - 1
+               for ranks in (20, 30, 40, 50, 60, 80))
+
+
+def test_chance_does_not_make_a_slow_rank_0_the_better_one():
+    assert lead_of_a_slow_rank_0(replay) > 0.04, "one replay is one throw of dice"
+    assert lead_of_a_slow_rank_0(typical) < 0.02
+
+
+def test_a_mean_of_replays_tells_how_they_scatter():
+    costs = TileCosts(CHANCE)
+    mean = typical(costs, 50, REAL)
+    assert 0.002 < mean.scatter < 0.2 and mean.work == costs.total
+    assert typical(costs, 50, REAL) == mean
+    assert typical(costs, 1, REAL).scatter == 0
+    assert mean.efficiency == pytest.approx(replay(costs, 50, REAL).efficiency, abs=4 * mean.scatter)
+
+
+@pytest.mark.parametrize("real, ideal, words", [
+    ((1.0, 0.95, 0.8), (1.0, 0.96, 0.91), "10 ranks, and up to 100 if rank 0 served at once"),
+    ((1.0, 0.95, 0.92), (1.0, 0.94, 0.89), "100 ranks; rank 0 is not what limits it"),
+    ((1.0, 0.85, 0.8), (1.0, 0.85, 0.8), "1 rank; rank 0 is not what limits it"),
+])
+def test_the_ideal_is_never_told_to_be_worse(real, ideal, words):
+    def replays(efficiencies):
+        return [Replay(ranks, 1 / (ranks * efficiency), 1.0, 0) for ranks, efficiency in zip((1, 10, 100), efficiencies)]
+
+    assert scaling.well_used(scaling.Curve(256, (1, 1), replays(real), replays(ideal))) == words
