@@ -57,10 +57,16 @@ class Sweep:
         return self._branches[gaps[near]]
 
     def resonance(self, millimetres, direction="up"):
-        """(frequency [Hz], force [N]); None without z = 1/1."""
+        """(frequency [Hz], force [N]) of the largest force of z = 1/1; None without it."""
         branch = self.branches(millimetres)[direction]
         at = branch.strongest_single()
         return None if at is None else (float(self.hertz[at]), float(branch.force[at] * self.newtons))
+
+    def has_maximum(self, millimetres, direction):
+        """Whether that force is a maximum inside its band, and not only where a jump or the sweep cuts it off."""
+        branch = self.branches(millimetres)[direction]
+        at = branch.strongest_single()
+        return at is not None and branch.is_resonance(at)
 
     def doubling(self, millimetres):
         """(frequency [Hz], force [N]) at the end of the widest stretch of z = 1/1 with rising frequency; None without."""
@@ -109,15 +115,18 @@ def _no_jump(sweep):
 def _ends(sweep, gap):
     """{direction: end_of_band()}, and words on them."""
     ends = {direction: sweep.end_of_band(gap, direction) for direction in DIRECTIONS}
-    return ends, "; ".join(f"with {name} frequency {_jump_words(ends[direction], sweep.resonance(gap, direction))}"
-                           for direction, name in DIRECTIONS.items())
+    return ends, "; ".join(
+        f"with {name} frequency "
+        f"{_jump_words(ends[direction], sweep.resonance(gap, direction), sweep.has_maximum(gap, direction))}"
+        for direction, name in DIRECTIONS.items())
 
 
-def _jump_words(end, resonance):
-    """Each direction has an impact resonance of its own, which its jump lies beyond, or next to."""
+def _jump_words(end, resonance, has_maximum):
+    """Each direction has a largest force of its own, which its jump lies beyond, or next to."""
     if resonance is None:
         return "no z = 1/1"
-    place = f"the impact resonance at {resonance[0]:.2f} Hz ({resonance[1]:.4g} N)"
+    name = "impact resonance" if has_maximum else "largest force of z = 1/1"
+    place = f"the {name} at {resonance[0]:.2f} Hz ({resonance[1]:.4g} N)"
     if end is None:
         return f"no jump beyond {place}"
     beyond = "next to" if f"{end[0]:.2f}" == f"{resonance[0]:.2f}" else "beyond"

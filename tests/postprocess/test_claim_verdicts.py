@@ -211,12 +211,14 @@ def test_jumps_and_hysteresis(tmp_path):
 def test_each_direction_tells_the_resonance_that_its_jump_lies_beyond(tmp_path):
     found = {claim.key: claim for claim in jumps.claims(Folder(sweeps(tmp_path)))}["jump_3mm"]
     assert found.computed == (
-        "with rising frequency a jump between 175.3 and 0 N at 8.16 Hz, beyond the impact resonance at 7.88 Hz (175.3 N); "
-        "with falling frequency a jump between 146.1 and 0 N at 7.03 Hz, beyond the impact resonance at 6.75 Hz (146.1 N)")
+        "with rising frequency a jump between 175.3 and 0 N at 8.16 Hz, beyond the largest force of z = 1/1 at 7.88 Hz (175.3 N); "
+        "with falling frequency a jump between 146.1 and 0 N at 7.03 Hz, beyond the largest force of z = 1/1 at 6.75 Hz (146.1 N)")
     resonance = (5.372, 163.1)
-    assert jumps._jump_words((5.374, 163.1, 0.0), resonance).endswith("next to the impact resonance at 5.37 Hz (163.1 N)")
-    assert jumps._jump_words(None, resonance) == "no jump beyond the impact resonance at 5.37 Hz (163.1 N)"
-    assert jumps._jump_words(None, None) == "no z = 1/1"
+    assert jumps._jump_words((5.374, 163.1, 0.0), resonance, True).endswith("next to the impact resonance at 5.37 Hz (163.1 N)")
+    assert jumps._jump_words((5.374, 163.1, 0.0), resonance, False).endswith(
+        "next to the largest force of z = 1/1 at 5.37 Hz (163.1 N)")
+    assert jumps._jump_words(None, resonance, True) == "no jump beyond the impact resonance at 5.37 Hz (163.1 N)"
+    assert jumps._jump_words(None, None, False) == "no z = 1/1"
 
 
 @pytest.mark.parametrize("natural, agrees", [(1.1, True), (0.9, False)])  # a quarter of it is the hysteresis
