@@ -111,7 +111,7 @@ def test_a_coarser_grid_is_compared_where_its_points_are_the_others(tmp_path, ru
         code, told, complaint = run_compare(*pair)
         assert (code, complaint) == (0, "")
         assert "compared at the 5 by 5 points that both have: A has " in told
-        assert "25 cells that both files hold" in told and "same regime               24" in told
+        assert "25 cells that both files hold" in told and "24    96.000 %" in told
     shifted = np.linspace(1, 4, 5)
     shifted[1:4] += 0.01  # two points, the ends, are those of the other
     write_map(tmp_path / "shifted.h5", cells(coarse), shifted, np.linspace(0, 3, 5))
