@@ -11,6 +11,7 @@ titles, notes, units   titles and notes that have room, and amounts with prefixe
 axes          axis labels, second scales and the pieces every picture shares
 field_map     a number per cell: what force_map and quantity_map share
 peterka_map, force_map, quantity_map, basin_map, audit_map   the pictures: each takes a file and returns a Figure
+common_plane, comparison, comparison_map   two files compared at the points they have in common
 study, trace_file   files of studies and traces, checked
 methods       the fixed look of each method of integration
 work_precision, labels, stability   the pictures of studies; study_words: their tables
