@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,11 +9,11 @@
 #include "output/make_file.hpp"
 #include "output/map_file.hpp"
 #include "output/provenance.hpp"
-#include "parallel/hosts.hpp"
 #include "program/audit_map.hpp"
 #include "program/omitted.hpp"
 #include "program/solve_missing.hpp"
 #include "program/summary.hpp"
+#include "program/words.hpp"
 #include "scene/scene.hpp"
 #include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
@@ -56,12 +55,12 @@ void refuse_damage(const RunPlan& plan, const output::RemainingTiles& remaining)
                     plan.file.string(), remaining.tiles.size()));
 }
 
-void summarise(const Session& session, const RunPlan& plan, const scene::Scene& scene, const Findings& findings,
-               const Stopwatch& wall) {
-    if (!session.is_root() || plan.quiet) return;
-    if (plan.existing == Existing::complete)
-        fmt::print("{} is complete: nothing is computed\n", plan.file.string());
-    fmt::print("{}", summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}}));
+std::string summary(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+                    const Findings& findings, const Stopwatch& wall) {
+    if (!session.is_root() || plan.quiet) return "";
+    const bool complete = plan.existing == Existing::complete;
+    return (complete ? fmt::format("{} is complete: nothing is computed\n", plan.file.string()) : "") +
+           summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}});
 }
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
@@ -88,6 +87,7 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     const scene::Scene scene(plan.job);
     MapFile file = open_or_create(session, plan, scene);
     ExitCode code = ExitCode::stopped_early;
+    std::string words;
 
     // Ranks work alone from here on, and the file's destructor would wait for all of them.
     parallel::failing_ends_all(session, [&] {
@@ -97,14 +97,14 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
         const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
         const double solve_seconds = solving.seconds();
         const bool solved = complete || (all_there && audit_map(session, plan, scene, stop, file));
-        const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session),
-                                     solve_seconds};
+        const output::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan), solve_seconds};
         if (solved) {
             const output::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts);
-            summarise(session, plan, scene,
-                      {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)}, wall);
+            words = summary(session, plan, scene,
+                            {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)},
+                            wall);
             code = judge(session, plan, statistics);
         } else {
             file.record(facts);
@@ -112,6 +112,7 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
         }
         file.close();
     });
+    parallel::on_root(session, [&] { print_of_file(words, plan); });
     return code;
 }
 

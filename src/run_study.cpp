@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
+#include <variant>
 
 #include "job/names.hpp"
 #include "output/provenance.hpp"
 #include "output/whole_file.hpp"
-#include "parallel/hosts.hpp"
+#include "parallel/broadcast.hpp"
 #include "program/solve_tasks.hpp"
+#include "program/words.hpp"
 #include "study/topic.hpp"
-#include "support/print.hpp"
 #include "support/readable.hpp"
 #include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
@@ -30,26 +32,33 @@ std::string closing_words(const Session& session, const RunPlan& plan, const Sto
                        session.size() == 1 ? "rank" : "ranks", file, file);
 }
 
-template <study::Topic Topic>
-ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& topic) {
-    const Stopwatch wall;
-    const StopRequest stop(plan.max_wall_seconds);
-    const auto results = solve_tasks(session, plan, topic, stop);
-    const output::RunFacts facts{session.size(), wall.seconds(), parallel::host_names(session)};
-    if (!session.is_root()) return results ? ExitCode::done : ExitCode::stopped_early;
-    if (!results) {
-        tell(
-            "peterka: stopped early ({}); a study keeps nothing of an unfinished run: the same command starts "
-            "over\n",
-            stop.reason());
-        return ExitCode::stopped_early;
+// The references that results are compared with take a while, too. Nothing, on every rank, if somebody asked to
+// stop.
+std::optional<study::AnyTopic> make_topic(const Session& session, const RunPlan& plan) {
+    std::optional<study::AnyTopic> topic;
+    try {
+        topic.emplace(study::make_topic(plan.job));
+    } catch (const Stopped&) {
+        topic.reset();
     }
+    if (parallel::any_rank(session, !topic)) return std::nullopt;
+    return topic;
+}
+
+template <study::Topic Topic>
+ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& topic, const StopRequest& stop,
+                   std::string& words) {
+    const Stopwatch wall;
+    const auto results = solve_tasks(session, plan, topic, stop);
+    const output::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan)};
+    if (!results) return ExitCode::stopped_early;
+    if (!session.is_root()) return ExitCode::done;
     output::write_whole_file(
         plan.file, plan.job, output::collect_provenance(),
         {{{"topic", std::string(job::name(plan.job.study.topic))}}, topic.tables(*results)}, facts);
     if (!plan.quiet) {
-        print(fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
-                          topic.summary(*results), closing_words(session, plan, wall)));
+        words = fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
+                            topic.summary(*results), closing_words(session, plan, wall));
     }
     return ExitCode::done;
 }
@@ -58,17 +67,26 @@ ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& top
 
 ExitCode run_study(const Session& session, const RunPlan& plan) {
     if (plan.existing == output::Existing::complete) {
-        if (session.is_root() && !plan.quiet) {
-            print(fmt::format("{} is complete: nothing is computed\n", plan.file.string()));
-        }
+        parallel::on_root(session, [&] { print_complete(plan); });
         return ExitCode::done;
     }
     parallel::on_root(session, [&] { output::require_place(plan.file, largest_study); });
+    const StopRequest stop(plan.max_wall_seconds);
     ExitCode code = ExitCode::stopped_early;
+    std::string words;
     parallel::failing_ends_all(session, [&] {
-        code = std::visit([&](const auto& topic) { return run_topic(session, plan, topic); },
-                          study::make_topic(plan.job));
+        const auto topic = make_topic(session, plan);
+        if (!topic) return;
+        code =
+            std::visit([&](const auto& each) { return run_topic(session, plan, each, stop, words); }, *topic);
     });
+    if (code == ExitCode::stopped_early && session.is_root()) {
+        tell(
+            "peterka: stopped early ({}); a study keeps nothing of an unfinished run: the same command starts "
+            "over\n",
+            stop.reason());
+    }
+    parallel::on_root(session, [&] { print_of_file(words, plan); });
     return code;
 }
 

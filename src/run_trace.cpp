@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <string>
 
+#include "output/map_size.hpp"
 #include "output/provenance.hpp"
 #include "output/whole_file.hpp"
-#include "parallel/hosts.hpp"
 #include "program/trace_words.hpp"
-#include "support/print.hpp"
+#include "program/words.hpp"
 #include "support/readable.hpp"
 #include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
@@ -32,8 +33,14 @@ void append(std::vector<output::Table>& tables, std::vector<output::Table> more)
     std::ranges::move(more, std::back_inserter(tables));
 }
 
+// The way from the trace to its map, so that both can be moved together, and tells no more than that.
+std::string from_folder_of(const std::filesystem::path& trace_file, const std::filesystem::path& map_file) {
+    return std::filesystem::relative(map_file, output::folder_of(trace_file)).string();
+}
+
 output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trace,
-                             const std::optional<output::MapCell>& map) {
+                             const std::optional<output::MapCell>& map,
+                             const std::filesystem::path& trace_file) {
     output::Contents contents{{}, trace::tables_of(trace, scene.scales())};
     if (trace.course.cell) {
         append(contents.tables,
@@ -41,7 +48,8 @@ output::Contents contents_of(const scene::Scene& scene, const trace::Trace& trac
                                   trace::with_proofs(scene.job())));
     }
     if (!map) return contents;
-    contents.texts.push_back({"map_file", map->file.string()});
+    if (!scene.job().output.anonymous)
+        contents.texts.push_back({"map_file", from_folder_of(trace_file, map->file)});
     append(contents.tables, trace::cell_tables("/map_cell", map->stored, map->job));
     const auto index = [&](const char* name, std::int64_t value) {
         const output::Variable variable{name, output::Number::int64, -1, "1", "of the cell in its map, from 0"};
@@ -57,42 +65,45 @@ std::string length_in_words(const job::Job& job) {
     return fmt::format("{} forcing cycles", job.trace.cycles);
 }
 
-void run_alone(const RunPlan& plan, const StopRequest& stop, int ranks, const std::string& hosts) {
+// Gives what is to be printed.
+std::string run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
     const Stopwatch wall;
     const scene::Scene scene(plan.job);
     if (!plan.quiet) tell("{} to follow\n", length_in_words(plan.job));
-    const trace::Trace trace = trace::make_trace(scene, [&] { return !stop.requested(); });
+    const trace::Trace trace = trace::make_trace(scene);
     output::write_whole_file(plan.file, plan.job, output::collect_provenance(),
-                             contents_of(scene, trace, plan.map_cell), {ranks, wall.seconds(), hosts});
-    if (plan.quiet) return;
-    print(fmt::format("{}\nThis run: {}\nTrace file {}\nDraw it    postprocess/draw.py {}\n",
-                      trace_in_words(scene, trace, plan.map_cell), readable_duration(wall.seconds()),
-                      plan.file.string(), shell_word(plan.file.string())));
+                             contents_of(scene, trace, plan.map_cell, plan.file),
+                             {ranks, wall.seconds(), hosts});
+    if (plan.quiet) return "";
+    return fmt::format("{}\nThis run: {}\nTrace file {}\nDraw it    postprocess/draw.py {}\n",
+                       trace_in_words(scene, trace, plan.map_cell), readable_duration(wall.seconds()),
+                       plan.file.string(), shell_word(plan.file.string()));
 }
 
 }  // namespace
 
 ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
     const StopRequest stop(plan.max_wall_seconds);  // on all ranks: mpirun hands signals on to each
-    const std::string hosts = parallel::host_names(session);
+    const std::string hosts = host_names(session, plan);
     parallel::on_root(session, [&] {
         // a cell of a map is followed anew: the map's job is known, but not which file it is
         if (plan.existing == output::Existing::complete && !plan.map_cell) {
-            if (!plan.quiet) print(fmt::format("{} is complete: nothing is computed\n", plan.file.string()));
-            return;
+            return print_complete(plan);
         }
         const job::Trace& trace = plan.job.trace;
         const double natural = trace.duration_s * scene::scales_of(plan.job).frequency_rad_per_s / 6;
         output::require_place(plan.file, largest_trace(trace, static_cast<double>(trace.cycles) + natural));
+        std::string words;
         try {
-            run_alone(plan, stop, session.size(), hosts);
-        } catch (const trace::Stopped&) {
+            words = run_alone(plan, session.size(), hosts);
+        } catch (const Stopped&) {
             throw Failure(
                 ExitCode::stopped_early,
                 fmt::format("stopped early ({}); a trace keeps nothing of an unfinished run: the same "
                             "command starts over",
                             stop.reason()));
         }
+        print_of_file(words, plan);
     });
     return ExitCode::done;
 }

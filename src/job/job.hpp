@@ -121,6 +121,7 @@ enum class OptionalField {
 
 struct Output {
     std::vector<OptionalField> fields;  // sorted, each at most once
+    bool anonymous = false;             // no names of hosts and of other files in the file
     [[nodiscard]] bool has(OptionalField field) const;
     friend bool operator==(const Output&, const Output&) = default;
 };

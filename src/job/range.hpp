@@ -15,30 +15,23 @@ template <typename Number>
 struct Range {
     Number low;
     Number high;
-    bool with_ends;
     std::string_view reason;
 
     [[nodiscard]] bool contains(Number value) const {
-        return with_ends ? low <= value && value <= high : low < value && value < high;
+        return low <= value && value <= high;
     }
     [[nodiscard]] std::string text() const {
         const std::string first = toml_text(low);
         const std::string last = toml_text(high);
         if (low == high) return "the value " + first;
         if (high == std::numeric_limits<Number>::max()) return fmt::format("a value of {} or more", first);
-        return with_ends ? fmt::format("a value from {} to {}", first, last)
-                         : fmt::format("a value above {} and below {}", first, last);
+        return fmt::format("a value from {} to {}", first, last);
     }
 };
 
 template <typename Number>
 [[nodiscard]] constexpr Range<Number> from_to(Number low, Number high, std::string_view reason) {
-    return {low, high, true, reason};
-}
-
-template <typename Number>
-[[nodiscard]] constexpr Range<Number> between(Number low, Number high, std::string_view reason) {
-    return {low, high, false, reason};
+    return {low, high, reason};
 }
 
 // Magnitudes in SI units. Far beyond any hammer, and narrow enough that every number derived from them is

@@ -10,6 +10,7 @@
 #include "job/derived.hpp"
 #include "job/names.hpp"
 #include "job/toml_text.hpp"
+#include "support/harmless.hpp"
 
 namespace peterka::job {
 
@@ -38,14 +39,6 @@ std::string rule_of_resolution(std::string_view axis_name, const Axis& axis) {
 }
 
 std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const Solver& solver) {
-    const bool integrates = solver.engine == EngineChoice::cvode || solver.engine == EngineChoice::arkode;
-    if (integrates && solver.tolerance < 1e-12) {
-        return fmt::format(
-            "solver.engine = \"{}\" cannot reach solver.tolerance = {}; an integrator's steps add up rounding "
-            "errors; ask "
-            "for 1e-12 or more",
-            name(solver.engine), toml_text(solver.tolerance));
-    }
     const bool closed_form = solver.engine == EngineChoice::exact || solver.engine == EngineChoice::split;
     if (closed_form && std::holds_alternative<HuntCrossley>(contact)) {
         return fmt::format(
@@ -158,6 +151,11 @@ std::string rule_of_trace(const Job& job) {
 }
 
 std::string rule_of_traced_cell(const Trace& trace) {
+    if (harmless(trace.map, trace.map.size()) != trace.map) {
+        return "trace.map has a line break or control character; it is the name of a file, which messages "
+               "show; "
+               "rename that file";
+    }
     if (trace.map.empty() && (trace.row >= 0 || trace.column >= 0)) {
         return "trace.row and trace.column name a cell of a map file; trace.map names no file; add map = "
                "\"FILE.h5\", or remove them";
@@ -172,9 +170,8 @@ std::string rule_of_title(std::string_view title) {
         return fmt::format("title has {} bytes; it heads every picture and has at most {}; shorten it",
                            title.size(), longest);
     }
-    const bool has_control = std::any_of(
-        title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-    if (has_control) return "title has a line break or control character; it is one line of text; remove it";
+    if (harmless(title, longest) != title)
+        return "title has a line break or control character; it is one line of text; remove it";
     return {};
 }
 

@@ -45,6 +45,7 @@ void describe_trace(Walker& file, Job& job) {
                    [&](auto& table) { describe(table, job.steady_state); });
         describe_solver(file, job);
     }
+    describe_plain_output(file, job.output, "are for maps; a trace stores all it has; remove this key");
     refuse_other_tables_in_trace(file);
 }
 

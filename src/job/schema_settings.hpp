@@ -24,11 +24,17 @@ void describe(Walker& table, SteadyState& steady_state) {
                   from_to<std::int64_t>(1, 1'000'000'000, "chaos shows only in a run of some length"));
 }
 
+// Of whatever may be asked of an integrator.
+inline constexpr Range<double> errors_asked_for =
+    from_to(1e-12, 0.1,
+            "cvode and arkode, which auto and an audit may need, too, add up rounding errors, and must stay a "
+            "solution");
+
 template <typename Walker>
 void describe(Walker& table, Solver& solver) {
     table.choice({"engine", "how a trajectory is computed"}, solver.engine);
     table.number({"tolerance", "relative error asked for in peak force [1]"}, solver.tolerance,
-                 between(0.0, 1.0, "a relative error of 0 is never reached, and one of 1 says nothing"));
+                 errors_asked_for);
     table.number({"omit_tolerance", "what leaving a term out may change in peak force, 0 keeps all [1]"},
                  solver.omit_tolerance,
                  from_to(0.0, 1.0, "a relative change is a share of the peak force; 0 keeps every term"));
@@ -50,6 +56,23 @@ void describe_solver(Walker& file, Job& job) {
     });
 }
 
+template <typename Walker>
+void describe_anonymous(Walker& table, Output& output) {
+    table.flag({.name = "anonymous",
+                .meaning = "true: the file names no hosts, and a trace's file no map",
+                .is_identity = false},
+               output.anonymous);
+}
+
+// Of a job whose file has fields of its own.
+template <typename Walker>
+void describe_plain_output(Walker& file, Output& output, std::string_view why_no_fields) {
+    file.table({"output", "what the file holds"}, [&](auto& table) {
+        describe_anonymous(table, output);
+        table.refuse("fields", why_no_fields);
+    });
+}
+
 // Of a map, a basin or a sweep: how it is computed, and what is stored.
 template <typename Walker>
 void describe_settings(Walker& file, Job& job) {
@@ -60,6 +83,7 @@ void describe_settings(Walker& file, Job& job) {
              "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
              "contact_power_w, max_displacement, force_per_cycle, last_impact"},
             job.output.fields);
+        describe_anonymous(table, job.output);
     });
     if (job.kind == Kind::sweep) {
         file.refuse("audit",

@@ -6,6 +6,7 @@
 #include "job/names.hpp"
 #include "job/rules.hpp"
 #include "job/schema_plane.hpp"
+#include "job/schema_settings.hpp"
 
 namespace peterka::job {
 
@@ -26,10 +27,8 @@ void describe(Walker& table, Study& study) {
         table.refuse("tolerances",
                      "belongs to other topics; a stability study asks for solver.tolerance; remove it");
     } else {
-        table.numbers(
-            {"tolerances", "relative errors in peak force that integrators are asked for [1]"},
-            study.tolerances,
-            from_to(1e-12, 0.1, "an integrator's steps add up rounding errors, and must stay a solution"));
+        table.numbers({"tolerances", "relative errors in peak force that integrators are asked for [1]"},
+                      study.tolerances, errors_asked_for);
     }
     if (study.topic != StudyTopic::work_precision) {
         constexpr auto why = "belongs to topic = \"work_precision\"; only that follows single cells; remove it";
@@ -66,9 +65,8 @@ void describe_study(Walker& file, Job& job) {
     }
     if (job.study.topic == StudyTopic::stability) {
         file.table({"solver", "what is asked of the engines"}, [&](auto& table) {
-            table.number(
-                {"tolerance", "relative error asked for in peak force [1]"}, job.solver.tolerance,
-                from_to(1e-12, 0.1, "an integrator's steps add up rounding errors, and must stay a solution"));
+            table.number({"tolerance", "relative error asked for in peak force [1]"}, job.solver.tolerance,
+                         errors_asked_for);
             for (const auto* name : {"engine", "omit_tolerance"}) {
                 table.refuse(name, "is for maps; a study runs every engine with every term; remove it");
             }
@@ -78,7 +76,7 @@ void describe_study(Walker& file, Job& job) {
                     "is for maps; a study runs every engine at its study.tolerances; remove this table");
     }
     file.refuse("operating_point", "belongs to a basin; a study has scenes of its own; remove this table");
-    file.refuse("output", "is for maps; a study has fields of its own; remove this table");
+    describe_plain_output(file, job.output, "are for maps; a study has fields of its own; remove this key");
     file.refuse("refine", "is for maps; a study compares computed cells; remove this table");
     file.refuse("audit", "is for maps; a study is an audit itself; remove this table");
     file.refuse("limits", "is for maps; a study tells failures as results; remove this table");

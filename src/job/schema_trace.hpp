@@ -12,6 +12,7 @@
 #include "job/names.hpp"
 #include "job/rules.hpp"
 #include "job/schema_plane.hpp"
+#include "job/schema_settings.hpp"
 
 namespace peterka::job {
 
@@ -97,7 +98,6 @@ void refuse_other_tables_in_trace(Walker& file) {
         "axes",
         "belongs to a map or basin; a trace follows one cell, see [operating_point]; remove this table");
     file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
-    file.refuse("output", "is for maps; a trace stores all it has; remove this table");
     file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; a trace compares nothing; remove this table");
     file.refuse("sweep", "belongs to kind = \"sweep\"; a trace follows one cell; remove this table");

@@ -89,6 +89,16 @@ void TableReader::text(const Key& key, std::string& value) {
     }
 }
 
+void TableReader::flag(const Key& key, bool& value) {
+    const Value* given = ask(key);
+    if (given == nullptr) return;
+    if (const auto* flag = given->as<bool>()) {
+        value = *flag;
+    } else {
+        wrong_type(key, *given, "true or false", "true");
+    }
+}
+
 void TableReader::either(const Alternative& first, const Alternative& second, std::string_view why) {
     read_alternative(first);
     read_alternative(second);

@@ -30,6 +30,7 @@ class TableReader {
     void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
     void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);
     void text(const Key& key, std::string& value);
+    void flag(const Key& key, bool& value);
     void either(const Alternative& first, const Alternative& second, std::string_view why);
 
     // Whether the choice is known, so that what depends on it can be read.

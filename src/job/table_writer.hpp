@@ -31,6 +31,7 @@ class TableWriter {
         list(key, values);
     }
     void text(const Key& key, const std::string& value) { line(key, toml_text(value)); }
+    void flag(const Key& key, bool value) { line(key, value ? "true" : "false"); }
     void either(const Alternative& first, const Alternative& second, std::string_view why);
 
     template <typename Choice>

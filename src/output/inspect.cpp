@@ -22,6 +22,7 @@
 #include "output/provenance.hpp"
 #include "output/root_attributes.hpp"
 #include "support/errors.hpp"
+#include "support/harmless.hpp"
 
 namespace peterka::output {
 
@@ -95,7 +96,7 @@ void require_arithmetic(const std::filesystem::path& path, const FileId& file) {
            fmt::format(
                "was computed with other arithmetic ({}; this machine: {}), so the rest would not fit to the "
                "last bit",
-               in_file, arithmetic()),
+               harmless(in_file), arithmetic()),
            "Resume on a machine like the first, or start over with --fresh.");
 }
 

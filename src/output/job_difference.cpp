@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "support/harmless.hpp"
+
 namespace peterka::output {
 
 namespace {
@@ -39,13 +41,17 @@ std::string job_difference(const std::string& in_file, const std::string& in_job
     std::set<std::string> keys;
     for (const auto& [key, value] : file_values) keys.insert(key);
     for (const auto& [key, value] : job_values) keys.insert(key);
+    constexpr int most_lines = 50;
+    int differ = 0;
     std::string lines;
     for (const std::string& key : keys) {
         const std::string in_the_file = value_or_absent(file_values, key);
         const std::string in_the_job = value_or_absent(job_values, key);
-        if (in_the_file == in_the_job) continue;
-        lines += fmt::format("\n  {}: {} in the file, {} in the job", key, in_the_file, in_the_job);
+        if (in_the_file == in_the_job || ++differ > most_lines) continue;
+        lines += fmt::format("\n  {}: {} in the file, {} in the job", harmless(key), harmless(in_the_file),
+                             harmless(in_the_job));
     }
+    if (differ > most_lines) lines += fmt::format("\n  and {} more keys", differ - most_lines);
     return lines;
 }
 

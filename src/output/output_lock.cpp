@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "support/errors.hpp"
+#include "support/harmless.hpp"
 
 namespace peterka::output {
 
@@ -29,7 +30,7 @@ bool is_still_there(int descriptor, const std::filesystem::path& name) {
 std::string holder(int descriptor) {
     std::array<char, 256> text{};
     const auto length = ::pread(descriptor, text.data(), text.size(), 0);
-    return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "another process";
+    return length > 0 ? harmless({text.data(), static_cast<std::size_t>(length)}) : "another process";
 }
 
 void sign(int descriptor) {

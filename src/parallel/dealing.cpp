@@ -6,6 +6,7 @@
 #include "parallel/broadcast.hpp"
 #include "parallel/dealer.hpp"
 #include "parallel/worker.hpp"
+#include "support/stop_request.hpp"
 
 namespace peterka::parallel {
 
@@ -16,7 +17,11 @@ std::function<void(TileSource& tiles)> one_by_one(
         while (carry_on()) {
             const auto tile = tiles.next();
             if (tile) {
-                if (!solve_tile(*tile, carry_on)) return;
+                try {
+                    if (!solve_tile(*tile, carry_on)) return;
+                } catch (const Stopped&) {
+                    return;
+                }
                 tiles.solved(*tile);
             } else if (tiles.ended()) {
                 return;

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "parallel/checked.hpp"
+#include "support/print.hpp"
 #include "support/stopwatch.hpp"
 #include "support/tell.hpp"
 
@@ -94,7 +95,9 @@ void catching(const std::function<void()>& task,
 
 Session::Session(int& argc, char**& argv) {
     int provided = MPI_THREAD_SINGLE;
+    occupy_closed_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a limit of file sizes (ulimit -f) fails, and is told
+    std::signal(SIGPIPE, SIG_IGN);  // so does one to a pipe that nobody reads
     checked("MPI_Init_thread", MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided));
     checked("MPI_Comm_set_errhandler", MPI_Comm_set_errhandler(communicator(), MPI_ERRORS_RETURN));
     checked("MPI_Comm_rank", MPI_Comm_rank(communicator(), &rank_));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/collective.hpp"
+#include "parallel/broadcast.hpp"
 #include "parallel/dealing.hpp"
 #include "program/solve_tiles.hpp"
 #include "regime/cell_pool.hpp"
@@ -72,7 +73,14 @@ std::optional<regime::AttractorTable> find_known_attractors(const parallel::Sess
     found.reserve(all.size());
     for (const Found& each : all) found.push_back(each.attractor);
     const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(tiling.count());
-    return regime::AttractorTable(scene.cell(0, 0).oscillator, found, cells_each);
+    std::optional<regime::AttractorTable> table;
+    try {
+        table.emplace(scene.cell(0, 0).oscillator, found, cells_each);
+    } catch (const Stopped&) {
+        table.reset();
+    }
+    if (parallel::any_rank(session, !table)) return std::nullopt;
+    return table;
 }
 
 }  // namespace peterka

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "support/stop_request.hpp"
+
 namespace peterka {
 namespace {
 
@@ -80,16 +82,20 @@ class TilesInHand {
 }  // namespace
 
 void keep_solving(regime::CellPool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell) {
-    while (source.carry_on()) {
-        while (pool.has_room() && add_cell()) {
+    try {
+        while (source.carry_on()) {
+            while (pool.has_room() && add_cell()) {
+            }
+            if (!pool.empty()) {
+                pool.step();
+            } else if (source.ended()) {
+                return;
+            } else {
+                parallel::wait_for_tiles();
+            }
         }
-        if (!pool.empty()) {
-            pool.step();
-        } else if (source.ended()) {
-            return;
-        } else {
-            parallel::wait_for_tiles();
-        }
+    } catch (const Stopped&) {
+        return;  // in the middle of a cycle: nothing more comes out of this pool
     }
 }
 

@@ -89,6 +89,7 @@ job::Job job_of_cell(const job::Job& job, const job::Job& map, const Place& cell
     own.kind = job::Kind::trace;
     own.title = job.title.empty() ? map.title : job.title;
     own.trace = job.trace;
+    own.output.anonymous = job.output.anonymous;
     own.trace.map.clear();
     own.trace.row = own.trace.column = -1;
     const double column = job::axis_value(map.columns, cell.column);

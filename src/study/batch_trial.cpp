@@ -5,6 +5,7 @@
 #include <random>
 
 #include "batch/batched_cycle_map.hpp"
+#include "support/stop_request.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka::study {
@@ -51,7 +52,10 @@ BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycle
     for (std::int64_t repeat = 0; repeat < repeats; ++repeat) {
         for (std::size_t slot = 0; slot < order.size(); ++slot) map.set_state(slot, cells[order[slot]].point);
         const Stopwatch stopwatch;
-        for (std::int64_t n = 0; n < cycles; ++n) map.advance({.measure = false, .jacobian = true});
+        for (std::int64_t n = 0; n < cycles; ++n) {
+            stop_if_asked();
+            map.advance({.measure = false, .jacobian = true});
+        }
         fastest = std::min(fastest, stopwatch.seconds());
     }
     trial.seconds_per_cycle = fastest / static_cast<double>(cycles) / static_cast<double>(order.size());

@@ -101,7 +101,9 @@ void Progress::add(std::int64_t cells) {
 
 void Progress::print() const {
     if (style_ == ProgressStyle::bar) {
-        tell("\r{}", progress_line(counts_, since_start_.seconds(), stderr_columns()));
+        // raw: back to the line's start
+        const std::string line = "\r" + progress_line(counts_, since_start_.seconds(), stderr_columns());
+        static_cast<void>(std::fputs(line.c_str(), stderr));
     } else {
         tell("peterka: {}\n", progress_text(counts_, since_start_.seconds()));
     }

@@ -18,6 +18,7 @@ constexpr std::array caught_signals{SIGINT, SIGTERM, SIGUSR1};
 static_assert(sizeof(pid_t) <= sizeof(std::sig_atomic_t));
 volatile std::sig_atomic_t received_signal = 0;
 volatile std::sig_atomic_t sender = 0;  // its process number, 0 for none
+const StopRequest* request_in_force = nullptr;
 
 extern "C" void remember_signal(int signal, siginfo_t* info, void* /*context*/) {
     received_signal = signal;
@@ -45,6 +46,7 @@ const char* signal_name(int signal) {
 StopRequest::StopRequest(double max_wall_seconds) : max_wall_seconds_(max_wall_seconds) {
     received_signal = 0;
     sender = 0;
+    request_in_force = this;
     for (const int signal : caught_signals) {
         struct sigaction action {};
         action.sa_sigaction = remember_signal;
@@ -55,7 +57,12 @@ StopRequest::StopRequest(double max_wall_seconds) : max_wall_seconds_(max_wall_s
 }
 
 StopRequest::~StopRequest() {
+    request_in_force = nullptr;
     for (const int signal : caught_signals) std::signal(signal, SIG_DFL);
+}
+
+const StopRequest* StopRequest::in_force() {
+    return request_in_force;
 }
 
 bool StopRequest::requested() const {

@@ -1,7 +1,7 @@
 // Whether this process has been asked to stop: by SIGINT, SIGTERM, SIGUSR1, or because its time is up.
 //
-// The signals only set a flag; whoever computes looks at it between two cells. A second SIGINT (Ctrl-C) ends
-// the process at once, as it does without us.
+// The signals only set a flag; whoever computes looks at it between two cells, and within a cycle that may take
+// long. A second SIGINT (Ctrl-C) ends the process at once, as it does without us.
 #pragma once
 
 #include <limits>
@@ -22,9 +22,26 @@ class StopRequest {
     [[nodiscard]] bool requested() const;
     [[nodiscard]] std::string reason() const;  // "signal SIGUSR1", "--max-wall 60 s is over"
 
+    // The one that lives, or nullptr.
+    [[nodiscard]] static const StopRequest* in_force();
+
   private:
     double max_wall_seconds_;
     Stopwatch since_start_;
 };
+
+// Thrown in the middle of a computation that was asked to stop. What it computed is incomplete, and is dropped.
+struct Stopped {};
+
+// To be called in any loop that may take long, at every round: looks at the request now and then, which costs
+// nothing to speak of, and throws Stopped.
+inline void stop_if_asked() {
+    constexpr unsigned calls_between_looks = 16;
+    static unsigned calls = 0;
+    if (++calls % calls_between_looks != 0) return;
+    if (const StopRequest* request = StopRequest::in_force(); request != nullptr && request->requested()) {
+        throw Stopped();
+    }
+}
 
 }  // namespace peterka

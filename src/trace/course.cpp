@@ -46,8 +46,7 @@ class Cycles {
 
     [[nodiscard]] const State<double>& state() const { return state_; }
 
-    void advance(Recorder<double>* recorder, const CarryOn& carry_on) {
-        if (!carry_on()) throw Stopped();
+    void advance(Recorder<double>* recorder) {
         const Cycle<double> cycle =
             std::visit([&](auto& map) -> Cycle<double> { return map(state_, recorder); }, map_);
         if (cycle.outcome != Cycle<double>::Outcome::done) {
@@ -89,11 +88,10 @@ void choose_engine(Course& course, const job::Solver& solver) {
     }
 }
 
-Course at_rest(const scene::Scene& scene, const CarryOn& carry_on) {
+Course at_rest(const scene::Scene& scene) {
     const job::Job& job = scene.job();
     const scene::Cell cell = scene.cell(0, 0);
     Course course{cell.oscillator, {}, cell.start, job.trace.duration_s * scene.scales().frequency_rad_per_s};
-    course.carry_on = carry_on;
     choose_engine(course, job.solver);
     return course;
 }
@@ -105,21 +103,18 @@ std::int64_t settling_cycles(const job::SteadyState& steady) {
 
 void skip(Course& course, std::int64_t cycles) {
     Cycles passing(course.scene, course.settings, course.start);
-    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr, course.carry_on);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr);
     course.start = passing.state();
     course.skipped = cycles;
 }
 
-Course driven(const scene::Scene& scene, const CarryOn& carry_on) {
+Course driven(const scene::Scene& scene) {
     const job::Job& job = scene.job();
     regime::CycleDesk desk;
-    const Task<regime::CellResult> search = regime::solve_cell(desk, scene, 0, 0);
-    if (!regime::run(search, desk, carry_on)) throw Stopped();
-    const regime::CellResult result = search.result();
+    const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
     // the engine used last is that of the result, or one that only looked what the cubic spring would change
     Course course{desk.scene(), desk.settings(), scene.cell(0, 0).start,
                   static_cast<double>(job.trace.cycles) * desk.scene().period()};
-    course.carry_on = carry_on;
     if (result.engine == Engine::exact) {
         course.scene.cubic = 0;
         course.settings = {};
@@ -137,8 +132,8 @@ Course driven(const scene::Scene& scene, const CarryOn& carry_on) {
 
 }  // namespace
 
-Course prepare(const scene::Scene& scene, const CarryOn& carry_on) {
-    return scene.job().operating_point.frequency_ratio > 0 ? driven(scene, carry_on) : at_rest(scene, carry_on);
+Course prepare(const scene::Scene& scene) {
+    return scene.job().operating_point.frequency_ratio > 0 ? driven(scene) : at_rest(scene);
 }
 
 trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
@@ -149,7 +144,7 @@ trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
     Cycles passing(course.scene, course.settings, course.start);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
         watcher.begin_cycle(period * static_cast<double>(cycle));
-        passing.advance(&recorder, course.carry_on);
+        passing.advance(&recorder);
     }
     watcher.finish(passing.state(), trajectory::phase_of(course.scene, passing.state()));
     return recorder.totals();

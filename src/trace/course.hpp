@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "regime/cell_result.hpp"
@@ -18,9 +17,6 @@
 
 namespace peterka::trace {
 
-using CarryOn = std::function<bool()>;  // asked every now and then
-struct Stopped {};                      // thrown where carry_on says to stop
-
 struct Course {
     scene::Oscillator<double> scene;
     regime::EngineSettings settings;
@@ -29,11 +25,10 @@ struct Course {
     std::int64_t skipped = 0;    // forcing cycles from the job's start to there, of a motion without a period
     std::int64_t period = 0;     // q where the trace is a stretch of a proved orbit, 0 elsewhere
     std::optional<regime::CellResult> cell = {};  // what a map says of it; none with a cart at rest
-    CarryOn carry_on = [] { return true; };
 };
 
-// Throws Failure where the motion can't be followed to where the trace begins, and, like `follow`, Stopped.
-[[nodiscard]] Course prepare(const scene::Scene& scene, const CarryOn& carry_on);
+// Throws Failure where the motion can't be followed to where the trace begins.
+[[nodiscard]] Course prepare(const scene::Scene& scene);
 
 // Lets the watcher see the motion from the beginning of the trace through all cycles that begin before its end,
 // and gives what a recorder gathers on the way. Throws Failure where the motion ends before.

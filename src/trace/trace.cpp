@@ -46,13 +46,9 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
 
 }  // namespace
 
-Trace make_trace(const scene::Scene& scene, const CarryOn& carry_on) {
-    Trace trace{.course = prepare(scene, carry_on),
-                .totals = {},
-                .moments = {},
-                .impacts = {},
-                .hardest = {},
-                .spectrum = {}};
+Trace make_trace(const scene::Scene& scene) {
+    Trace trace{
+        .course = prepare(scene), .totals = {}, .moments = {}, .impacts = {}, .hardest = {}, .spectrum = {}};
     const Course& course = trace.course;
     Sampler sampler(course.scene, course.length, scene.job().trace.samples_per_cycle);
     trace.totals = follow(course, sampler);

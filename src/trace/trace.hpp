@@ -30,9 +30,8 @@ struct Trace {
     Spectrum spectrum;
 };
 
-// Throws Failure where the motion can't be followed, and Stopped.
-[[nodiscard]] Trace make_trace(
-    const scene::Scene& scene, const CarryOn& carry_on = [] { return true; });
+// Throws Failure where the motion can't be followed.
+[[nodiscard]] Trace make_trace(const scene::Scene& scene);
 
 // Force that the stop jumps to when it is touched at this speed.
 [[nodiscard]] double force_at_touch(const scene::Oscillator<double>& scene, double speed);

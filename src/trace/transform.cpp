@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "support/stop_request.hpp"
 #include "trajectory/contact_rates.hpp"
 #include "trajectory/leg_integrals.hpp"
 
@@ -36,7 +37,10 @@ void Transform::look(const Stretch& stretch) {
     }
     const double pieces = std::ceil((end - begin) * rate);
     const double length = (end - begin) / pieces;
-    for (double piece = 0; piece < pieces; ++piece) add_piece(stretch, begin + piece * length, length);
+    for (double piece = 0; piece < pieces; ++piece) {
+        stop_if_asked();
+        add_piece(stretch, begin + piece * length, length);
+    }
 }
 
 void Transform::add_piece(const Stretch& stretch, double begin, double length) {

@@ -16,6 +16,7 @@
 
 #include "motion/linear_motion.hpp"
 #include "motion/signal.hpp"
+#include "support/stop_request.hpp"
 #include "trajectory/first_crossing.hpp"
 #include "trajectory/journey.hpp"
 #include "trajectory/largest_value.hpp"
@@ -144,6 +145,7 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
 
     Cycle<Real>& cycle = journey.cycle;
     while (journey.events < most_events) {
+        stop_if_asked();
         const Phase phase = journey.phase;
         const Leg<Real> leg(phase == Phase::contact ? contact_ : flight_, cycle.end,
                             scene_.frequency * journey.time);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 
+#include "support/stop_request.hpp"
 #include "trajectory/journey.hpp"
 
 namespace peterka::trajectory {
@@ -95,6 +96,7 @@ bool RigidCourse<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real
     const Cycle<Real>& cycle = journey.cycle;
     if (cycle.outcome != Cycle<Real>::Outcome::done) return false;
     for (; journey.events < most_events; ++journey.events) {
+        stop_if_asked();
         const bool arrives = cycle.end[0] == 0 && cycle.end[1] > 0;
         if (journey.phase == Phase::contact) {
             if (!rest(journey, end_time, recorder)) return true;

@@ -1,5 +1,7 @@
 #include "trajectory/rk4_cycle_map.hpp"
 
+#include "support/stop_request.hpp"
+
 namespace peterka::trajectory {
 
 Rk4CycleMap::Block Rk4CycleMap::rate(Phase phase, const Block& z, double time) const {
@@ -103,6 +105,7 @@ MeasuredCycle<double> Rk4CycleMap::operator()(const State<double>& x, bool measu
     double time = 0;
     int events = 0;
     for (int n = 0; n < steps_; ++n) {
+        stop_if_asked();
         const double end = n + 1 < steps_ ? period * (n + 1) / steps_ : period;
         while (time < end) {
             double h = end - time;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "support/stop_request.hpp"
 #include "trajectory/recorder.hpp"
 #include "trajectory/rigid_course.hpp"
 #include "trajectory/sundials_events.hpp"
@@ -75,6 +76,7 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
     Integrals integrals;
     stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
     while (++steps_ <= most_steps && stepper_->step()) {
+        stop_if_asked();
         if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
         const auto event = events_.first_event();
         const LegPoint end = event ? event->point : stepper_->now();

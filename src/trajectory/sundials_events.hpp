@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "support/stop_request.hpp"
 #include "trajectory/contact_rates.hpp"
 #include "trajectory/first_crossing.hpp"
 #include "trajectory/sundials_leg.hpp"
@@ -81,6 +82,7 @@ class StepEvents {
     [[nodiscard]] Sample hold(const LegPoint& point) const;
     [[nodiscard]] Sample sample(Signal signal, const LegPoint& point) const;
     [[nodiscard]] LegPoint look(double time) {
+        stop_if_asked();
         LegPoint point = stepper_->before();
         if (!stepper_->look(time, point)) failed_ = true;
         return point;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <variant>
 
+#include "support/stop_request.hpp"
 #include "trajectory/taylor_series.hpp"
 
 namespace peterka::trajectory {
@@ -144,6 +145,7 @@ class ForcedMotion : private TaylorMotion {
         using Outcome = typename Cycle<Real>::Outcome;
         int events = 0;
         for (int steps = 0; time_ < period_; ++steps) {
+            stop_if_asked();
             if (steps == most_steps) return finished(Outcome::solver_failed);
             if (events == most_events) return finished(Outcome::too_many_events);
             cycle_.touched |= phase_ == Phase::contact;
@@ -273,6 +275,7 @@ class RigidMotion : private TaylorMotion {
         if (point_.position > 0) return finished(Outcome::not_finite);  // beyond a rigid stop there is nothing
         int events = 0;
         for (int steps = 0; time_ < period_; ++steps) {
+            stop_if_asked();
             if (steps == most_steps) return finished(Outcome::solver_failed);
             if (events == most_events) return finished(Outcome::too_many_events);
             cycle_.touched |= sticks_;

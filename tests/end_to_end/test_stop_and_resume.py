@@ -230,3 +230,22 @@ def test_a_file_that_another_run_writes_is_not_entered(tmp_path, fresh):
     assert finished.returncode == 3
     assert "job.h5: is being written by another run" in finished.stderr
     assert not (tmp_path / "job.h5").exists()
+
+
+# A hammer of 1e-20 kg rings between the stop and nothing: one forcing cycle takes minutes.
+ENDLESS = ["--set", "hammer.mass_kg=1e-20", "--set", "hammer.cubic_stiffness_n_per_m3=238.23"]
+SLOW = {
+    "map": jobs.small_map(columns=32, rows=32),
+    "basin": jobs.small_basin(points=32),
+    "sweep": jobs.small_sweep(points=41),
+    "trace": jobs.trace(0.5),
+    "study": jobs.small_precision_study(),
+}
+
+
+@pytest.mark.parametrize("kind", SLOW)
+def test_a_cycle_that_takes_minutes_is_left_in_its_middle(tmp_path, kind):
+    jobs.write(tmp_path, SLOW[kind])
+    finished = launch.run("run", "job.toml", "--max-wall", "1", *ENDLESS, cwd=tmp_path)
+    assert finished.returncode == 5, finished.stderr
+    assert sum("stopped early" in line for line in finished.stderr.splitlines()) == 1

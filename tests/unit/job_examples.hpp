@@ -39,7 +39,7 @@ inline Job map() {
     job.start = {.displacement_ratio = -0.25, .velocity_ratio = 1.75};
     job.steady_state = {.max_cycles = 3001, .max_period = 65, .chaos_cycles = 1001};
     job.solver = {.engine = EngineChoice::split, .tolerance = 2e-9, .omit_tolerance = 2e-3};
-    job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}};
+    job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
     job.refine = {.levels = 2};
     job.limits = {.failed_cells = 7};

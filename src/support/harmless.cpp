@@ -1,0 +1,84 @@
+#include "support/harmless.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace peterka {
+namespace {
+
+struct Letter {
+    std::uint32_t code;
+    std::size_t bytes;
+};
+
+// The letter of UTF-8 that a text begins with, in its shortest form; none where there is no such one.
+std::optional<Letter> first_letter(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80) return Letter{first, 1};
+    const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() < bytes) return std::nullopt;
+    std::uint32_t code = first & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80) return std::nullopt;
+        code = code << 6U | (byte(i) & 0x3fU);
+    }
+    const bool is_too_long = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
+    const bool is_half_a_pair = code >= 0xd800 && code <= 0xdfff;
+    if (is_too_long || is_half_a_pair || code > 0x10ffff) return std::nullopt;
+    return Letter{code, bytes};
+}
+
+// Does something to what is shown instead of being shown: controls, marks of direction, breaks, invisible ones.
+bool is_command(std::uint32_t code) {
+    struct Range {
+        std::uint32_t first;
+        std::uint32_t last;
+    };
+    constexpr Range commands[] = {{0, 0x1f},        {0x7f, 0x9f},     {0x61c, 0x61c},
+                                  {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x206f},
+                                  {0xfeff, 0xfeff}, {0xfff9, 0xfffb}, {0xe0000, 0xe0fff}};
+    return std::ranges::any_of(commands,
+                               [&](const Range& range) { return range.first <= code && code <= range.last; });
+}
+
+std::string shown(std::uint32_t code) {
+    if (code < 0x80) return fmt::format("\\x{:02x}", code);
+    return code <= 0xffff ? fmt::format("\\u{:04x}", code) : fmt::format("\\U{:08x}", code);
+}
+
+std::string made_harmless(std::string_view text, std::size_t longest, bool keeps_lines) {
+    constexpr std::string_view cut = "...";
+    std::string harmless;
+    std::size_t uncut = 0;  // of it, with room for that behind
+    while (!text.empty()) {
+        const auto letter = first_letter(text);
+        const std::size_t bytes = letter ? letter->bytes : 1;
+        std::string piece(text.substr(0, bytes));
+        if (!letter) {
+            piece = fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+        } else if (is_command(letter->code) && !(keeps_lines && letter->code == '\n')) {
+            piece = shown(letter->code);
+        }
+        if (harmless.size() + piece.size() > longest) return harmless.substr(0, uncut).append(cut);
+        harmless += piece;
+        if (harmless.size() + cut.size() <= longest) uncut = harmless.size();
+        text.remove_prefix(bytes);
+    }
+    return harmless;
+}
+
+}  // namespace
+
+std::string harmless(std::string_view text, std::size_t longest) {
+    return made_harmless(text, longest, false);
+}
+
+std::string harmless_page(std::string_view text) {
+    return made_harmless(text, std::string_view::npos, true);
+}
+
+}  // namespace peterka

@@ -1,0 +1,22 @@
+"""The build itself: where it lies doesn't matter."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_a_folder_may_have_a_space_in_its_name(tmp_path):
+    source = tmp_path / "two words"
+    source.mkdir()
+    shutil.copy(ROOT / "CMakeLists.txt", source)
+    shutil.copytree(ROOT / "src", source / "src")
+    configured = subprocess.run(["cmake", "-S", ".", "-B", "a build", "-G", "Ninja", "-DBUILD_TESTING=OFF"], cwd=source,
+                                capture_output=True, text=True)
+    assert configured.returncode == 0, configured.stderr
+    # a source that includes HDF5 and MPI, and the header that is made for each build
+    built = subprocess.run(["cmake", "--build", "a build", "--target", "peterka_commit",
+                            "CMakeFiles/peterka_core.dir/src/output/provenance.cpp.o"], cwd=source,
+                           capture_output=True, text=True)
+    assert built.returncode == 0, built.stdout + built.stderr

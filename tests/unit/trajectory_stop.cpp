@@ -1,0 +1,74 @@
+// A cycle that takes long is left in its middle when somebody asks to stop: every engine looks at the request.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "rig.hpp"
+#include "scene/in_precision.hpp"
+#include "support/stop_request.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/integrated_cycle_map.hpp"
+#include "trajectory/rk4_cycle_map.hpp"
+#include "trajectory/split_cycle_map.hpp"
+#include "trajectory/taylor_cycle_map.hpp"
+
+namespace peterka::trajectory {
+namespace {
+
+scene::Oscillator<double> bouncing() {
+    auto scene = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
+    scene.contact = scene::KelvinVoigt<double>{1e4, 0};  // pressed against it, without any loss
+    return scene;
+}
+
+scene::Oscillator<double> hopping() {
+    auto scene = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
+    scene.contact = scene::Restitution<double>{0.99};
+    return scene;
+}
+
+template <class Map>
+void expect_to_stop(Map&& map, const State<double>& x) {
+    EXPECT_NO_THROW(static_cast<void>(map(x))) << "nobody asks";
+    {
+        const StopRequest nobody;
+        EXPECT_NO_THROW(static_cast<void>(map(x)));
+    }
+    const StopRequest stop;
+    std::raise(SIGUSR1);
+    EXPECT_THROW(static_cast<void>(map(x)), Stopped);
+}
+
+TEST(StopWithinACycle, OfTheClosedForm) {
+    expect_to_stop(ExactCycleMap<double>(bouncing()), {-0.5, 1});
+    expect_to_stop(RigidExactMap<double>(hopping()), {-0.5, 1});
+}
+
+TEST(StopWithinACycle, OfTheSplitMap) {
+    auto scene = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
+    scene.cubic = 1e-3;
+    expect_to_stop(SplitCycleMap<double>(scene, 64), {-0.5, 1});
+}
+
+TEST(StopWithinACycle, OfTheIntegrators) {
+    const auto scene = testing::paper_rig(testing::beam_170mm, 0.5, 0.0);
+    for (const auto integrator : {Integrator::cvode_adams, Integrator::cvode_bdf, Integrator::arkode_explicit,
+                                  Integrator::arkode_implicit}) {
+        IntegratedCycleMap map(scene, integrator, 1e-9);
+        expect_to_stop([&](const State<double>& x) { return map(x); }, {-0.5, 1});
+    }
+}
+
+TEST(StopWithinACycle, OfTheStudysMethods) {
+    const auto scene = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
+    expect_to_stop(
+        [&](const State<double>& x) { return Rk4CycleMap(scene, 500, Rk4Events::located)(x, false); },
+        {-0.5, 1});
+    for (const auto& each : {bouncing(), hopping()}) {
+        const TaylorCycleMap map(scene::in_precision<long double>(each));
+        expect_to_stop([&](const State<double>& x) { return map(x.cast<long double>()); }, {-0.5, 1});
+    }
+}
+
+}  // namespace
+}  // namespace peterka::trajectory
