@@ -25,7 +25,7 @@ from peterka_claims.markdown import markdown  # noqa: E402
 from peterka_claims.page import Pictures, blocks  # noqa: E402
 from peterka_claims.sensitivity import rows  # noqa: E402
 from peterka_pictures import axes  # noqa: E402
-from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, tell  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.read import PeterkaFile  # noqa: E402
 
@@ -41,6 +41,10 @@ def main():
         write(text, folder.path / "pictures", page)
     except NotDrawable as refusal:
         complain(refusal)
+        return BAD_INPUT
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:  # each file is sound, and what they say isn't
+        complain(f"the files of {folder.path} make no sense together ({type(error).__name__}: {error}); compute them again "
+                 "with jobs/paper.sh")
         return BAD_INPUT
     except OSError as error:
         complain(f"cannot write the page: {error.filename}: {error.strerror or error}")
@@ -83,4 +87,4 @@ def write(text, pictures, page):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main()))

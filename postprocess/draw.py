@@ -28,7 +28,8 @@ import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that n
 
 from peterka_pictures import axes  # noqa: E402
 from peterka_pictures.command_line import (  # noqa: E402
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
+    tell,
 )
 from peterka_pictures.measured import Measurements, read_measurements  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
@@ -92,4 +93,4 @@ def draw_file(path, arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main()))

@@ -18,7 +18,7 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka_pictures import results_page  # noqa: E402
-from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
 from peterka_pictures.pictures import open_file  # noqa: E402
 
@@ -51,4 +51,4 @@ def write(text, pictures, page, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main()))

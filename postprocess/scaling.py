@@ -23,7 +23,8 @@ import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that n
 
 from peterka_pictures import remedies, scaling  # noqa: E402
 from peterka_pictures.command_line import (  # noqa: E402
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, save_all, tell,
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
+    tell,
 )
 from peterka_pictures.dealing import Machine  # noqa: E402
 from peterka_pictures.opened import NotDrawable  # noqa: E402
@@ -101,4 +102,4 @@ def number_in(text):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(exit_code(main()))

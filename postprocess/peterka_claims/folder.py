@@ -8,12 +8,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from peterka_pictures.checked_hdf5 import LARGEST, is_number
 from peterka_pictures.classes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from peterka_pictures.comparison import label_codes
+from peterka_pictures.harmless import harmless
 from peterka_pictures.opened import STANDARD_GRAVITY, NotDrawable
 from peterka_pictures.read import PeterkaFile
 
 from .record import SOME
+
+
+SMALLEST = 1 / LARGEST  # of what a rig must have more of than nothing
+BASINS = ("basin_", "nearby_", "sensitivity/1")  # names begin so; those of maps don't
 
 
 @dataclass(frozen=True)
@@ -102,15 +108,31 @@ class Folder:
 
     def plane(self, name):
         path = self.path / f"{name}.h5"
-        return read_plane(path) if path.exists() else None
+        return self._read(path) if path.exists() else None
 
     def planes(self, prefix):
         """All files whose names begin so, in the order of their names."""
-        return [read_plane(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
+        return [self._read(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
+
+    def _read(self, path):
+        """A plane of the kind that the name stands for."""
+        plane = read_plane(path)
+        kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
+        if plane.kind != kind:
+            raise NotDrawable(f"{path} is a {plane.kind}; a {kind} of this name is needed")
+        return plane
 
     def picture(self, name):
         """Whether draw.py made this picture."""
         return (self.path / "pictures" / f"{name}.png").exists()
+
+
+def require_alike(planes):
+    """Planes that are compared cell by cell."""
+    for plane in planes[1:]:
+        if plane.regime.shape != planes[0].regime.shape:
+            raise NotDrawable(f"{plane.path} has {plane.regime.shape} cells, and {planes[0].path} {planes[0].regime.shape}; "
+                              "they are compared cell by cell")
 
 
 def read_plane(path):
@@ -125,17 +147,26 @@ def read_plane(path):
 
 
 def read_job(file):
-    """The job of a file as tables; its natural frequency is there whichever way the job gave the stiffness."""
+    """The job of a file as tables, with all numbers that a rig must have; its natural frequency is there whichever way the
+    job gave the stiffness."""
     text = file.data.attribute("job")
     try:
         job = tomllib.loads(text if isinstance(text, str) else "")
         hammer = job["hammer"]
         hammer.setdefault("natural_frequency_hz", file.positive("natural_frequency_hz"))
-        if None in (hammer["natural_frequency_hz"], hammer["mass_kg"], job["cart"]["amplitude_m"]):
-            raise KeyError("natural_frequency_hz")
+        _require(hammer, ("natural_frequency_hz", "mass_kg"), least=SMALLEST)
+        _require(job["cart"], ("amplitude_m",), least=SMALLEST)
+        if file.kind == "basin":
+            _require(job["operating_point"], ("frequency_ratio", "gap_ratio"))
         return job
-    except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
-        raise file.refusal(f"holds no job that can be read ({error})") from error
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError, ValueError, RecursionError) as error:
+        raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
 
 
-__all__ = ["Folder", "NotDrawable", "Plane", "read_plane"]
+def _require(table, keys, least=-LARGEST):
+    for key in keys:
+        if not is_number(table[key]) or not least <= table[key] <= LARGEST:
+            raise ValueError(f"{key} = {harmless(table[key], 40)}")
+
+
+__all__ = ["Folder", "LARGEST", "NotDrawable", "Plane", "SMALLEST", "read_plane", "require_alike"]

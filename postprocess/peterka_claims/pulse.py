@@ -49,6 +49,8 @@ class Strike:
             self.mass, self.natural_hz = hammer["mass_kg"], hammer["natural_frequency_hz"]
             self.speed, self.contact_s = hardest["impact_speed"], hardest["contact_time"]
             self.restitution = hardest["impulse"] / (self.mass * self.speed) - 1
+            if not 0 < self.restitution < 2:  # far beyond what rounding could make of 1
+                raise file.refusal(f"has an impact with a restitution of {self.restitution:.3g}")
             self.peak_n = hardest["peak_force_ratio"] * file.newtons
             self.touch_n = hardest["touch_force_ratio"] * file.newtons
             self.frequency, self.force, self.flight = file.impact_spectrum.values()

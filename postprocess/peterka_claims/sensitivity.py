@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .folder import LARGEST, SMALLEST, NotDrawable
 from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, force_at, limits_hz
 from .record import SOME, percent
 
@@ -120,8 +121,14 @@ def _row(what, unit, printed, number, name, planes):
 
 
 def _parameter(plane, name):
-    table, key, _ = PARAMETERS[name]
-    return plane.job[table][key]
+    table, key, words = PARAMETERS[name]
+    try:
+        value = float(plane.job[table][key])
+    except (KeyError, TypeError, ValueError):
+        value = 0.0
+    if not SMALLEST <= value <= LARGEST:
+        raise NotDrawable(f"{plane.path} doesn't tell the {words} ({table}.{key}), or it is nothing")
+    return value
 
 
 def _factor(plane, base, name):

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .folder import NotDrawable
+from .folder import NotDrawable, require_alike
 from .record import HIGH_GAP, SOME, claim, near, not_computed, off_by, percent
 from .sensitivity import contact_damping_with_both, outcomes
 from .spans import around_bands
@@ -24,6 +24,7 @@ def claims(folder):
 
 def depends_on_start(planes):
     """Cells whose proved label (orbit, no impact, lasting contact) isn't the same from all starts, (rows, columns)."""
+    require_alike(planes)
     lowest, highest, count = None, None, None
     for plane in planes:
         proved = plane.is_settled

@@ -11,8 +11,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from .harmless import harmless
+
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
-INTEGER, REAL = "iu", "f"  # kinds of numpy types
+INTEGER, REAL = "i", "f"  # kinds of numpy types; the program writes no unsigned ones that are shown
+LARGEST = 1e100  # of any number that is shown: sums and products of larger ones leave the range of numbers
 MAX_TEXT = 20000
 _WORD = re.compile(r"[A-Za-z0-9_.+-]{1,60}")
 _ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on damaged files
@@ -73,9 +76,12 @@ class CheckedFile:
     def values(self, name, rows):
         """These rows (a slice, or () for a scalar) of a dataset that was checked before."""
         try:
-            return self._file[name][rows]
+            values = self._file[name][rows]
         except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged: {name} cannot be read ({_first_line(error)})") from error
+        if values.dtype.kind in REAL and np.any(np.isfinite(values) & (np.abs(values) > LARGEST)):
+            raise self.refusal(f"has a {name} beyond {LARGEST:g}, which is no number of this program")
+        return values
 
     def words(self, name):
         """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
@@ -100,7 +106,7 @@ class CheckedFile:
         except (NotDrawable, *_ERRORS):
             return []
         text = value.decode("utf-8", "replace") if isinstance(value, bytes) else ""
-        return [line for line in map(printable, text[:MAX_TEXT].splitlines()) if line]
+        return [harmless(line, None) for line in text[:MAX_TEXT].splitlines() if line.strip()]
 
     def _own(self, name):
         parts = name.split("/")
@@ -128,11 +134,6 @@ class CheckedFile:
 
 def is_number(value):
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
-
-
-def printable(text):
-    """Text out of the file as one line of printable letters."""
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
 
 
 def shown(value):

@@ -13,11 +13,12 @@ A cell may be empty. A point with a frequency alone is a mark on the frequency a
 """
 
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .checked_hdf5 import NotDrawable, printable
+from .checked_hdf5 import NotDrawable
+from .harmless import harmless
 
 PAIRS = {
     "frequency": ("frequency_ratio", "frequency_hz"),
@@ -27,6 +28,7 @@ PAIRS = {
 }
 COLUMNS = (*(name for pair in PAIRS.values() for name in pair), "natural_frequency_hz", "label")
 MAX_BYTES, MAX_LABEL = 2**24, 60
+MOST_LABELS = 200  # of all points
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
 
 
@@ -69,12 +71,17 @@ def read_measurements(path, file):
         if gap is False:
             other_gaps.append(f"{ratios['gap']:.4g}")
             continue
-        label = printable(cells.get("label") or "")[:MAX_LABEL]
+        label = harmless((cells.get("label") or "").strip(), MAX_LABEL)
         points.append(Point(ratios["frequency"], ratios["force"], ratios["displacement"], gap, label))
     left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
     if other_gaps:
         left_out.append(f"{path}: {len(other_gaps)} points at gap/A0 {', '.join(dict.fromkeys(other_gaps))} are left out;"
                         " the sweep has no such gap")
+    labelled = [number for number, point in enumerate(points) if point.label]
+    if len(labelled) > MOST_LABELS:
+        left_out.append(f"{path}: {len(labelled) - MOST_LABELS} of {len(labelled)} labels are left out; no more can be read")
+        for number in labelled[MOST_LABELS:]:
+            points[number] = replace(points[number], label="")
     return Measurements(points, left_out)
 
 
@@ -90,7 +97,10 @@ def _rows(path):
         raise NotDrawable(f"{path} is not a text in UTF-8; save it as CSV") from error
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
              if line.strip() and not line.startswith("#")]
-    cells = list(csv.reader([line for _, line in lines]))
+    try:
+        cells = list(csv.reader([line for _, line in lines]))
+    except csv.Error as error:
+        raise NotDrawable(f"{path} is no list of measured points: {error}") from error
     if len(cells) < 2:
         raise NotDrawable(f"{path} has no points; it needs a line with the names of its columns and one for each point")
     names = [name.strip() for name in cells[0]]
@@ -104,7 +114,7 @@ def _rows(path):
 def _check_names(path, names):
     for name in names:
         if name not in COLUMNS:
-            raise NotDrawable(f"{path} has the unknown column {printable(name)[:40]!r}; it may have {', '.join(COLUMNS)}")
+            raise NotDrawable(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(COLUMNS)}")
     twice = {name for name in names if names.count(name) > 1}
     both = [pair for pair in PAIRS.values() if set(pair) <= set(names)]
     if twice or both:
@@ -133,7 +143,7 @@ def _number(path, line, name, text):
     except ValueError:
         number = np.nan
     if not np.isfinite(number):
-        raise NotDrawable(f"{path}:{line} has {printable(text)[:40]!r} as {name}; a number is needed")
+        raise NotDrawable(f"{path}:{line} has '{harmless(text, 40)}' as {name}; a number is needed")
     return number
 
 

@@ -7,13 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from .checked_hdf5 import CheckedFile, NotDrawable, is_number, printable, shown
+from .checked_hdf5 import LARGEST, CheckedFile, NotDrawable, is_number, shown
+from .harmless import harmless
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
 LAYOUT = 1
 KINDS = ("map", "basin", "sweep", "trace", "study")
-TITLE_LENGTH = 160
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
@@ -42,20 +42,20 @@ class OpenedFile:
 
     @cached_property
     def title(self):
-        """One printable line; the name of the file where it has no title."""
+        """One harmless line; the name of the file where it has no title."""
         text = self.data.attribute("title")
-        text = (printable(text) if isinstance(text, str) else "") or self.path.stem
-        return text if len(text) <= TITLE_LENGTH else text[: TITLE_LENGTH - 1] + "…"
+        return harmless((text.strip() if isinstance(text, str) else "") or self.path.stem)
 
     def number(self, name):
-        """A root attribute that is a finite number, as float; None where it is absent or anything else."""
+        """A root attribute that is a finite number of some reasonable size, as float; None where it is absent or anything
+        else."""
         value = self.data.attribute(name)
-        return float(value) if is_number(value) and np.isfinite(value) else None
+        return float(value) if is_number(value) and np.isfinite(value) and abs(value) <= LARGEST else None
 
     def positive(self, name):
-        """The same for a number that must be above zero."""
+        """The same for a number that must be above zero, and by which others are divided."""
         value = self.number(name)
-        return value if value is not None and value > 0 else None
+        return value if value is not None and value >= 1 / LARGEST else None
 
     @property
     def newtons(self):

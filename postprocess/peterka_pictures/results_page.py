@@ -1,10 +1,9 @@
 """The results page: what studies and map files say, in Markdown, with the pictures that lie beside it."""
 
-from html import escape
-
 import numpy as np
 
 from .audit_map import compared_errors
+from .harmless import harmless
 from .pictures import picture_name
 from .study_words import (
     labels_table, rigid_limit_sentence, stability_table, where_engines_break, work_precision_table,
@@ -40,7 +39,7 @@ def _picture(file):
 def _work_precision(file):
     cells = file.table.outcome.shape[1]
     return "\n\n".join([
-        f"## Error and time: {escape(file.title)}",
+        f"## Error and time: {harmless(file.title, page=True)}",
         f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
         "left out, and every method does the same work.",
         work_precision_table(file.table),
@@ -53,7 +52,7 @@ def _work_precision(file):
 def _labels(file):
     return "\n\n".join([
         "## What errors do to a map",
-        f"{escape(file.title)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
+        f"{harmless(file.title, page=True)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
         "reference run, and cells without a proof.",
         labels_table(file.table),
         _picture(file),
@@ -75,8 +74,8 @@ def _stability(file):
 def _omitted(maps):
     parts = ["## What `auto` left out"]
     for file in maps:
-        sentences = [escape(line) for line in file.data.text("summary/omitted")]
-        parts.append(f"**{escape(file.title)}**\n\n" + ("\n".join(f"- {line}" for line in sentences) or "- nothing"))
+        sentences = [harmless(line, None, page=True) for line in file.data.text("summary/omitted")]
+        parts.append(f"**{harmless(file.title, page=True)}**\n\n" + ("\n".join(f"- {line}" for line in sentences) or "- nothing"))
         parts.append(_audit_sentence(file.audit))
     return "\n\n".join(parts)
 

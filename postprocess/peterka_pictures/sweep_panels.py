@@ -68,15 +68,20 @@ def panels(file, handles, ylabel, second, has_measured):
 def draw_measured(ax, points, value):
     """`value` gives the height of a point, None for one that stands only for a frequency."""
     low, high = ax.get_xlim()
-    for point in points:
-        if not low <= point.frequency <= high:
-            continue
-        height = value(point)
-        if height is not None:
-            ax.plot(point.frequency, height, zorder=6, clip_on=False, **MEASURED)
-            note(ax, point.frequency, height, point.label, -8)
-        elif point.force is None and point.displacement is None:
-            ax.axvline(point.frequency, color="#555555", linewidth=0.7, linestyle=(0, (1, 2)), zorder=1)
+    points = [point for point in points if low <= point.frequency <= high]
+    marked = [point for point in points if value(point) is not None]
+    if marked:  # matplotlib can't lay out an empty line
+        ax.plot([point.frequency for point in marked], [value(point) for point in marked], zorder=6, clip_on=False,
+                **MEASURED)
+    for point in marked:
+        if point.label:
+            note(ax, point.frequency, value(point), point.label, -8)
+    alone = [point for point in points if point.force is None and point.displacement is None]
+    places = np.array([(point.frequency, np.nan) for point in alone]).reshape(-1, 2)
+    ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(alone)), color="#555555", linewidth=0.7,
+                       linestyle=(0, (1, 2)), transform=ax.get_xaxis_transform(), zorder=1))
+    for point in alone:
+        if point.label:
             ax.annotate(point.label, (point.frequency, 0.03), xycoords=("data", "axes fraction"), rotation=90,
                         xytext=(-1, 0), textcoords="offset points", ha="right", va="bottom", fontsize=6.5,
                         path_effects=axes.outline(2), zorder=7)

@@ -1,0 +1,65 @@
+"""Files that are sound HDF5 and hold what nobody computes: one line and exit code 2 or 3, or a picture, and never a trace.
+
+tests/endurance/hostile_files.py tries every change of every file with every program; here are the known ones.
+"""
+
+import re
+import shutil
+
+import pytest
+from hostile_files import CLAIMED, JOB, full_basin, hostile_files
+from picture_samples import PLAIN, write_map
+
+CASES = [
+    ("draw", "map", "regime: unsigned"), ("draw", "map", "peak_force_ratio: 1e308"),
+    ("draw", "map", "peak_force_ratio: one of 1e308"), ("draw", "map", "frequency_ratio: 1e308"),
+    ("draw", "map", "attribute natural_frequency_hz: 1e308"), ("draw", "basin", "regime: unsigned"),
+    ("draw", "sweep", "peak_force_ratio: one of 1e308"), ("draw", "sweep", "regime: unsigned"),
+    ("draw", "sweep", "attribute natural_frequency_hz: 1e308"), ("draw", "sweep", "attribute hammer_mass_kg: 1e308"),
+    ("draw", "sweep", "attribute cart_amplitude_m: 1e-308"), ("draw", "trace", "force_ratio: one of 1e308"),
+    ("draw", "trace", "spectrum/frequency: 1e308"), ("scaling", "map", "run/tile_seconds: 1e308"),
+    ("scaling", "map", "run/solve_seconds: 1e308"), ("scaling", "map", "run/ranks: largest"),
+    ("compare", "map", "peak_force_ratio: 1e308"), ("compare", "map", "regime: unsigned"),
+]
+ARGUMENTS = {"scaling": ["--cells", "1e3", "--ranks", "10"], "compare": ["map_sound.h5"]}
+
+
+@pytest.mark.parametrize("program, kind, wanted", CASES)
+def test_a_hostile_file_gets_its_line(tmp_path, run_program, program, kind, wanted):
+    path = next(path for what, path in hostile_files(kind, tmp_path) if what == wanted)
+    code, _, errors = run_program(program, path, *ARGUMENTS.get(program, []), "--formats", "png")
+    assert code in (0, 2), errors
+    assert errors.count("\n") == (0 if code == 0 else 1) and "Traceback" not in errors
+
+
+@pytest.mark.parametrize("kind", CLAIMED)
+def test_claims_of_hostile_files_get_their_line(tmp_path, run_program, kind):
+    tried = 0
+    for what, path in hostile_files(kind, tmp_path):
+        if not re.match(r"job: |no \w|.*: (1e308|unsigned|deeper|longer|0)$", what):
+            continue
+        tried += 1
+        folder = tmp_path / "claims"
+        shutil.rmtree(folder, ignore_errors=True)
+        for name in CLAIMED[kind]:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(path, folder / name)
+        code, _, errors = run_program("claims", folder)
+        assert code in (0, 2) and errors.count("\n") == (0 if code == 0 else 1), (what, errors)
+        if kind != "sweep" and what in ("job: mass as text", "job: frequency 0", "job: no cart"):
+            assert code == 2, what
+    assert tried > 25
+
+
+def test_files_of_different_shapes(tmp_path, run_program):
+    (tmp_path / "starts").mkdir()
+    write_map(tmp_path / "starts" / "start_1.h5", job=JOB)
+    write_map(tmp_path / "starts" / "start_2.h5", cells=PLAIN[:3], job=JOB)
+    code, _, errors = run_program("claims", tmp_path)
+    assert code == 2 and "compared cell by cell" in errors and errors.count("\n") == 1
+
+
+def test_a_basin_under_a_maps_name(tmp_path, run_program):
+    full_basin(tmp_path / "gaps_170mm.h5")
+    code, _, errors = run_program("claims", tmp_path)
+    assert code == 2 and "is a basin; a map of this name is needed" in errors
