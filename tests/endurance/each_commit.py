@@ -27,6 +27,16 @@ WHAT_IS_TRIED = {  # the test: the fault, and what happens where it passes
     "test_a_file_that_vanishes": ("the file is removed during the run", "exit 3, path and cause"),
     "test_a_limit_of_file_sizes": ("a limit of file sizes (ulimit -f)", "exit 3, path and cause"),
     "test_a_folder_that_cannot_be_written_is_named": ("a folder that can't be written", "exit 3, path and cause"),
+    "test_libraries_in_the_current_folder_are_not_loaded": (
+        "libraries of the program's own names in the current folder", "not loaded"),
+    "test_a_cycle_that_takes_minutes_is_left_in_its_middle": (
+        "a forcing cycle that takes minutes, `--max-wall 1`", "exit 5 in its middle"),
+    "test_a_summary_that_cannot_be_printed_is_told_and_the_file_is_whole": (
+        "a full or closed standard output", "exit 3 with a word on stderr, the file is whole"),
+    "test_a_log_that_nobody_reads_changes_nothing": ("stderr is a pipe that nobody reads", "the same exit codes"),
+    "test_no_value_that_is_accepted_ends_in_an_internal_error": (
+        "both ends of every key's range, and every choice, one after the other; each job's all are one",
+        "2, 3, or computed; never an internal error"),
     "test_more_failed_cells_than_allowed": ("cells that fail", "counted with their reason, exit 4"),
     "test_one_rank_that_fails_ends_all": ("an exception on one rank", "all end, its message once"),
     "test_a_failure_of_all_is_told_once": ("an exception on all ranks", "all end, one message"),
