@@ -114,7 +114,7 @@ def test_edge_of_no_impact_is_the_amplitude_of_the_free_hammer():
 def test_a_title_is_not_mathematics(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5", title="costs $5\n\x07 and x_1^$")) as file:
         drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")
-    assert drawn.figure._suptitle.get_text() == "costs $5 and x_1^$"
+    assert drawn.figure._suptitle.get_text() == r"costs $5\n\x07 and x_1^$"
 
 
 @pytest.mark.parametrize("share, text", [
