@@ -17,9 +17,7 @@ struct Range {
     Number high;
     std::string_view reason;
 
-    [[nodiscard]] bool contains(Number value) const {
-        return low <= value && value <= high;
-    }
+    [[nodiscard]] bool contains(Number value) const { return low <= value && value <= high; }
     [[nodiscard]] std::string text() const {
         const std::string first = toml_text(low);
         const std::string last = toml_text(high);
