@@ -41,7 +41,7 @@ class RandomJobs {
             job.operating_point = {uniform(1e-6, 1e6), signed_number(1e6)};
         }
         job.steady_state = {integer(1, 1'000'000'000), integer(1, 1024), integer(1, 1'000'000'000)};
-        job.solver = {coin() ? EngineChoice::automatic : EngineChoice::exact, std::exp(uniform(-700, -0.1)),
+        job.solver = {coin() ? EngineChoice::automatic : EngineChoice::exact, std::exp(uniform(-27.6, -2.4)),
                       coin() ? 0.0 : std::exp(uniform(-744, 0))};
         if (std::holds_alternative<HuntCrossley>(job.contact)) job.solver.engine = EngineChoice::automatic;
         if (std::holds_alternative<Restitution>(job.contact)) keep_starts_before_the_stop(job);
@@ -50,6 +50,7 @@ class RandomJobs {
         for (const auto& field : Names<OptionalField>::all) {
             if (coin()) job.output.fields.push_back(field.value);
         }
+        job.output.anonymous = coin();
         job.audit.cells = integer(0, 1'000'000);
         job.limits.failed_cells = integer(0, std::numeric_limits<std::int64_t>::max());
         return job;
@@ -91,7 +92,7 @@ class RandomJobs {
     }
     std::string title() {
         const std::vector<std::string> pieces{"a", "\"", "\\",      "é", "Ω/ω",    "#",
-                                              " ", "'",  "\\u0041", "=", "\u0085", "😀"};
+                                              " ", "'",  "\\u0041", "=", "\u00a0", "😀"};
         std::string title;
         for (std::int64_t i = integer(0, 20); i > 0; --i) title += pieces[random_() % pieces.size()];
         return title;
