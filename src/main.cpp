@@ -1,6 +1,7 @@
 // peterka: maps of a hammer that strikes a stop inside a vibrating cart. See README.md.
 #include <optional>
 
+#include "output/checked.hpp"
 #include "parallel/session.hpp"
 #include "program/check_job.hpp"
 #include "program/command_line.hpp"
@@ -12,6 +13,7 @@
 
 int main(int argc, char** argv) {
     using namespace peterka;
+    output::leave_open_files_alone();
     return parallel::run_in_session(argc, argv, [&](const parallel::Session& session) {
         std::optional<RunPlan> plan;
         parallel::on_root(session, [&] {

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "output/make_file.hpp"
 #include "output/map_file.hpp"
+#include "output/output_lock.hpp"
 #include "output/provenance.hpp"
 #include "program/audit_map.hpp"
 #include "program/omitted.hpp"
@@ -26,10 +29,13 @@ using output::Existing;
 using output::MapFile;
 using parallel::Session;
 
-MapFile open_or_create(const Session& session, const RunPlan& plan, const scene::Scene& scene) {
+MapFile open_or_create(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+                       std::optional<output::FileLock>& lock) {
     if (plan.existing == Existing::absent) {
-        parallel::on_root(session,
-                          [&] { output::make_file(plan.file, plan.job, output::collect_provenance()); });
+        parallel::on_root(session, [&] {
+            output::make_file(plan.file, plan.job, output::collect_provenance());
+            lock.emplace(plan.file);
+        });
     }
     const auto access = plan.existing == Existing::complete ? output::Access::read : output::Access::write;
     return MapFile::open(plan.file, plan.job, scene.scales(), session.communicator(), access);
@@ -85,7 +91,8 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     const Stopwatch wall;
     const StopRequest stop(plan.max_wall_seconds);
     const scene::Scene scene(plan.job);
-    MapFile file = open_or_create(session, plan, scene);
+    std::optional<output::FileLock> lock;  // of a file that is made now
+    MapFile file = open_or_create(session, plan, scene, lock);
     ExitCode code = ExitCode::stopped_early;
     std::string words;
 

@@ -1,16 +1,18 @@
 """Reads single things out of an HDF5 file that may come from anybody.
 
-Sizes and types are checked before anything is read, and links and data that lie in other files are refused, so that a
-file can neither ask for any amount of memory nor make this program read what is not its own. Every refusal is a
-NotDrawable whose message is one sentence with the file's name.
+Sizes and types are checked before anything is read, and links and data that lie in other files are refused
+(own_objects.py), so that a file can neither ask for any amount of memory nor make this program read what is not its own.
+verify() compares the whole of it with its checksums. Every refusal is a NotDrawable whose message is one sentence with the file's name.
 """
 
+import os
 import re
 from pathlib import Path
 
 import h5py
 import numpy as np
 
+from . import own_objects, seal
 from .harmless import harmless
 
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
@@ -26,12 +28,33 @@ class NotDrawable(Exception):
 
 
 class CheckedFile:
-    """An open HDF5 file; close() it."""
+    """An open HDF5 file, all of whose objects are its own; close() it."""
+
+    _raw = None
 
     def __init__(self, path):
         self.path = Path(path)
         self._file = self._open()
-        self.close = self._file.close
+        try:
+            self._raw = open(self.path, "rb")  # noqa: SIM115 - closed with the file
+            self._storages = self._own_storages()
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self):
+        self._file.close()
+        if self._raw:
+            self._raw.close()
+
+    def verify(self):
+        """Reads the file once and compares it with its checksums."""
+        try:
+            seal.verify(self._file, self._raw, self._storages)
+        except seal.Broken as broken:
+            raise self.refusal(str(broken)) from broken
+        except _ERRORS as error:
+            raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
     def refusal(self, reason):
         """The exception to raise: 'FILE reason'."""
@@ -61,8 +84,6 @@ class CheckedFile:
         """The dataset `name`, of this shape (None: any) and of one of these kinds of numbers, stored in this file."""
         try:
             dataset = self._own(name)
-            if dataset.is_virtual or dataset.external:
-                raise self.refusal(f"keeps {name} in another file")
             if dataset.dtype.kind not in kinds:
                 raise self.refusal(f"has {name} of type {dataset.dtype}")
             if shape is not None and dataset.shape != shape:
@@ -102,20 +123,24 @@ class CheckedFile:
         """A scalar text as its printable lines; none where there is no such text."""
         try:
             dataset = self._own(name)
-            value = dataset[()] if dataset.shape == () and dataset.dtype.kind in "OS" else b""
+            value = dataset[()] if dataset.shape == () and dataset.dtype.kind == "S" else b""
         except (NotDrawable, *_ERRORS):
             return []
         text = value.decode("utf-8", "replace") if isinstance(value, bytes) else ""
         return [harmless(line, None) for line in text[:MAX_TEXT].splitlines() if line.strip()]
 
     def _own(self, name):
-        parts = name.split("/")
-        links = ["/".join(parts[: depth + 1]) for depth in range(len(parts))]
-        if all(isinstance(self._file.get(link, getlink=True), h5py.HardLink) for link in links):
-            found = self._file[name]
-            if isinstance(found, h5py.Dataset):
-                return found
+        if self._storages.get(f"/{name}") is not None:
+            return self._file[name]
         raise self.refusal(f"has no dataset {name}")
+
+    def _own_storages(self):
+        try:
+            return own_objects.storages(self._file, os.fstat(self._raw.fileno()).st_size)
+        except own_objects.NotOwn as reason:
+            raise self.refusal(str(reason)) from reason
+        except (*_ERRORS, RecursionError) as error:
+            raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
     def _open(self):
         if not self.path.exists():

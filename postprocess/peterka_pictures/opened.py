@@ -12,7 +12,7 @@ from .harmless import harmless
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
-LAYOUT = 1
+LAYOUT = 2
 KINDS = ("map", "basin", "sweep", "trace", "study")
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
@@ -27,6 +27,8 @@ class OpenedFile:
         try:
             self.kind = self._checked_kind()
             self.check_content()
+            if type(self) is not OpenedFile:  # of the header alone nothing is shown
+                self.data.verify()
         except BaseException:
             self.data.close()
             raise
@@ -68,7 +70,8 @@ class OpenedFile:
         if layout is None:
             raise self.refusal("is HDF5, but not a peterka file (no attribute peterka_layout)")
         if not is_number(layout) or layout != LAYOUT:
-            raise self.refusal(f"has layout version {shown(layout)}; this program draws version {LAYOUT}")
+            lacks = ", which has no checksum over what lies outside its cells" if layout == 1 else ""
+            raise self.refusal(f"has layout version {shown(layout)}{lacks}; this program draws version {LAYOUT}")
         if not isinstance(kind, str) or kind not in KINDS:
             raise self.refusal(f"is of kind {shown(kind)}; this program draws {', '.join(KINDS)} files")
         return kind

@@ -1,6 +1,6 @@
 """A map or basin file, checked before anything in it is believed and read in bands of rows, never as a whole.
 
-Layout version 1: two coordinate vectors and the data on [rows][columns],
+Layout version 2: two coordinate vectors and the data on [rows][columns],
     map    rows gap_ratio,      columns frequency_ratio
     basin  rows velocity_ratio, columns displacement_ratio
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group

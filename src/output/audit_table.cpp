@@ -48,10 +48,6 @@ std::string path_of(const char* name) {
     return std::string("/audit/") + name;
 }
 
-DatasetId open(const Checked& check, hid_t file, const std::string& path) {
-    return DatasetId(check(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "H5Dopen2"));
-}
-
 template <class Value>
 constexpr Number number_of() {
     if constexpr (std::is_same_v<Value, std::int8_t>) return Number::int8;
@@ -61,10 +57,9 @@ constexpr Number number_of() {
 }
 
 template <class Value>
-std::vector<Value> read_column(const Checked& check, hid_t file, const std::string& path, std::int64_t count) {
+std::vector<Value> read_column(const OpenMap& map, const std::string& path, std::int64_t count) {
     std::vector<Value> values(static_cast<std::size_t>(count));
-    if (count > 0)
-        read_block(check, open(check, file, path).id(), number_of<Value>(), Block(0, count), values.data());
+    if (count > 0) Stored(map, path, number_of<Value>()).read(Block(0, count), values.data());
     return values;
 }
 
@@ -114,12 +109,12 @@ std::vector<DatasetPlan> audit_run_plans(const job::Job& job) {
 
 template <class Value>
 void AuditTable::put(const char* name, std::int64_t index, Value value) const {
-    write_block(check_, open(check_, file_, path_of(name)).id(), number_of<Value>(), Block(index, 1), &value);
+    Stored(map_, path_of(name), number_of<Value>()).write(Block(index, 1), &value);
 }
 
 bool AuditTable::has(std::int64_t index) const {
-    std::int8_t mark = 0;
-    read_block(check_, open(check_, file_, path_of(agrees)).id(), Number::int8, Block(index, 1), &mark);
+    std::int8_t mark = -1;
+    Stored(map_, path_of(agrees), Number::int8).read(Block(index, 1), &mark);
     return mark == 0 || mark == 1;
 }
 
@@ -135,15 +130,15 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("peak_force_ratio", index, row.again.peak_force);
     put(force_error, index, row.force_error);
     put(sensitivity, index, row.sensitivity);
-    write_block(check_, open(check_, file_, seconds_path).id(), Number::float64, Block(index, 1), &row.seconds);
+    Stored(map_, seconds_path, Number::float64).write(Block(index, 1), &row.seconds);
     put(agrees, index, static_cast<std::int8_t>(row.agrees ? 1 : 0));
 }
 
 std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
-    const auto errors = read_column<double>(check_, file_, path_of(force_error), count);
-    const auto growths = read_column<double>(check_, file_, path_of(sensitivity), count);
-    const auto marks = read_column<std::int8_t>(check_, file_, path_of(agrees), count);
-    const auto times = read_column<double>(check_, file_, seconds_path, count);
+    const auto errors = read_column<double>(map_, path_of(force_error), count);
+    const auto growths = read_column<double>(map_, path_of(sensitivity), count);
+    const auto marks = read_column<std::int8_t>(map_, path_of(agrees), count);
+    const auto times = read_column<double>(map_, seconds_path, count);
     std::vector<AuditRow> rows(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].force_error = errors[i];
@@ -156,10 +151,13 @@ std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
 
 void AuditTable::write(const AuditReport& report) const {
     const double share = static_cast<double>(report.agreeing) / static_cast<double>(report.cells);
-    write_number(check_, file_, path_of("agreeing_labels").c_str(), share);
-    write_number(check_, file_, path_of("force_error_median").c_str(), report.median_force_error);
-    write_number(check_, file_, path_of("force_error_99_percent").c_str(), report.force_error_99_percent);
-    write_number(check_, file_, path_of("force_error_largest").c_str(), report.largest_force_error);
+    const auto put_result = [&](const char* name, double value) {
+        put_number(map_, path_of(name).c_str(), Number::float64, value);
+    };
+    put_result("agreeing_labels", share);
+    put_result("force_error_median", report.median_force_error);
+    put_result("force_error_99_percent", report.force_error_99_percent);
+    put_result("force_error_largest", report.largest_force_error);
 }
 
 }  // namespace peterka::output

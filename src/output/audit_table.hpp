@@ -4,17 +4,14 @@
 // is whole.
 #pragma once
 
-#include <hdf5.h>
-
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "job/job.hpp"
-#include "output/checked.hpp"
 #include "output/fields.hpp"
 #include "output/layout.hpp"
+#include "output/stored.hpp"
 
 namespace peterka::output {
 
@@ -57,7 +54,7 @@ struct AuditReport {
 // The table in an open file. Every call is this rank's own.
 class AuditTable {
   public:
-    AuditTable(Checked check, hid_t file) : check_(std::move(check)), file_(file) {}
+    explicit AuditTable(const OpenMap& map) : map_(map) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
@@ -69,8 +66,7 @@ class AuditTable {
     template <class Value>
     void put(const char* name, std::int64_t index, Value value) const;
 
-    Checked check_;
-    hid_t file_;
+    OpenMap map_;
 };
 
 }  // namespace peterka::output

@@ -73,12 +73,17 @@ double read_number(const Checked& check, hid_t file, const char* path) {
     return value;
 }
 
+std::array<char, text_capacity> padded_text(const std::string& text) {
+    std::array<char, text_capacity> room{};
+    std::copy_n(text.begin(), length_that_fits(text), room.begin());
+    return room;
+}
+
 void write_text(const Checked& check, hid_t file, const char* path, const std::string& text) {
     const DatasetId dataset = open_dataset(check, file, path);
     const TypeId type = file_type(check, Number::text);
-    std::array<char, text_capacity> room{};
-    std::copy_n(text.begin(), length_that_fits(text), room.begin());
-    check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, room.data()), "H5Dwrite");
+    check(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded_text(text).data()),
+          "H5Dwrite");
 }
 
 }  // namespace peterka::output

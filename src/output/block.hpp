@@ -1,7 +1,6 @@
-// Raw numbers to and from a block of a dataset, by this rank alone.
+// Raw numbers to and from a block of a dataset through HDF5, by this rank alone.
 //
-// After the file has been made these are the only writes to it, and each is plain data at a place that is
-// fixed.
+// A map that is being computed is written and read through stored.hpp, which vouches for it.
 #pragma once
 
 #include <hdf5.h>
@@ -37,6 +36,9 @@ class Block {
 
 void write_block(const Checked& check, hid_t dataset, Number number, const Block& block, const void* values);
 void read_block(const Checked& check, hid_t dataset, Number number, const Block& block, void* values);
+
+// A text as it lies in a file: cut to its room, the rest zeros.
+[[nodiscard]] std::array<char, text_capacity> padded_text(const std::string& text);
 
 // Scalars and texts by path.
 void write_number(const Checked& check, hid_t file, const char* path, double value);

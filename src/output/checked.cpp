@@ -1,14 +1,10 @@
 #include "output/checked.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "support/errors.hpp"
@@ -32,21 +28,12 @@ std::string system_text(const std::string& reason) {
     return reason.substr(begin, reason.find('\'', begin) - begin);
 }
 
-// Why a file can't be written, in the system's words; HDF5 1.10 and MPI-IO don't pass them on. Asking for the
-// room that the file has already fails where a write does, and changes nothing else.
-std::string why_unwritable(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    int error = errno;
-    if (descriptor >= 0) {
-        // not posix_fallocate, which writes zeros of its own where the file system has no such call
-        error = ::fallocate(descriptor, 0, 0, ::lseek(descriptor, 0, SEEK_END)) == 0 ? 0 : errno;
-        ::close(descriptor);
-    }
-    if (error == 0 || error == EINVAL || error == EOPNOTSUPP) return "";
-    return fmt::format(" ({})", std::generic_category().message(error));
-}
-
 }  // namespace
+
+void leave_open_files_alone() {
+    H5dont_atexit();
+    H5open();  // once MPI is there, it would have MPI_Finalize close its files
+}
 
 std::string hdf5_reason() {
     std::string reason;
@@ -60,9 +47,7 @@ Checked::Checked(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 void Checked::fail(const char* call) const {
-    const std::string reason = hdf5_reason();
-    const std::string why = call == std::string_view("H5Dwrite") ? why_unwritable(path_) : "";
-    throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}{}.", path_.string(), call, reason, why));
+    throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}.", path_.string(), call, hdf5_reason()));
 }
 
 }  // namespace peterka::output

@@ -30,6 +30,11 @@ class Checked {
     std::filesystem::path path_;
 };
 
+// To be called before MPI_Init: HDF5 closes nothing by itself when MPI or the program ends. Every file is
+// closed where it was written; what is still open then is a file that couldn't be written, and HDF5 1.10
+// crashes when it closes one.
+void leave_open_files_alone();
+
 // Why the last HDF5 call failed, in the words of the lowest layer that said something.
 [[nodiscard]] std::string hdf5_reason();
 

@@ -21,6 +21,8 @@
 #include "output/matches_plan.hpp"
 #include "output/provenance.hpp"
 #include "output/root_attributes.hpp"
+#include "output/seal.hpp"
+#include "output/stored.hpp"
 #include "support/errors.hpp"
 #include "support/harmless.hpp"
 
@@ -63,7 +65,10 @@ FileId open_map(const Checked& check) {
 void require_layout_version(const std::filesystem::path& path, const FileId& file) {
     const int version = read_integer(file.id(), attribute::layout).value_or(0);
     if (version == layout_version) return;
-    refuse(path, fmt::format("has layout version {}, this program writes version {}", version, layout_version),
+    refuse(path,
+           fmt::format(
+               "has layout version {}, this program writes version {}{}", version, layout_version,
+               version == 1 ? ": files of version 1 have no checksum over what lies outside their cells" : ""),
            start_over);
 }
 
@@ -75,12 +80,10 @@ void require_job(const std::filesystem::path& path, const FileId& file, const jo
 }
 
 void require_datasets(const Checked& check, const FileId& file, const job::Job& job) {
+    if (const auto fault = layout_fault(check, file.id(), job)) {
+        refuse(check.path(), "is damaged: " + *fault, start_over);
+    }
     for (const DatasetPlan& plan : layout(job)) {
-        if (!matches_plan(check, file.id(), plan)) {
-            refuse(check.path(),
-                   fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()),
-                   start_over);
-        }
         if (!holds_coordinates(check, file.id(), plan, job)) {
             refuse(check.path(),
                    fmt::format("is damaged: dataset {} has values that are not the job's", plan.path()),
@@ -100,13 +103,27 @@ void require_arithmetic(const std::filesystem::path& path, const FileId& file) {
            "Resume on a machine like the first, or start over with --fresh.");
 }
 
+bool is_finished(const Checked& check, const FileId& file) {
+    const DiskFile disk(check.path());
+    return get_number({check, file.id(), disk}, path::finished, Number::int8) == 1;
+}
+
+// That of the tiles is looked at by all ranks together (MapFile::remaining_tiles).
+void require_seal(const Checked& check, const FileId& file) {
+    if (is_sealed(check, file.id())) return;
+    refuse(check.path(),
+           "is damaged: something outside its cells is not what it was when it was finished (wrong checksum)",
+           "Don't trust it; compute it again with --fresh.");
+}
+
 bool all_tiles_done(const Checked& check, const FileId& file, const job::Job& job) {
     constexpr std::int64_t at_once = 1'000'000;
-    const DatasetId dataset(check(H5Dopen2(file.id(), path::done, H5P_DEFAULT), "H5Dopen2"));
+    const DiskFile disk(check.path());
+    const Stored marks({check, file.id(), disk}, path::done, Number::int8);
     const std::int64_t tiles = tiling(job).count();
     for (std::int64_t first = 0; first < tiles; first += at_once) {
         std::vector<std::int8_t> done(static_cast<std::size_t>(std::min(at_once, tiles - first)));
-        read_block(check, dataset.id(), Number::int8, Block(first, std::ssize(done)), done.data());
+        marks.read(Block(first, std::ssize(done)), done.data());
         if (std::ranges::any_of(done, [](std::int8_t mark) { return mark != 1; })) return false;
     }
     return true;
@@ -121,10 +138,15 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     require_layout_version(path, file);
     require_job(path, file, job);
     const bool is_whole = job.kind == job::Kind::study || job.kind == job::Kind::trace;
-    if (is_whole) return Existing::complete;  // it was written whole, and nothing is read
+    if (is_whole) {  // it was written whole, and no number of it is looked at
+        require_seal(check, file);
+        return Existing::complete;
+    }
     require_datasets(check, file, job);
-    const bool finished = read_number(check, file.id(), path::finished) == 1;
-    if (finished && all_tiles_done(check, file, job)) return Existing::complete;
+    if (is_finished(check, file) && all_tiles_done(check, file, job)) {
+        require_seal(check, file);
+        return Existing::complete;
+    }
     require_arithmetic(path, file);
     if (::access(path.c_str(), W_OK) != 0) {
         const std::string reason = std::generic_category().message(errno);
@@ -138,9 +160,7 @@ bool holds_complete_map(const std::filesystem::path& path) {
     if (!holds_file(path)) return false;
     const Checked check(path);
     const FileId file = open_map(check);
-    if (H5Lexists(file.id(), "/summary", H5P_DEFAULT) <= 0) return false;
-    if (H5Lexists(file.id(), path::finished, H5P_DEFAULT) <= 0) return false;
-    return read_number(check, file.id(), path::finished) == 1;
+    return is_own_link(file.id(), path::finished) && is_finished(check, file);
 }
 
 }  // namespace peterka::output

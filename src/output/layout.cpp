@@ -47,6 +47,7 @@ constexpr Variable run_variables[] = {
 constexpr Variable summary_variables[] = {
     {"omitted", Number::text, 0, "", "what the program left out of the scene and why"},
     {"failures", Number::text, 0, "", "cells without a result and why"},
+    checksum_of_file,
     {"finished", Number::int8, 0, "1", "1 once everything in the file is final"},
 };
 constexpr Variable attractor_row{"attractor", Number::int32, -1, "1", "row of this table"};

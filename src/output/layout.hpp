@@ -1,4 +1,4 @@
-// Every dataset of a map file of layout version 1: where it lies, what it holds and how large it is.
+// Every dataset of a map file: where it lies, what it holds and how large it is.
 //
 // Creating, sizing and inspecting a file all follow this one list. Dimensions are HDF5 dimension scales in the
 // group of the datasets they belong to, as netCDF-4 readers want them. "same bytes" holds for all groups but
@@ -15,8 +15,13 @@
 
 namespace peterka::output {
 
-inline constexpr int layout_version = 1;
+// Files of version 1 have no checksum over what lies outside the tiles.
+inline constexpr int layout_version = 2;
 inline constexpr std::int64_t attractor_capacity = 256;
+
+// The seal (seal.hpp).
+inline constexpr Variable checksum_of_file{"checksum", Number::uint64, 0, "",
+                                           "XXH3 (64 bits) of all that is final in the file; written last"};
 
 struct Dimension {
     std::string name;  // of the scale, in the same group
@@ -54,6 +59,7 @@ inline constexpr const char* solve_seconds = "/run/solve_seconds";
 inline constexpr const char* hosts = "/run/hosts";
 inline constexpr const char* omitted = "/summary/omitted";
 inline constexpr const char* failures = "/summary/failures";
+inline constexpr const char* sum_of_file = "/summary/checksum";
 inline constexpr const char* finished = "/summary/finished";
 inline constexpr const char* attractor = "/attractor";
 inline constexpr const char* attractor_count = "/attractors/count";

@@ -2,14 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "output/checked.hpp"
+#include "output/disk_file.hpp"
 #include "output/inspect.hpp"
 #include "output/layout.hpp"
 #include "output/make_layout.hpp"
@@ -46,9 +50,8 @@ void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
 void write_whole(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
                  std::int64_t bytes) {
     const Checked check(path);
-    FileId file(
-        check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(check).id(), file_access(check).id()),
-              "H5Fcreate"));
+    FileId file(check(H5Fcreate(path.c_str(), H5F_ACC_EXCL, file_creation(check).id(), file_access(check).id()),
+                      "H5Fcreate"));
     reserve_room(path, bytes);
     const std::vector<DatasetPlan> plans = layout(job);
     write_root_attributes(check, file.id(), job, provenance);
@@ -56,6 +59,41 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     write_coordinates(check, file.id(), plans, job);
     check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");
     check(H5Fclose(file.release()), "H5Fclose");
+}
+
+// Not through a link.
+bool is_plain_file(const std::filesystem::path& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1;
+}
+
+bool is_complete_map(const std::filesystem::path& path) {
+    try {
+        return is_plain_file(path) && holds_complete_map(path);
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+// Whether a file begins as one that HDF5 has made or was about to: empty, zeros, or its signature.
+bool begins_as_ours(const std::filesystem::path& path) {
+    constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+    std::string begin(signature.size(), '\0');
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const ssize_t length = ::pread(descriptor, begin.data(), begin.size(), 0);
+    ::close(descriptor);
+    return length >= 0 && (begin == signature || begin.find_first_not_of('\0') == std::string::npos);
+}
+
+void require_room_for_previous(const std::filesystem::path& path) {
+    struct stat status {};
+    const std::filesystem::path previous = previous_name(path);
+    if (::lstat(previous.c_str(), &status) != 0 || is_complete_map(previous)) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: is no map of peterka, and the map to be replaced would be kept "
+                              "under that name. Move it away.",
+                              previous.string()));
 }
 
 void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -69,28 +107,52 @@ void move_file(const std::filesystem::path& from, const std::filesystem::path& t
 }  // namespace
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
-    return with_suffix(path, ".creating");
+    return with_suffix(path, ".peterka-creating");
 }
 
 std::filesystem::path previous_name(const std::filesystem::path& path) {
-    return with_suffix(path, ".previous");
+    return with_suffix(path, ".peterka-previous");
+}
+
+void clear_temporary(const std::filesystem::path& temporary) {
+    struct stat status {};
+    if (::lstat(temporary.c_str(), &status) != 0) return;
+    if (!is_plain_file(temporary) || !begins_as_ours(temporary)) {
+        throw Failure(ExitCode::output,
+                      fmt::format("{}: is in the way, and no run of peterka has left it. Move it "
+                                  "away, or choose another name with --output.",
+                                  temporary.string()));
+    }
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+}
+
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+    DiskFile(temporary).settle();
+    move_file(temporary, path);
+}
+
+void remove_previous(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (is_complete_map(previous_name(path))) std::filesystem::remove(previous_name(path), ignored);
 }
 
 void make_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance) {
     const bool keep = holds_complete_map(path);
+    if (keep) require_room_for_previous(path);
     const std::filesystem::path temporary = temporary_name(path);
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
+    clear_temporary(temporary);
     const std::int64_t bytes = predicted_bytes(job, provenance);
     require_space(path, bytes);
     try {
         write_whole(temporary, job, provenance, bytes);
+        if (keep) move_file(path, previous_name(path));
+        put_in_place(temporary, path);
     } catch (...) {
+        std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         throw;
     }
-    if (keep) move_file(path, previous_name(path));
-    move_file(temporary, path);
 }
 
 }  // namespace peterka::output

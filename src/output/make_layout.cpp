@@ -130,6 +130,9 @@ PropertiesId file_access(const Checked& check) {
     // exactly.
     check(H5Pset_meta_block_size(access.id(), 0), "H5Pset_meta_block_size");
     check(H5Pset_small_data_block_size(access.id(), 0), "H5Pset_small_data_block_size");
+    // What is written lies in the file at once, and what is read comes from it.
+    check(H5Pset_cache(access.id(), 0, 0, 0, 0), "H5Pset_cache");
+    check(H5Pset_sieve_buf_size(access.id(), 0), "H5Pset_sieve_buf_size");
     // Not every file system can lock, and a reader that holds a lock must not stop a run.
     check(H5Pset_file_locking(access.id(), false, true), "H5Pset_file_locking");
     return access;

@@ -66,12 +66,9 @@ MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, st
                       std::int64_t column) {
     const Checked check(path);
     const FileId file = open_to_read(check);
-    for (const DatasetPlan& plan : layout(job)) {
-        if (!matches_plan(check, file.id(), plan)) {
-            refuse(path, fmt::format("is damaged: dataset {} is missing or not of its kind", plan.path()));
-        }
-    }
-    const TileStore tiles(check, file.id(), job);
+    if (const auto fault = layout_fault(check, file.id(), job)) refuse(path, "is damaged: " + *fault);
+    const DiskFile disk(path);
+    const TileStore tiles({check, file.id(), disk}, job);
     const parallel::Tile tile = tiles.tiling().tile(tiles.tiling().index_at({row, column}));
     const auto in_words = [&](const char* what) {
         return fmt::format("{} the cell in row {}, column {}", what, row, column);
@@ -85,8 +82,7 @@ MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, st
             case TileState::whole:
                 break;
         }
-        const parallel::Tile cell{.row = row, .column = column, .extent = {1, 1}};
-        return {path, row, column, job, tiles.read(cell).front()};
+        return {path, row, column, job, tiles.read_cell({row, column})};
     } catch (const Failure& failure) {
         if (failure.code() == ExitCode::bad_job) throw;
         refuse(path, "can't be read: " + std::string(failure.what()));

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <numeric>
-#include <system_error>
 #include <utility>
 
 #include "output/attractors.hpp"
 #include "output/block.hpp"
 #include "output/collective.hpp"
 #include "output/layout.hpp"
+#include "output/make_layout.hpp"
 #include "output/number_attractors.hpp"
 #include "output/samples.hpp"
+#include "output/seal.hpp"
+#include "output/stored.hpp"
 #include "output/survey.hpp"
 #include "support/readable.hpp"
 
@@ -31,14 +33,14 @@ std::string table_full_text(std::int64_t left_over) {
                        readable_count(left_over), attractor_capacity, no_attractor);
 }
 
-void write_facts(const Checked& check, hid_t file, const RunFacts& facts) {
+void write_facts(const OpenMap& map, const RunFacts& facts) {
     const auto add = [&](const char* name, double seconds) {
-        write_number(check, file, name, read_number(check, file, name) + seconds);
+        put_number(map, name, Number::float64, get_number(map, name, Number::float64) + seconds);
     };
     add(path::compute_seconds, facts.compute_seconds);
     add(path::solve_seconds, facts.solve_seconds);
-    write_number(check, file, path::ranks, facts.ranks);
-    write_text(check, file, path::hosts, facts.hosts);
+    put_number(map, path::ranks, Number::int32, facts.ranks);
+    put_text(map, path::hosts, facts.hosts);
 }
 
 }  // namespace
@@ -52,7 +54,8 @@ MapFile::MapFile(Checked check, const job::Job& job, const scene::Scales& scales
       communicator_(communicator),
       rank_(rank_in(communicator)),
       file_(check_, communicator, access),
-      tiles_(check_, file_.id(), job) {}
+      disk_(check_.path()),
+      tiles_(open_map(), job) {}
 
 MapFile MapFile::create(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
                         const scene::Scales& scales, MPI_Comm communicator) {
@@ -70,16 +73,6 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::Cel
     std::vector<StoredCell> stored;
     for (const regime::CellResult& cell : cells) stored.push_back(in_file_units(cell, scales_));
     tiles_.write(tile, stored, {seconds, rank_});
-}
-
-void MapFile::require_presence() const {
-    std::error_code error;
-    if (std::filesystem::exists(check_.path(), error) || error) return;
-    throw Failure(
-        ExitCode::output,
-        fmt::format("{}: has vanished while the run was writing it: somebody removed or renamed it or its "
-                    "folder. Put it back, or let the same command start over.",
-                    check_.path().string()));
 }
 
 void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
@@ -107,7 +100,7 @@ RemainingTiles MapFile::remaining_tiles() {
 }
 
 StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column) const {
-    return tiles_.read({.row = row, .column = column, .extent = {1, 1}}).front();
+    return tiles_.read_cell({row, column});
 }
 
 std::vector<StoredCell> MapFile::read_tile(std::int64_t index) const {
@@ -116,21 +109,26 @@ std::vector<StoredCell> MapFile::read_tile(std::int64_t index) const {
 
 std::optional<AuditReport> MapFile::audit_report() {
     if (audit_rows_ == 0) return std::nullopt;
-    file_.settle();
+    settle();
     std::vector<AuditRow> rows;
     together(communicator_, [&] { rows = audit().read(audit_rows_); });
     return report(rows);
 }
 
-Statistics MapFile::statistics() {
+void MapFile::settle() {
     file_.settle();
+    together(communicator_, [&] { disk_.settle(); });
+}
+
+Statistics MapFile::statistics() {
+    settle();
     return survey(tiles_, communicator_);
 }
 
 void MapFile::record(const RunFacts& facts) {
     on_first_rank(communicator_, [&] {
         require_presence();
-        write_facts(check_, file_.id(), facts);
+        write_facts(open_map(), facts);
     });
 }
 
@@ -138,22 +136,39 @@ void MapFile::finish(const Statistics& statistics, std::span<const std::string> 
                      const RunFacts& facts) {
     std::string failures = failure_text(statistics.counts);
     if (job_.kind == job::Kind::basin) {
-        failures += table_full_text(number_attractors(check_, file_.id(), tiles_, communicator_));
+        failures += table_full_text(number_attractors(open_map(), tiles_, communicator_));
     }
     const std::optional<AuditReport> audited = audit_report();
     on_first_rank(communicator_, [&] {
         if (audited) audit().write(*audited);
-        write_facts(check_, file_.id(), facts);
-        write_text(check_, file_.id(), path::omitted, in_lines(omitted));
-        write_text(check_, file_.id(), path::failures, failures);
+        write_facts(open_map(), facts);
+        put_text(open_map(), path::omitted, in_lines(omitted));
+        put_text(open_map(), path::failures, failures);
     });
-    file_.settle();
+    settle();
     on_first_rank(communicator_, [&] {
         require_presence();
-        write_number(check_, file_.id(), path::finished, 1);
-        std::error_code ignored;
-        std::filesystem::remove(previous_name(check_.path()), ignored);
+        seal();
+        put_number(open_map(), path::finished, Number::int8, 1);
     });
+    settle();
+    on_first_rank(communicator_, [&] { remove_previous(check_.path()); });
+}
+
+// Looked at once more, from the disk: a seal that was made of something misread must not stay.
+void MapFile::seal() {
+    const auto look = [&](const auto& use) {
+        const PropertiesId access = file_access(check_);
+        const FileId file(check_(H5Fopen(check_.path().c_str(), H5F_ACC_RDONLY, access.id()), "H5Fopen"));
+        return use(file.id());
+    };
+    const std::uint64_t sum = look([&](hid_t file) { return seal_of(check_, file, &disk_); });
+    Stored(open_map(), path::sum_of_file, Number::uint64).write(Block(0, 1), &sum);
+    if (look([&](hid_t file) { return is_sealed(check_, file); })) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: can't be read twice alike; its disk may be failing. Run the same "
+                              "command again.",
+                              check_.path().string()));
 }
 
 void MapFile::close() {

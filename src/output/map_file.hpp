@@ -1,5 +1,4 @@
-// The map file: one parallel HDF5 file into which every rank writes its finished tiles (layout version 1,
-// layout.hpp).
+// The map file: one parallel HDF5 file into which every rank writes its finished tiles (layout.hpp).
 //
 // Rank 0 makes the file, with all its space and all its metadata, before any rank opens it (make_file.hpp).
 // After that only plain numbers are written, so a kill at any moment leaves a readable file in which each tile
@@ -20,6 +19,7 @@
 #include "job/job.hpp"
 #include "output/audit_table.hpp"
 #include "output/checked.hpp"
+#include "output/disk_file.hpp"
 #include "output/inspect.hpp"
 #include "output/make_file.hpp"
 #include "output/map_size.hpp"
@@ -44,6 +44,10 @@ struct RemainingTiles {
 
 class MapFile {
   public:
+    MapFile(MapFile&&) = delete;  // what is open inside knows where it lies
+    MapFile& operator=(MapFile&&) = delete;
+    ~MapFile() = default;
+
     // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
     // previous_name(path) until finish(). `scales` take a CellResult to the units of the file.
     [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
@@ -62,20 +66,19 @@ class MapFile {
     // The same for a branch of a sweep.
     void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
 
-    // Independent. Throws if the file's name is gone: the system goes on taking what is written to a removed
-    // file, and drops it at the end.
-    void require_presence() const;
+    // Independent. Throws if the file's name is gone or leads to another file.
+    void require_presence() const { disk_.require_presence(); }
 
     // Collective. Checks the tiles marked done against their checksums, each rank a share of them.
     [[nodiscard]] RemainingTiles remaining_tiles();
 
     // Collective. After it each rank may read what the others wrote.
-    void settle() { file_.settle(); }
+    void settle();
 
     // Independent, for cells that are there; those of other ranks after settle().
     [[nodiscard]] StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<StoredCell> read_tile(std::int64_t index) const;
-    [[nodiscard]] AuditTable audit() const { return {check_, file_.id()}; }
+    [[nodiscard]] AuditTable audit() const { return AuditTable(open_map()); }
 
     // Collective. What the audit says, on every rank; nothing where the job wants none.
     [[nodiscard]] std::optional<AuditReport> audit_report();
@@ -87,8 +90,8 @@ class MapFile {
     void record(const RunFacts& facts);
 
     // Collective, once all tiles are written and audited: numbers a basin's attractors, stores texts and facts,
-    // marks the file finished and removes previous_name(path). `statistics` are those of statistics(),
-    // `omitted` sentences.
+    // seals the file, marks it finished and removes previous_name(path). `statistics` are those of
+    // statistics(), `omitted` sentences.
     void finish(const Statistics& statistics, std::span<const std::string> omitted, const RunFacts& facts);
 
     // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
@@ -97,6 +100,8 @@ class MapFile {
   private:
     MapFile(Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
             Access access);
+    void seal();
+    [[nodiscard]] OpenMap open_map() const { return {check_, file_.id(), disk_}; }
 
     Checked check_;
     job::Job job_;
@@ -105,6 +110,7 @@ class MapFile {
     MPI_Comm communicator_;
     int rank_;
     ParallelFile file_;
+    DiskFile disk_;
     TileStore tiles_;
 };
 

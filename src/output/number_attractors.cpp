@@ -71,9 +71,9 @@ std::vector<Attractor> find_attractors(const TileStore& tiles, Share share, MPI_
 }
 
 // Writes the rows of this rank's cells, counts them in the table and returns the number of cells without a row.
-std::int64_t write_rows(const Checked& check, hid_t file, const TileStore& tiles, Share share,
+std::int64_t write_rows(const OpenMap& map, const TileStore& tiles, Share share,
                         std::vector<Attractor>& table) {
-    const DatasetId dataset(check(H5Dopen2(file, path::attractor, H5P_DEFAULT), "H5Dopen2"));
+    const Stored attractor(map, path::attractor, Number::int32);
     std::int64_t left_over = 0;
     for (std::int64_t index = share.first; index < share.end; ++index) {
         const parallel::Tile tile = tiles.tiling().tile(index);
@@ -83,19 +83,18 @@ std::int64_t write_rows(const Checked& check, hid_t file, const TileStore& tiles
             if (row != no_attractor) ++table[static_cast<std::size_t>(row)].cells;
             if (row == no_attractor && has_attractor(cell)) ++left_over;
         }
-        write_block(check, dataset.id(), Number::int32, Block(tile), rows.data());
+        attractor.write(Block(tile), rows.data());
     }
     return left_over;
 }
 
-void write_column(const Checked& check, hid_t file, const std::string& path, Number number, const void* values,
+void write_column(const OpenMap& map, const std::string& path, Number number, const void* values,
                   std::size_t count) {
     if (count == 0) return;
-    const DatasetId dataset(check(H5Dopen2(file, path.c_str(), H5P_DEFAULT), "H5Dopen2"));
-    write_block(check, dataset.id(), number, Block(0, static_cast<std::int64_t>(count)), values);
+    Stored(map, path, number).write(Block(0, static_cast<std::int64_t>(count)), values);
 }
 
-void write_table(const Checked& check, hid_t file, std::span<const Attractor> table) {
+void write_table(const OpenMap& map, std::span<const Attractor> table) {
     std::vector<StoredCell> cells;
     std::vector<std::int64_t> counts;
     for (const Attractor& attractor : table) {
@@ -104,11 +103,11 @@ void write_table(const Checked& check, hid_t file, std::span<const Attractor> ta
     }
     for (const Field& field : attractor_fields()) {
         const std::vector<std::byte> column = encode(std::span(&field, 1), cells);
-        write_column(check, file, std::string("/attractors/") + field.variable.name, field.variable.number,
+        write_column(map, std::string("/attractors/") + field.variable.name, field.variable.number,
                      column.data(), table.size());
     }
-    write_column(check, file, path::attractor_cells, Number::int64, counts.data(), table.size());
-    write_number(check, file, path::attractor_count, static_cast<double>(table.size()));
+    write_column(map, path::attractor_cells, Number::int64, counts.data(), table.size());
+    put_number(map, path::attractor_count, Number::int32, static_cast<double>(table.size()));
 }
 
 std::int64_t sum(std::int64_t mine, MPI_Comm communicator) {
@@ -119,14 +118,13 @@ std::int64_t sum(std::int64_t mine, MPI_Comm communicator) {
 
 }  // namespace
 
-std::int64_t number_attractors(const Checked& check, hid_t file, const TileStore& tiles,
-                               MPI_Comm communicator) {
+std::int64_t number_attractors(const OpenMap& map, const TileStore& tiles, MPI_Comm communicator) {
     const Share share = share_of(tiles.tiling().count(), communicator);
     std::vector<Attractor> table = find_attractors(tiles, share, communicator);
     std::int64_t left_over = 0;
-    together(communicator, [&] { left_over = write_rows(check, file, tiles, share, table); });
+    together(communicator, [&] { left_over = write_rows(map, tiles, share, table); });
     for (Attractor& attractor : table) attractor.cells = sum(attractor.cells, communicator);
-    on_first_rank(communicator, [&] { write_table(check, file, table); });
+    on_first_rank(communicator, [&] { write_table(map, table); });
     return sum(left_over, communicator);
 }
 

@@ -5,18 +5,17 @@
 // until none is left or the table is full: the result does not depend on who looked at which tile.
 #pragma once
 
-#include <hdf5.h>
 #include <mpi.h>
 
 #include <cstdint>
 
-#include "output/checked.hpp"
+#include "output/stored.hpp"
 #include "output/tile_store.hpp"
 
 namespace peterka::output {
 
 // Writes the dataset /attractor and the group /attractors. Returns how many cells have an attractor for which
 // the table had no row left.
-std::int64_t number_attractors(const Checked& check, hid_t file, const TileStore& tiles, MPI_Comm communicator);
+std::int64_t number_attractors(const OpenMap& map, const TileStore& tiles, MPI_Comm communicator);
 
 }  // namespace peterka::output

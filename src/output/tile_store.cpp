@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <string>
 
 #include "output/block.hpp"
 #include "output/layout.hpp"
@@ -12,37 +12,29 @@
 
 namespace peterka::output {
 
-namespace {
-
-DatasetId open(const Checked& check, hid_t file, const char* path) {
-    return DatasetId(check(H5Dopen2(file, path, H5P_DEFAULT), "H5Dopen2"));
-}
-
-}  // namespace
-
-TileStore::TileStore(Checked check, hid_t file, const job::Job& job)
-    : check_(std::move(check)),
+TileStore::TileStore(const OpenMap& map, const job::Job& job)
+    : map_(map),
       tiling_(output::tiling(job)),
       fields_(stored_fields(job)),
       samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
-      checksum_(open(check_, file, path::checksum)),
-      done_(open(check_, file, path::done)),
-      seconds_(open(check_, file, path::tile_seconds)),
-      rank_(open(check_, file, path::tile_rank)) {
-    for (const Field& field : fields_) datasets_.push_back(open(check_, file, field.variable.name));
+      checksum_(map, path::checksum, Number::uint64),
+      done_(map, path::done, Number::int8),
+      seconds_(map, path::tile_seconds, Number::float64),
+      rank_(map, path::tile_rank, Number::int32) {
+    for (const Field& field : fields_) {
+        datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
+    }
     if (samples_ == 0) return;
-    for (const Variable& variable : sample_variables) datasets_.push_back(open(check_, file, variable.name));
+    for (const Variable& variable : sample_variables) {
+        datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
+    }
 }
 
 std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
-    const auto cells = static_cast<std::size_t>(tile.size());
     std::vector<Part> parts;
     for (std::size_t i = 0; i < datasets_.size(); ++i) {
-        const bool sampled = i >= fields_.size();
-        const Number number = sampled ? Number::float64 : fields_[i].variable.number;
-        const std::size_t values = sampled ? cells * static_cast<std::size_t>(samples_) : cells;
-        parts.push_back({datasets_[i].id(), number, sampled ? Block(tile, samples_) : Block(tile),
-                         values * bytes_of(number)});
+        const Block block = i >= fields_.size() ? Block(tile, samples_) : Block(tile);
+        parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
     }
     return parts;
 }
@@ -65,34 +57,56 @@ void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byt
                             const TileOrigin& origin) {
     const std::byte* next = bytes.data();
     for (const Part& part : parts(tile)) {
-        write_block(check_, part.dataset, part.number, part.block, next);
+        part.stored.write(part.block, next);
         next += part.bytes;
     }
     const Block entry(tile.index, 1);
-    write_block(check_, seconds_.id(), Number::float64, entry, &origin.seconds);
-    write_block(check_, rank_.id(), Number::int32, entry, &origin.rank);
+    seconds_.write(entry, &origin.seconds);
+    rank_.write(entry, &origin.rank);
     const std::uint64_t sum = checksum(bytes);
     const std::int8_t done = 1;
-    write_block(check_, checksum_.id(), Number::uint64, entry, &sum);
-    write_block(check_, done_.id(), Number::int8, entry, &done);
+    checksum_.write(entry, &sum);
+    done_.write(entry, &done);
 }
 
 std::vector<StoredCell> TileStore::read(const parallel::Tile& tile) const {
-    return decode(fields_, read_bytes(tile), static_cast<std::size_t>(tile.size()));
+    const std::vector<std::byte> bytes = read_bytes(tile);
+    if (is_done(tile) && !fits(tile, bytes)) {
+        throw Failure(
+            ExitCode::output,
+            fmt::format("{}: the tile at row {}, column {} is not what was written there (wrong checksum). "
+                        "Run the same command again: it computes this tile anew.",
+                        map_.check.path().string(), tile.row, tile.column));
+    }
+    return decode(fields_, bytes, static_cast<std::size_t>(tile.size()));
+}
+
+StoredCell TileStore::read_cell(const parallel::Place& cell) const {
+    const parallel::Tile tile = tiling_.tile(tiling_.index_at(cell));
+    const std::int64_t inside = (cell.row - tile.row) * tile.extent.columns + cell.column - tile.column;
+    return read(tile)[static_cast<std::size_t>(inside)];
 }
 
 TileState TileStore::state(const parallel::Tile& tile) const {
+    if (!is_done(tile)) return TileState::missing;
+    return fits(tile, read_bytes(tile)) ? TileState::whole : TileState::damaged;
+}
+
+bool TileStore::is_done(const parallel::Tile& tile) const {
     std::int8_t done = 0;
-    read_block(check_, done_.id(), Number::int8, Block(tile.index, 1), &done);
-    if (done != 1) return TileState::missing;
+    done_.read(Block(tile.index, 1), &done);
+    return done == 1;
+}
+
+bool TileStore::fits(const parallel::Tile& tile, std::span<const std::byte> bytes) const {
     std::uint64_t sum = 0;
-    read_block(check_, checksum_.id(), Number::uint64, Block(tile.index, 1), &sum);
-    return checksum(read_bytes(tile)) == sum ? TileState::whole : TileState::damaged;
+    checksum_.read(Block(tile.index, 1), &sum);
+    return checksum(bytes) == sum;
 }
 
 double TileStore::seconds(const parallel::Tile& tile) const {
     double seconds = 0;
-    read_block(check_, seconds_.id(), Number::float64, Block(tile.index, 1), &seconds);
+    seconds_.read(Block(tile.index, 1), &seconds);
     return seconds;
 }
 
@@ -103,7 +117,7 @@ std::vector<std::byte> TileStore::read_bytes(const parallel::Tile& tile) const {
     std::vector<std::byte> bytes(size);
     std::byte* next = bytes.data();
     for (const Part& part : parts) {
-        read_block(check_, part.dataset, part.number, part.block, next);
+        part.stored.read(part.block, next);
         next += part.bytes;
     }
     return bytes;

@@ -1,21 +1,29 @@
 #include "output/whole_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <unistd.h>
 
-#include <fstream>
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "output/attributes.hpp"
 #include "output/block.hpp"
+#include "output/disk_file.hpp"
 #include "output/hdf5.hpp"
 #include "output/inspect.hpp"
 #include "output/make_file.hpp"
 #include "output/make_layout.hpp"
 #include "output/map_size.hpp"
+#include "output/memory_file.hpp"
 #include "output/root_attributes.hpp"
+#include "output/seal.hpp"
 #include "support/errors.hpp"
 
 namespace peterka::output {
@@ -27,7 +35,10 @@ constexpr Variable fact_variables[] = {
     {"compute_seconds", Number::float64, 0, "s", "wall time of the run"},
     {"hosts", Number::text, 0, "", "hosts of the run"},
 };
-constexpr Variable finished{"finished", Number::int8, 0, "1", "1 once everything in the file is final"};
+constexpr Variable whole_summary[] = {
+    checksum_of_file,
+    {"finished", Number::int8, 0, "1", "1 once everything in the file is final"},
+};
 
 Block whole(const DatasetPlan& plan) {
     if (plan.dimensions.size() == 1) return {0, plan.dimensions[0].size};
@@ -41,25 +52,57 @@ void write_values(const Checked& check, hid_t file, const Table& table) {
     write_block(check, dataset.id(), Number::float64, whole(table.plan), table.values.data());
 }
 
-void write_whole(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
-                 const Contents& contents, const RunFacts& facts) {
-    const Checked check(path);
-    FileId file(
-        check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, file_creation(check).id(), file_access(check).id()),
-              "H5Fcreate"));
-    write_root_attributes(check, file.id(), job, provenance);
-    for (const RootText& each : contents.texts) write_attribute(check, file.id(), each.name, each.text);
+void write_seal(const Checked& check, hid_t file) {
+    const std::uint64_t sum = seal_of(check, file, nullptr);
+    const DatasetId dataset(check(H5Dopen2(file, path::sum_of_file, H5P_DEFAULT), "H5Dopen2"));
+    check(H5Dwrite(dataset.id(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &sum), "H5Dwrite");
+}
+
+void fill_file(const Checked& check, hid_t file, const job::Job& job, const Provenance& provenance,
+               const Contents& contents, const RunFacts& facts) {
+    write_root_attributes(check, file, job, provenance);
+    for (const RootText& each : contents.texts) write_attribute(check, file, each.name, each.text);
     std::vector<DatasetPlan> plans;
     for (const Table& table : contents.tables) plans.push_back(table.plan);
     for (const Variable& variable : fact_variables) plans.push_back({"/run", variable, {}});
-    plans.push_back({"/summary", finished, {}});
-    make_datasets(check, file.id(), plans);
-    for (const Table& table : contents.tables) write_values(check, file.id(), table);
-    write_number(check, file.id(), path::ranks, facts.ranks);
-    write_number(check, file.id(), path::compute_seconds, facts.compute_seconds);
-    write_text(check, file.id(), path::hosts, facts.hosts);
-    write_number(check, file.id(), path::finished, 1);
-    check(H5Fclose(file.release()), "H5Fclose");
+    for (const Variable& variable : whole_summary) plans.push_back({"/summary", variable, {}});
+    make_datasets(check, file, plans);
+    for (const Table& table : contents.tables) write_values(check, file, table);
+    write_number(check, file, path::ranks, facts.ranks);
+    write_number(check, file, path::compute_seconds, facts.compute_seconds);
+    write_text(check, file, path::hosts, facts.hosts);
+    write_seal(check, file);
+    write_number(check, file, path::finished, 1);
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const char* call, int error) {
+    throw Failure(ExitCode::output, fmt::format("{}: {} failed: {}. Nothing is left of it.", path.string(),
+                                                call, std::generic_category().message(error)));
+}
+
+// A file that wasn't there before.
+void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail_to_write(path, "open", errno);
+    const char* call = "write";
+    int error = 0;
+    for (auto rest = bytes; !rest.empty() && error == 0;) {
+        const ssize_t count = ::write(descriptor, rest.data(), rest.size());
+        if (count < 0 && errno != EINTR) error = errno;
+        if (count > 0) rest = rest.subspan(static_cast<std::size_t>(count));
+    }
+    while (error == 0 && ::fsync(descriptor) != 0) {
+        call = "fsync";
+        if (errno != EINTR) error = errno;
+    }
+    if (::close(descriptor) != 0 && error == 0) {
+        call = "close";
+        error = errno;
+    }
+    if (error != 0) fail_to_write(path, call, error);
+    std::vector<std::byte> there(bytes.size());
+    DiskFile(path).read(0, there);
+    if (!std::ranges::equal(there, bytes)) fail_to_write(path, "reading back what was written", EIO);
 }
 
 }  // namespace
@@ -68,29 +111,34 @@ void require_place(const std::filesystem::path& path, std::int64_t largest_bytes
     static_cast<void>(holds_complete_map(path));  // refuses what is no file of this program
     require_space(path, largest_bytes);
     const std::filesystem::path temporary = temporary_name(path);
-    const bool writable = std::ofstream(temporary).good();
+    clear_temporary(temporary);
+    try {
+        write_bytes(temporary, {});
+    } catch (const Failure& failure) {
+        throw Failure(ExitCode::output,
+                      fmt::format("{}: no file can be made in its folder ({}). Nothing was computed; "
+                                  "choose another folder with --output.",
+                                  path.string(), failure.what()));
+    }
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    if (writable) return;
-    throw Failure(ExitCode::output, fmt::format("{}: no file can be made in its folder. Nothing was computed; "
-                                                "choose another folder with --output.",
-                                                path.string()));
 }
 
 void write_whole_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
                       const Contents& contents, const RunFacts& facts) {
     const std::filesystem::path temporary = temporary_name(path);
-    std::error_code error;
+    const Checked check(path);
+    const std::vector<std::byte> bytes =
+        bytes_of_file(check, [&](hid_t file) { fill_file(check, file, job, provenance, contents, facts); });
+    clear_temporary(temporary);
     try {
-        write_whole(temporary, job, provenance, contents, facts);
+        write_bytes(temporary, bytes);
+        put_in_place(temporary, path);
     } catch (...) {
-        std::filesystem::remove(temporary, error);
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
         throw;
     }
-    std::filesystem::rename(temporary, path, error);
-    if (!error) return;
-    throw Failure(ExitCode::output, fmt::format("{}: cannot be renamed to {}: {}", temporary.string(),
-                                                path.string(), error.message()));
 }
 
 }  // namespace peterka::output

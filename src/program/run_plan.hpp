@@ -21,8 +21,9 @@ struct RunPlan {
     double max_wall_seconds = 0;
     bool fresh = false;  // this and what follows count on rank 0 alone
     bool quiet = false;
-    std::optional<output::MapCell> map_cell;  // that a trace follows
-    std::optional<output::OutputLock> lock;   // held until the run ends
+    std::optional<output::MapCell> map_cell;    // that a trace follows
+    std::optional<output::OutputLock> lock;     // held until the run ends
+    std::optional<output::FileLock> file_lock;  // of a file that is there already
 };
 
 // The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.

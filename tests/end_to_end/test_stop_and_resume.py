@@ -214,17 +214,17 @@ def test_a_log_that_cannot_be_written_does_not_end_the_run(tmp_path, log):
 
 def test_a_run_holds_the_lock_of_its_file_until_its_end(tmp_path):
     first = start_and_wait_for_work(tmp_path, ranks=2)
-    with open(tmp_path / "job.h5.lock") as lock, pytest.raises(BlockingIOError):
+    with open(tmp_path / "job.h5.peterka-lock") as lock, pytest.raises(BlockingIOError):
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     first.communicate(timeout=launch.HANGING)
     assert first.returncode == 0
-    assert not (tmp_path / "job.h5.lock").exists()
+    assert not (tmp_path / "job.h5.peterka-lock").exists()
 
 
 @pytest.mark.parametrize("fresh", [[], ["--fresh"]])
 def test_a_file_that_another_run_writes_is_not_entered(tmp_path, fresh):
     jobs.write(tmp_path, jobs.small_map())
-    with open(tmp_path / "job.h5.lock", "w") as lock:
+    with open(tmp_path / "job.h5.peterka-lock", "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         finished = launch.run("run", "job.toml", *fresh, cwd=tmp_path)
     assert finished.returncode == 3

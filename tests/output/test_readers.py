@@ -92,7 +92,7 @@ def test_xarray_provenance(dataset, kind):
     assert attributes["Conventions"] == "CF-1.8"
     assert attributes["title"] == "four by four"
     assert attributes["source"].startswith("peterka ")
-    assert attributes["peterka_layout"] == 1
+    assert attributes["peterka_layout"] == 2
     assert attributes["peterka_kind"] == kind
     assert 'title = "four by four"' in attributes["job"]
     assert "four by four" not in attributes["job_identity"]

@@ -1,10 +1,10 @@
-"""Small map and basin files in layout version 1, written without peterka, and the colours seen in a drawn picture."""
+"""Small map and basin files in layout version 2, written without peterka, and the colours seen in a drawn picture."""
 
-import h5py
 import matplotlib.image
 import numpy as np
 from peterka_pictures import axes
 from peterka_pictures.classes import CLASSES
+from sealing import SealedFile
 
 NO_IMPACT, CHAOTIC = (0, 0, 1), (2, 0, 0)
 SUSTAINED, UNRESOLVED, FAILED, MISSING = (3, 0, 1), (4, 0, 0), (5, 0, 0), (-128, 0, 0)
@@ -42,7 +42,7 @@ def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=No
         "frequency_ratio": np.linspace(1, 4, columns) if frequency_ratio is None else frequency_ratio,
     }
     attributes = {"natural_frequency_hz": 4.5, "cart_amplitude_m": 0.89e-3, "hammer_mass_kg": 0.298} | attributes
-    with h5py.File(path, "w") as file:
+    with SealedFile(path, "w") as file:
         _write_common(file, "map", coordinates, cells, forces, attributes)
         _write_fields(file, fields or {}, coordinates)
     return path
@@ -50,7 +50,7 @@ def write_map(path, cells=PLAIN, frequency_ratio=None, gap_ratio=None, forces=No
 
 def write_audit(path, places, labels, force_error, agrees):
     """Adds an audit: `places` (row, column) and `labels` (regime, impacts, period) of each sample."""
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         columns = file["regime"].shape[1]
         sample = {"sample": np.arange(len(places), dtype="i4")}
         group = file.create_group("audit")
@@ -71,7 +71,7 @@ def write_basin(path, cells=PLAIN, attractors=(), attractor=None, fields=None, *
     rows, columns = np.shape(cells)[:2]
     coordinates = {"velocity_ratio": np.linspace(-6, 6, rows), "displacement_ratio": np.linspace(-3, 3, columns)}
     attributes = {"frequency_ratio": 1.8, "gap_ratio": 1.6} | attributes
-    with h5py.File(path, "w") as file:
+    with SealedFile(path, "w") as file:
         _write_common(file, "basin", coordinates, cells, None, attributes)
         _write_fields(file, fields or {}, coordinates)
         numbers = np.full((rows, columns), -1) if attractor is None else np.array(attractor)
@@ -94,7 +94,7 @@ def _write_common(file, kind, coordinates, cells, forces, attributes):
     rows, columns = cells.shape[:2]
     file.attrs["Conventions"] = "CF-1.8"
     file.attrs["title"] = attributes.pop("title", "Sample")
-    file.attrs["peterka_layout"] = np.int32(1)
+    file.attrs["peterka_layout"] = np.int32(2)
     file.attrs["peterka_kind"] = kind
     file.attrs.update(attributes)
     for name, values in coordinates.items():

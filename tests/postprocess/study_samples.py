@@ -1,7 +1,7 @@
-"""Small study files in layout version 1, written without peterka."""
+"""Small study files in layout version 2, written without peterka."""
 
-import h5py
 import numpy as np
+from sealing import SealedFile
 
 METHODS = ["exact", "split", "cvode_adams", "cvode_bdf", "arkode_explicit", "arkode_implicit", "rk4_with_events",
            "rk4_without_events", "batched"]
@@ -96,8 +96,8 @@ def write_stability(path, scenes=None, engines=ENGINES, rungs=8, slope=-0.5, **a
 
 
 def _study(path, topic, attributes):
-    file = h5py.File(path, "w")
-    file.attrs.update({"title": "Sample", "peterka_layout": np.int32(1), "peterka_kind": "study", "topic": topic})
+    file = SealedFile(path, "w")
+    file.attrs.update({"title": "Sample", "peterka_layout": np.int32(2), "peterka_kind": "study", "topic": topic})
     file.attrs.update(attributes)
     file.create_group("run")
     return file

@@ -1,11 +1,11 @@
-"""A small sweep's file in layout version 1, written without peterka: up and down at two gaps.
+"""A small sweep's file in layout version 2, written without peterka: up and down at two gaps.
 
 At gap 0 one z = 1/1 alone, force 20 to 40, its largest at 2.0. At 1.5 z = 1/1 up to a jump to no impact after 1.75 going
 up and, from above, before 1.5 going down; then chaos at the two last points.
 """
 
-import h5py
 import numpy as np
+from sealing import SealedFile
 
 POINTS = 13
 FREQUENCY = np.linspace(1.0, 2.5, POINTS)  # steps of 1/8
@@ -44,8 +44,8 @@ def write_sweep(path, gaps=GAPS, directions=(0, 1), **attributes):
     stroboscopic[..., 0] = -force / 10
     stroboscopic[regime == CHAOTIC, :] = [-1, -2, -3, -4]
     impact[regime != NO_IMPACT, 0] = 0.5
-    with h5py.File(path, "w") as file:
-        file.attrs.update({"title": "Sample", "peterka_layout": np.int32(1), "peterka_kind": "sweep",
+    with SealedFile(path, "w") as file:
+        file.attrs.update({"title": "Sample", "peterka_layout": np.int32(2), "peterka_kind": "sweep",
                            "natural_frequency_hz": 4.5, "cart_amplitude_m": 0.89e-3, "hammer_mass_kg": 0.298} | attributes)
         file["frequency_ratio"] = FREQUENCY
         file["gap_ratio"] = np.array([gap for gap, _ in branches], dtype="f8")

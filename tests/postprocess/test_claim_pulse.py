@@ -1,6 +1,5 @@
 """Single impacts, each verdict at both sides of its limit: the stop told from one of them, and the peaks of spectra."""
 
-import h5py
 import numpy as np
 import pytest
 from claim_samples import JOB
@@ -8,6 +7,7 @@ from peterka_claims import pulse
 from peterka_claims.folder import Folder, NotDrawable
 from peterka_claims.record import AGREES, DIFFERS
 from trace_samples import JUMP, MASS, PEAK, write_trace
+from sealing import SealedFile
 
 STEPS = 200.0 * np.arange(50)  # Hz
 
@@ -16,7 +16,7 @@ def claims(folder, restitution=0.3169, contact_s=0.5708e-3, touch=JUMP, **spectr
     """On two traces that are alike; `touch`: force at first touch in weights; `spectra`: columns of the impact's."""
     for name in (pulse.RELEASE, pulse.STRONGEST):
         path = write_trace(folder / f"{name}.h5", job=JOB)
-        with h5py.File(path, "r+") as file:
+        with SealedFile(path, "r+") as file:
             file["impacts/impulse"][:] = MASS * 0.3 * (1 + restitution)
             file["impacts/contact_time"][:] = contact_s
             file["impacts/touch_force_ratio"][:] = touch

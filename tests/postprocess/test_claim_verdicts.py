@@ -1,6 +1,5 @@
 """Each verdict at both sides of its limit, on planes that can be overlooked; nothing falls over where a band is missing."""
 
-import h5py
 import numpy as np
 import pytest
 from claim_samples import CHAOS, HALF, JOB, ONE, QUIET, TWICE, Held, basin, plane, verdicts
@@ -10,6 +9,7 @@ from peterka_claims.record import AGREES, DIFFERS
 from peterka_claims.sensitivity import contact_damping_with_both, rows
 from picture_samples import PLAIN, write_map
 from sweep_samples import FREQUENCY, write_sweep
+from sealing import SealedFile
 
 MILLIMETRE = 1 / 0.89  # A0
 RIGS = [f"peterka_{rig}" for rig in force_map.RIGS]
@@ -191,7 +191,7 @@ def sweeps(folder, natural=(4.5, 4.5, 4.5), **changes):
 
 
 def change(path, name, branches, value):
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         for branch in branches:
             file[name][branch] = value
 

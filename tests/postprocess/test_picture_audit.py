@@ -1,11 +1,11 @@
 """The audit of a map: rings at other labels, the distribution of force errors, refused nonsense."""
 
-import h5py
 import numpy as np
 import pytest
 from peterka_pictures import audit_map
 from peterka_pictures.read import PeterkaFile
 from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map
+from sealing import SealedFile
 
 PLACES = [(0, 0), (0, 2), (1, 2), (3, 3), (2, 0)]
 LABELS = [orbit(1, 1), orbit(1, 1), CHAOTIC, NO_IMPACT, orbit(1, 1)]
@@ -86,7 +86,7 @@ def test_samples_not_solved_yet_are_left_out(tmp_path, draw):
     ("force_error", [1.0], "force_error of shape (1,)"),
 ])
 def test_nonsense_is_refused(path, draw, name, values, reason):
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         kind = file["audit"][name].dtype
         del file["audit"][name]
         file["audit"][name] = np.array(values, dtype=kind)
@@ -96,6 +96,6 @@ def test_nonsense_is_refused(path, draw, name, values, reason):
 
 def test_an_audit_that_is_no_group_is_refused(tmp_path, draw):
     path = write_map(tmp_path / "rig.h5")
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["audit"] = np.zeros(3)
     assert draw(path).code == 2

@@ -1,6 +1,5 @@
 """Optional numbers of a map or basin: a picture for each that the file holds, units, cells without a value."""
 
-import h5py
 import matplotlib
 import numpy as np
 import pytest
@@ -12,6 +11,7 @@ from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin,
     write_map,
 )
+from sealing import SealedFile
 
 NAN = np.nan
 CELLS = [
@@ -125,12 +125,12 @@ def test_amounts_never_need_an_exponent_that_a_prefix_has(value, shown):
 def test_a_number_in_another_unit_is_refused(tmp_path, draw, name):
     path = write_map(tmp_path / "a.h5", fields={name: np.ones((4, 4))})
     assert draw(path, "--formats", "png").code == 0
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file[name].attrs["units"] = "lbf\ns"
     outcome = draw(path)
     assert outcome.code == 2 and f"has {name} in 'lbf\\ns' instead of" in outcome.stderr
     assert outcome.stderr.count("\n") == 1
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         del file[name]
         file[name] = np.ones((4, 5))
     assert "of shape (4, 5)" in draw(path).stderr

@@ -2,7 +2,6 @@
 
 from itertools import combinations
 
-import h5py
 import matplotlib.image
 import numpy as np
 import pytest
@@ -12,6 +11,7 @@ from peterka_pictures.study import StudyFile
 from study_samples import (
     ENGINES, METHODS, SCENES, sample_runs, write_labels, write_stability, write_work_precision,
 )
+from sealing import SealedFile
 
 NAN = np.nan
 DONE = ["done"] * 3
@@ -198,7 +198,7 @@ def test_draw_gives_a_picture_of_each_topic(tmp_path, draw):
 
 
 def changed(path, name, change):
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         change(file, name)
     return path
 

@@ -1,6 +1,5 @@
 """Pictures of a sweep: panels, directions, jumps and resonances with their numbers, bifurcation diagrams."""
 
-import h5py
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
@@ -11,6 +10,7 @@ from peterka_pictures.opened import NotDrawable
 from peterka_pictures.sweep import SweepFile
 from peterka_pictures.sweep_panels import LOOKS, MEASURED
 from sweep_samples import WEIGHT, write_sweep
+from sealing import SealedFile
 
 NOTHING = Measurements([], [])
 
@@ -101,7 +101,7 @@ def test_lines_and_marks_have_the_colours_of_no_class(sight, distance):
 
 def test_without_rig_there_are_ratios_alone(tmp_path):
     path = write_sweep(tmp_path / "a.h5")
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         for name in ("natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg"):
             del file.attrs[name]
     with SweepFile(path) as file:
@@ -141,7 +141,7 @@ def test_measured_points_lie_over_both_pictures(tmp_path):
 
 def test_an_unfinished_sweep_says_so(tmp_path, draw):
     path = write_sweep(tmp_path / "a.h5")
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["regime"][3] = -128
         file["jump"][3] = -128
         file["peak_force_ratio"][3] = np.nan
@@ -158,7 +158,7 @@ def test_an_unfinished_sweep_says_so(tmp_path, draw):
 ])
 def test_damaged_content_is_refused(tmp_path, name, values):
     path = write_sweep(tmp_path / "a.h5")
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         del file[name]
         file[name] = values
     with pytest.raises(NotDrawable, match=name if name != "stroboscopic_displacement" else "shape"):

@@ -6,6 +6,7 @@ import pytest
 from peterka_pictures import axes, impact, motion, phase_plane, spectrum
 from peterka_pictures.trace_file import TraceFile
 from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace
+from sealing import SealedFile
 
 
 def drawn(path, picture, tmp_path):
@@ -102,7 +103,7 @@ def test_a_cart_at_rest_has_natural_periods(tmp_path):
 
 
 def replaced(path, name, values):
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         del file[name]
         if values is not None:
             file[name] = values

@@ -4,11 +4,12 @@ import os
 import subprocess
 import sys
 
-import h5py
+import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from picture_samples import write_audit, write_map
 from study_samples import write_labels, write_stability, write_work_precision
+from sealing import SealedFile
 from test_picture_audit import AGREES, ERRORS, LABELS, PLACES
 
 
@@ -20,8 +21,8 @@ def run_program(name, folder, *arguments):
 @pytest.fixture
 def files(tmp_path):
     path = write_audit(write_map(tmp_path / "rig.h5", title="A <b>rig"), PLACES, LABELS, ERRORS, AGREES)
-    with h5py.File(path, "r+") as file:
-        file["summary/omitted"] = "cubic spring: in 16 cells, where 3 k3 u^2/k < 0.001\nnumerical integration\n"
+    with SealedFile(path, "r+") as file:
+        file["summary/omitted"] = np.bytes_("cubic spring: in 16 cells, where 3 k3 u^2/k < 0.001\nnumerical integration\n")
     return [write_work_precision(tmp_path / "wp.h5"), write_labels(tmp_path / "small.h5"),
             write_stability(tmp_path / "battery.h5"), path]
 

@@ -4,7 +4,6 @@ import subprocess
 import sys
 from itertools import pairwise
 
-import h5py
 import matplotlib.image
 import numpy as np
 import pytest
@@ -14,6 +13,7 @@ from peterka_pictures.dealing import Machine, Replay, deal_size, replay, typical
 from peterka_pictures.run_record import read_record
 from peterka_pictures.tile_costs import DealOrder, TileCosts, tiles_of, whole_tiles
 from picture_samples import write_map
+from sealing import SealedFile
 
 AT_ONCE = Machine(service=0.0, latency=0.0, look=1e-3)
 REAL = Machine(service=3e-6, latency=2e-6, look=1e-4)
@@ -31,7 +31,7 @@ def write_run(path, side=64, tile_seconds=None, ranks=1, seconds=1.0):
     """A map file of side x side cells with the record of its run."""
     write_map(path, np.zeros((side, side, 3), int).tolist())
     count = tiles_of((side, side))[0] ** 2
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["run/tile_seconds"] = np.full(count, 1e-3) if tile_seconds is None else np.array(tile_seconds, float)
         file["run/ranks"] = np.int32(ranks)
         file["run/solve_seconds"] = float(seconds)

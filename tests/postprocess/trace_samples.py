@@ -1,7 +1,7 @@
-"""Small trace files in layout version 1, written without peterka: a hammer that strikes once a cycle at 9 Hz."""
+"""Small trace files in layout version 2, written without peterka: a hammer that strikes once a cycle at 9 Hz."""
 
-import h5py
 import numpy as np
+from sealing import SealedFile
 
 HZ, AMPLITUDE, MASS = 9.0, 0.89e-3, 0.298
 WEIGHT = MASS * 9.80665
@@ -13,8 +13,8 @@ TOUCH = 0.02  # s, in each cycle
 def write_trace(path, cycles=3, impacts=True, samples=200, **attributes):
     """Force: from JUMP at touch up to PEAK after a third of the contact, and down."""
     time = np.arange(cycles * samples + 1) / (samples * HZ)
-    with h5py.File(path, "w") as file:
-        file.attrs.update({"peterka_layout": np.int32(1), "peterka_kind": "trace", "title": "A trace",
+    with SealedFile(path, "w") as file:
+        file.attrs.update({"peterka_layout": np.int32(2), "peterka_kind": "trace", "title": "A trace",
                            "natural_frequency_hz": 4.5, "cart_amplitude_m": AMPLITUDE, "hammer_mass_kg": MASS,
                            "frequency_ratio": 2.0, "gap_ratio": 0.0} | attributes)
         _write_motion(file, time, impacts)

@@ -14,6 +14,8 @@
 #include "output/hdf5.hpp"
 #include "output/layout.hpp"
 #include "output/make_file.hpp"
+#include "output/make_layout.hpp"
+#include "output/seal.hpp"
 #include "output/tile_store.hpp"
 #include "output_examples.hpp"
 #include "support/errors.hpp"
@@ -29,13 +31,14 @@ class OutputInspect : public testing::Test {
 
     void change(const std::function<void(const Checked&, hid_t)>& task) {
         const Checked check(path_);
-        const FileId file(check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "H5Fopen"));
+        const FileId file(check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, file_access(check).id()), "H5Fopen"));
         task(check, file.id());
     }
 
     void write_all_tiles() {
         change([&](const Checked& check, hid_t file) {
-            TileStore store(check, file, job_);
+            const DiskFile disk(path_);
+            TileStore store({check, file, disk}, job_);
             for (std::int64_t i = 0; i < store.tiling().count(); ++i) {
                 const parallel::Tile tile = store.tiling().tile(i);
                 store.write(tile, examples::made_up_cells(tile), {});
@@ -44,7 +47,12 @@ class OutputInspect : public testing::Test {
     }
 
     void finish() {
-        change([](const Checked& check, hid_t file) { write_number(check, file, path::finished, 1); });
+        change([&](const Checked& check, hid_t file) {
+            const DiskFile disk(path_);
+            const std::uint64_t sum = seal_of(check, file, &disk);
+            Stored({check, file, disk}, path::sum_of_file, Number::uint64).write(Block(0, 1), &sum);
+            write_number(check, file, path::finished, 1);
+        });
     }
 
     void expect_refused(const std::string& reason) {
@@ -149,7 +157,7 @@ TEST_F(OutputInspect, AnotherLayoutVersion) {
         check(H5Adelete(file, "peterka_layout"), "H5Adelete");
         write_attribute(check, file, "peterka_layout", layout_version + 1);
     });
-    expect_refused("has layout version 2, this program writes version 1");
+    expect_refused("has layout version 3, this program writes version 2");
 }
 
 TEST_F(OutputInspect, AnotherJobIsToldByItsKeys) {
@@ -176,7 +184,7 @@ TEST_F(OutputInspect, MissingGroup) {
     make();
     change(
         [](const Checked& check, hid_t file) { check(H5Ldelete(file, "/tiles", H5P_DEFAULT), "H5Ldelete"); });
-    expect_refused("dataset /tiles/tile is missing");
+    expect_refused("group /tiles is missing");
 }
 
 TEST_F(OutputInspect, WrongType) {
@@ -228,6 +236,92 @@ TEST_F(OutputInspect, GroupInPlaceOfADataset) {
             check(H5Gcreate2(file, "/cycles", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2"));
     });
     expect_refused("dataset /cycles is missing or not of its kind");
+}
+
+// Whatever a stranger puts in the place of a dataset, a run would write through it.
+class OutputStrangersMap : public OutputInspect {
+  protected:
+    void replace(const std::function<void(const Checked&, hid_t)>& put) {
+        make();
+        change([&](const Checked& check, hid_t file) {
+            check(H5Ldelete(file, path::checksum, H5P_DEFAULT), "H5Ldelete");
+            put(check, file);
+        });
+        expect_refused("dataset /tiles/checksum is missing or not of its kind");
+    }
+
+    static void create(const Checked& check, hid_t file, hid_t properties) {
+        constexpr hsize_t size = 4;
+        const SpaceId space(check(H5Screate_simple(1, &size, nullptr), "H5Screate_simple"));
+        const DatasetId made(check(
+            H5Dcreate2(file, path::checksum, H5T_STD_U64LE, space.id(), H5P_DEFAULT, properties, H5P_DEFAULT),
+            "H5Dcreate2"));
+    }
+};
+
+TEST_F(OutputStrangersMap, LinkToAnotherFile) {
+    replace([](const Checked& check, hid_t file) {
+        check(H5Lcreate_external("victim.h5", "/sums", file, path::checksum, H5P_DEFAULT, H5P_DEFAULT), "link");
+    });
+}
+
+TEST_F(OutputStrangersMap, SoftLink) {
+    replace([](const Checked& check, hid_t file) {
+        check(H5Lcreate_soft("/tiles/tile", file, path::checksum, H5P_DEFAULT, H5P_DEFAULT), "link");
+    });
+}
+
+TEST_F(OutputStrangersMap, StorageInAnotherFile) {
+    replace([&](const Checked& check, hid_t file) {
+        const PropertiesId properties(check(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate"));
+        check(H5Pset_external(properties.id(), (folder_ / "victim").c_str(), 0, 32), "H5Pset_external");
+        create(check, file, properties.id());
+    });
+}
+
+TEST_F(OutputStrangersMap, VirtualDataset) {
+    replace([&](const Checked& check, hid_t file) {
+        constexpr hsize_t size = 4;
+        const SpaceId space(check(H5Screate_simple(1, &size, nullptr), "H5Screate_simple"));
+        const PropertiesId properties(check(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate"));
+        check(H5Pset_virtual(properties.id(), space.id(), "victim.h5", "/sums", space.id()), "H5Pset_virtual");
+        create(check, file, properties.id());
+    });
+}
+
+TEST_F(OutputStrangersMap, OneObjectUnderTwoNames) {
+    make();
+    change([](const Checked& check, hid_t file) {
+        check(H5Ldelete(file, "/period", H5P_DEFAULT), "H5Ldelete");
+        check(H5Lcreate_hard(file, "/impacts", file, "/period", H5P_DEFAULT, H5P_DEFAULT), "H5Lcreate_hard");
+    });
+    expect_refused("dataset /period is missing or not of its kind");
+}
+
+TEST_F(OutputStrangersMap, GroupBehindALink) {
+    make();
+    change([](const Checked& check, hid_t file) {
+        check(H5Lmove(file, "/tiles", file, "/elsewhere", H5P_DEFAULT, H5P_DEFAULT), "H5Lmove");
+        check(H5Lcreate_soft("/elsewhere", file, "/tiles", H5P_DEFAULT, H5P_DEFAULT), "link");
+    });
+    expect_refused("group /tiles is missing or not its own");
+}
+
+TEST_F(OutputInspect, AnythingChangedAfterTheSealIsFound) {
+    make();
+    write_all_tiles();
+    finish();
+    EXPECT_EQ(inspect(path_, job_), Existing::complete);
+    change([](const Checked& check, hid_t file) {
+        check(H5Adelete(file, "natural_frequency_hz"), "H5Adelete");
+        write_attribute(check, file, "natural_frequency_hz", 45.0);
+    });
+    expect_refused("is damaged: something outside its cells is not what it was");
+    finish();
+    change([](const Checked& check, hid_t file) { write_text(check, file, path::omitted, "nothing"); });
+    expect_refused("is damaged: something outside its cells is not what it was");
+    finish();
+    EXPECT_EQ(inspect(path_, job_), Existing::complete);
 }
 
 TEST_F(OutputInspect, OtherArithmeticCannotBeResumedButIsCompleteOnceComplete) {

@@ -54,7 +54,7 @@ TEST(OutputMakeFile, CompleteMapIsKeptUnderAnotherName) {
     mark_finished(folder / "map.h5");
     const std::string before = content_of(folder / "map.h5");
     make_file(folder / "map.h5", examples::small_map(8, 8), examples::made_by());
-    EXPECT_EQ(content_of(folder / "map.h5.previous"), before);
+    EXPECT_EQ(content_of(folder / "map.h5.peterka-previous"), before);
     EXPECT_EQ(inspect(folder / "map.h5", examples::small_map(8, 8)), Existing::resumable);
 }
 
@@ -72,9 +72,36 @@ TEST(OutputMakeFile, UnfinishedMapIsReplacedAndAnOlderCompleteOneStays) {
 
 TEST(OutputMakeFile, WhatAKillLeftBehindIsReplaced) {
     const Folder folder;
-    examples::write_content(temporary_name(folder / "map.h5"), "half a file");
+    for (const std::string& begin :
+         {std::string(), std::string(5000, '\0'), std::string("\x89HDF\r\n\x1a\nand some")}) {
+        examples::write_content(temporary_name(folder / "map.h5"), begin);
+        make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by());
+        EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5"});
+    }
+}
+
+TEST(OutputMakeFile, SomebodysFileUnderTheTemporaryNameStays) {
+    const Folder folder;
+    examples::write_content(temporary_name(folder / "map.h5"), "a poem");
+    EXPECT_THROW(make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by()), Failure);
+    EXPECT_EQ(content_of(temporary_name(folder / "map.h5")), "a poem");
+    std::filesystem::remove(temporary_name(folder / "map.h5"));
+    examples::write_content(folder / "victim", "");
+    std::filesystem::create_symlink(folder / "victim", temporary_name(folder / "map.h5"));
+    EXPECT_THROW(make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by()), Failure);
+    EXPECT_EQ(content_of(folder / "victim"), "");
+}
+
+TEST(OutputMakeFile, SomebodysFileUnderTheNameOfThePreviousMapStays) {
+    const Folder folder;
     make_file(folder / "map.h5", examples::small_map(4, 4), examples::made_by());
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5"});
+    mark_finished(folder / "map.h5");
+    examples::write_content(previous_name(folder / "map.h5"), "a poem");
+    const std::string before = content_of(folder / "map.h5");
+    EXPECT_THROW(make_file(folder / "map.h5", examples::small_map(8, 8), examples::made_by()), Failure);
+    remove_previous(folder / "map.h5");
+    EXPECT_EQ(content_of(previous_name(folder / "map.h5")), "a poem");
+    EXPECT_EQ(content_of(folder / "map.h5"), before);
 }
 
 TEST(OutputMakeFile, ForeignFileIsNotTouched) {

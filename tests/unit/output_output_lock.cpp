@@ -34,7 +34,7 @@ TEST(OutputLock, EndsWithItsOwnerAndLeavesNothing) {
     {
         OutputLock first(folder / "map.h5");
         const OutputLock moved(std::move(first));
-        EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5.lock"});
+        EXPECT_EQ(folder.names(), std::vector<std::string>{"map.h5.peterka-lock"});
     }
     EXPECT_TRUE(folder.names().empty());
     const OutputLock again(folder / "map.h5");
@@ -42,8 +42,35 @@ TEST(OutputLock, EndsWithItsOwnerAndLeavesNothing) {
 
 TEST(OutputLock, AFileLeftBehindByAKillStopsNobody) {
     const Folder folder;
-    std::ofstream(folder / "map.h5.lock") << "process 1 on nowhere";
+    std::ofstream(folder / "map.h5.peterka-lock") << "peterka runs as process 1 on nowhere";
     const OutputLock lock(folder / "map.h5");
+}
+
+TEST(OutputLock, WhatNoRunHasPutThereIsRefusedAndStays) {
+    const Folder folder;
+    examples::write_content(folder / "map.h5.peterka-lock", "a poem");
+    EXPECT_THROW(OutputLock lock(folder / "map.h5"), Failure);
+    EXPECT_EQ(examples::content_of(folder / "map.h5.peterka-lock"), "a poem");
+    std::filesystem::remove(folder / "map.h5.peterka-lock");
+    examples::write_content(folder / "victim", "");
+    std::filesystem::create_symlink(folder / "victim", folder / "map.h5.peterka-lock");
+    EXPECT_THROW(OutputLock lock(folder / "map.h5"), Failure);
+    std::filesystem::remove(folder / "map.h5.peterka-lock");
+    std::filesystem::create_hard_link(folder / "victim", folder / "map.h5.peterka-lock");
+    EXPECT_THROW(OutputLock lock(folder / "map.h5"), Failure);
+    EXPECT_EQ(examples::content_of(folder / "victim"), "");
+}
+
+TEST(OutputLock, TheFileItselfIsLockedUnderAnyName) {
+    const Folder folder;
+    examples::write_content(folder / "map.h5", "");
+    std::filesystem::create_hard_link(folder / "map.h5", folder / "alias.h5");
+    {
+        const FileLock first(folder / "map.h5");
+        EXPECT_THROW(FileLock second(folder / "alias.h5", std::chrono::milliseconds(100)), Failure);
+    }
+    const FileLock again(folder / "alias.h5");
+    EXPECT_EQ(again.lacking(), "");
 }
 
 TEST(OutputLock, AFolderThatIsNotThereIsNotItsAffair) {

@@ -5,13 +5,16 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "output/block.hpp"
 #include "output/layout.hpp"
 #include "output/make_file.hpp"
+#include "output/make_layout.hpp"
 #include "output/tile_bytes.hpp"
 #include "output_examples.hpp"
+#include "support/errors.hpp"
 
 namespace peterka::output {
 namespace {
@@ -20,10 +23,11 @@ class OutputTileStore : public testing::Test {
   protected:
     OutputTileStore() {
         make_file(path_, job_, examples::made_by());
-        file_ = FileId(check_(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "H5Fopen"));
+        file_ = FileId(check_(H5Fopen(path_.c_str(), H5F_ACC_RDWR, file_access(check_).id()), "H5Fopen"));
+        disk_.emplace(path_);
     }
 
-    [[nodiscard]] TileStore store() const { return {check_, file_.id(), job_}; }
+    [[nodiscard]] TileStore store() const { return {{check_, file_.id(), *disk_}, job_}; }
 
     void overwrite(const char* dataset, Number number, const Block& block, const void* value) {
         const DatasetId id(check_(H5Dopen2(file_.id(), dataset, H5P_DEFAULT), "H5Dopen2"));
@@ -35,6 +39,7 @@ class OutputTileStore : public testing::Test {
     job::Job job_ = examples::small_map(20, 40);  // six tiles, of which four are cropped
     Checked check_{path_};
     FileId file_;
+    std::optional<DiskFile> disk_;
 };
 
 TEST_F(OutputTileStore, NewFileHasNoTileAndFillsSayThatNothingIsComputed) {
@@ -96,6 +101,10 @@ TEST_F(OutputTileStore, ChangedCellIsFoundInItsTileOnly) {
     for (std::int64_t i = 0; i < 6; ++i) {
         EXPECT_EQ(tiles.state(tiles.tiling().tile(i)), i == 5 ? TileState::damaged : TileState::whole) << i;
     }
+    // whoever reads it, statistics, audit or a trace, is told
+    EXPECT_THROW((void)tiles.read(tiles.tiling().tile(5)), Failure);
+    EXPECT_THROW((void)tiles.read_cell({16, 33}), Failure);
+    EXPECT_EQ(tiles.read_cell({15, 33}).cycles, examples::made_up_cell(15, 33).cycles);
 }
 
 TEST_F(OutputTileStore, FlippedByteOnDiskIsFound) {
@@ -114,6 +123,7 @@ TEST_F(OutputTileStore, FlippedByteOnDiskIsFound) {
     content[address + 1000] = static_cast<char>(content[address + 1000] ^ 0x10);
     examples::write_content(path_, content);
     file_ = FileId(check_(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
+    disk_.emplace(path_);
     EXPECT_EQ(store().state(first), TileState::damaged);
 }
 

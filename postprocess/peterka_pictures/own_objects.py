@@ -1,0 +1,109 @@
+"""What an HDF5 file that may come from anybody holds, before any of it is read: every object under one plain link, every
+dataset with storage of its own inside the file.
+
+So a file can't ask for more memory than it is long, and can't make this program read what lies in another one.
+"""
+
+from dataclasses import dataclass
+
+import h5py
+import numpy as np
+
+
+class NotOwn(Exception):
+    """What is wrong, without the file's name."""
+
+
+@dataclass(frozen=True)
+class Storage:
+    """Where the numbers of a dataset lie in the file: in one piece, chunk after chunk where it is chunked.
+
+    `shape`, `chunk`: (rows, columns, values per cell), None where it is not chunked."""
+
+    begin: int
+    size: int
+    value_bytes: int
+    shape: tuple | None = None
+    chunk: tuple | None = None
+
+    @property
+    def grid(self):
+        """Chunks down and across."""
+        return tuple(-(-side // step) for side, step in zip(self.shape[:2], self.chunk[:2]))
+
+
+def storages(file, file_size):
+    """{path: Storage or None for a group} of all objects, each group before what is in it, in the order of the names'
+    bytes. Raises NotOwn."""
+    found = {"/": None}
+    addresses = {_address(file["/"])}
+    _walk(file["/"], "", found, addresses, file_size)
+    end, last = 1, None  # the file begins with its superblock
+    for path, storage in sorted(((p, s) for p, s in found.items() if s and s.size), key=lambda item: item[1].begin):
+        if storage.begin < end or storage.begin + storage.size > file_size:
+            raise NotOwn(f"keeps {path.lstrip('/')} where {last or 'nothing of it'} lies")
+        end, last = storage.begin + storage.size, path.lstrip("/")
+    return found
+
+
+def _walk(group, path, found, addresses, file_size):
+    _check_attributes(group, path or "/", file_size)
+    for name in sorted(group, key=lambda text: text.encode("utf-8", "surrogateescape")):
+        child = f"{path}/{name}"
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            raise NotOwn(f"has no dataset {child[1:]} of its own, but a link")
+        item = group[name]
+        if _address(item) in addresses:
+            raise NotOwn(f"has two names for one object, {child[1:]}")
+        addresses.add(_address(item))
+        if isinstance(item, h5py.Group):
+            found[child] = None
+            _walk(item, child, found, addresses, file_size)
+        elif isinstance(item, h5py.Dataset):
+            found[child] = _storage(item, child[1:], file_size)
+            _check_attributes(item, child, file_size)
+        else:
+            raise NotOwn(f"has {child[1:]}, which is neither a group nor a dataset")
+
+
+def _address(item):
+    return h5py.h5o.get_info(item.id).addr
+
+
+def _check_attributes(item, path, file_size):
+    for name in item.attrs:
+        attribute = h5py.h5a.open(item.id, name.encode())
+        count = int(np.prod(attribute.shape, dtype=float))
+        if max(attribute.get_storage_size(), count * attribute.get_type().get_size()) > file_size:
+            raise NotOwn(f"has attributes of {path} that are larger than itself")
+
+
+def _storage(dataset, name, file_size):
+    creation = dataset.id.get_create_plist()
+    if dataset.is_virtual or dataset.external:
+        raise NotOwn(f"keeps {name} in another file")
+    size = dataset.id.get_storage_size()
+    value_bytes = dataset.id.get_type().get_size()
+    layout = creation.get_layout()
+    wanted = float(value_bytes) * np.prod(dataset.shape or (1,), dtype=float)
+    if creation.get_nfilters() or layout not in (h5py.h5d.CONTIGUOUS, h5py.h5d.CHUNKED) or dataset.shape is None:
+        raise NotOwn(f"keeps {name} in a way that no file of peterka has")
+    if size > file_size or wanted > size:
+        raise NotOwn(f"is too short for what it says of {name}")
+    if layout == h5py.h5d.CONTIGUOUS:
+        return Storage(dataset.id.get_offset() or 0, size, value_bytes)
+    return _chunked(dataset, name, size, value_bytes)
+
+
+def _chunked(dataset, name, size, value_bytes):
+    shape, chunk = ((*sides, 1)[:3] if len(sides) > 1 else (1, sides[0], 1) for sides in (dataset.shape, dataset.chunks))
+    storage = Storage(0, size, value_bytes, shape, chunk)
+    chunk_bytes = value_bytes * chunk[0] * chunk[1] * chunk[2]
+    count = storage.grid[0] * storage.grid[1]
+    last = tuple((side - 1) // step * step for side, step in zip(dataset.shape, dataset.chunks))
+    first = dataset.id.get_chunk_info_by_coord((0,) * len(dataset.shape))
+    end = dataset.id.get_chunk_info_by_coord(last)
+    in_order = first.byte_offset is not None and end.byte_offset == first.byte_offset + (count - 1) * chunk_bytes
+    if len(dataset.shape) > 3 or chunk[2] != shape[2] or size != count * chunk_bytes or not in_order:
+        raise NotOwn(f"keeps {name} in chunks that no file of peterka has")
+    return Storage(first.byte_offset, size, value_bytes, shape, chunk)

@@ -1,0 +1,177 @@
+"""Whether a file is still what was written: the checksums of its tiles, and its seal over all the rest.
+
+The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src/output/seal.hpp describes. A file that is
+not finished has none; then its finished tiles alone are vouched for.
+"""
+
+import h5py
+import numpy as np
+
+try:
+    import xxhash
+except ImportError:  # told where a file is verified
+    xxhash = None
+
+SEAL, FINISHED, ATTRACTOR, RUN = "/summary/checksum", "/summary/finished", "/attractor", "/run"
+TOLD_BY_SCALES = {"DIMENSION_LIST", "REFERENCE_LIST"}
+AT_ONCE = 2**22  # bytes
+
+
+class Broken(Exception):
+    """What is wrong, without the file's name."""
+
+
+def verify(file, raw, storages):
+    """`raw`: the same file's bytes, open; `storages`: of own_objects. Raises Broken."""
+    if xxhash is None:
+        raise Broken("can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)")
+    if FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1:
+        if SEAL not in storages or file[SEAL].dtype != np.uint64 or file[SEAL].shape != ():
+            raise Broken("is damaged: it says that it is finished, but has no checksum")
+        if int(file[SEAL][()]) != seal_of(file, raw, storages):
+            raise Broken("is damaged: something in it is not what was written (wrong checksum); compute it again")
+    elif "/regime" not in storages or "/tiles/done" not in storages:
+        raise Broken("is not finished")
+    _verify_tiles(file, raw, storages)
+
+
+def seal_of(file, raw, storages):
+    total = xxhash.xxh3_64()
+    for path in storages:  # in the order of the seal
+        if path != RUN and not path.startswith(RUN + "/"):
+            _add_object(total, file[path], path, raw, storages[path])
+    return total.intdigest()
+
+
+def tile_checksums(file, raw, storages):
+    """Of all tiles, in their order; none where nothing is kept in tiles."""
+    if not any(_is_in_tiles(path, storages) for path in storages):
+        return np.zeros(0, np.uint64)
+    fields = [storages["/" + name] for name in _names_as_made(file) if _is_in_tiles("/" + name, storages)]
+    if any((field.shape[:2], field.chunk[:2]) != (fields[0].shape[:2], fields[0].chunk[:2]) for field in fields):
+        raise Broken("is damaged: its tiles are not of one size")
+    return np.array([xxhash.xxh3_64_intdigest(tile) for tile in _tiles(raw, fields)], np.uint64)
+
+
+def _verify_tiles(file, raw, storages):
+    checksums = tile_checksums(file, raw, storages)
+    if not len(checksums):
+        return
+    stored = {}
+    for name, kind in (("done", np.int8), ("checksum", np.uint64)):
+        if f"/tiles/{name}" not in storages or file[f"tiles/{name}"].dtype != kind:
+            raise Broken(f"is damaged: it has no dataset tiles/{name}")
+        stored[name] = file[f"tiles/{name}"][()]
+        if stored[name].shape != checksums.shape:
+            raise Broken(f"has tiles/{name} of shape {stored[name].shape} instead of {checksums.shape}")
+    wrong = int(np.sum((stored["done"] == 1) & (stored["checksum"] != checksums)))
+    if wrong:
+        raise Broken(f"is damaged: {wrong} of its tiles are not what was written (wrong checksum); compute it again")
+
+
+def _is_in_tiles(path, storages):
+    storage = storages.get(path)
+    return storage is not None and storage.chunk is not None and path.count("/") == 1 and path != ATTRACTOR
+
+
+def _names_as_made(file):
+    names, root = [], file["/"]
+    root.id.links.iterate(lambda name: names.append(name.decode()), idx_type=h5py.h5.INDEX_CRT_ORDER)
+    return names
+
+
+def _tiles(raw, fields):
+    """The bytes of each tile, field after field, row by row."""
+    down, across = fields[0].grid
+    for row in range(down):
+        spans = [_row_of_chunks(raw, field, row) for field in fields]
+        for column in range(across):
+            yield b"".join(_cropped(field, span, row, column) for field, span in zip(fields, spans))
+
+
+def _row_of_chunks(raw, field, row):
+    size = field.size // field.grid[0]
+    data = _read(raw, field.begin + row * size, size)
+    return np.frombuffer(data, np.uint8).reshape(field.grid[1], field.chunk[0], -1)
+
+
+def _cropped(field, span, row, column):
+    rows, columns = (min(step, side - at * step) for side, step, at in zip(field.shape, field.chunk, (row, column)))
+    return span[column, :rows, : columns * field.chunk[2] * field.value_bytes].tobytes()
+
+
+def _read(raw, offset, size):
+    raw.seek(offset)
+    data = raw.read(size)
+    if len(data) != size:
+        raise Broken("is cut short")
+    return data
+
+
+def _number(value):
+    return int(value).to_bytes(8, "little")
+
+
+def _text(value):
+    data = value if isinstance(value, bytes) else value.encode("utf-8", "surrogateescape")
+    return _number(len(data)) + data
+
+
+def _shape(sides):
+    return _number(len(sides)) + b"".join(map(_number, sides))
+
+
+def _kind(type_id):
+    """As in the seal; Broken for what no file of peterka has."""
+    size = type_id.get_size()
+    if isinstance(type_id, h5py.h5t.TypeStringID):
+        return "text" if type_id.is_variable_str() else f"S{size}"
+    if size <= 8 and (size == 1 or isinstance(type_id, (h5py.h5t.TypeIntegerID, h5py.h5t.TypeFloatID))
+                      and type_id.get_order() == h5py.h5t.ORDER_LE):
+        if isinstance(type_id, h5py.h5t.TypeFloatID):
+            return f"f{size}"
+        if isinstance(type_id, h5py.h5t.TypeIntegerID):
+            return f"{'iu'[type_id.get_sign() == h5py.h5t.SGN_NONE]}{size}"
+    raise Broken("has a type that no file of peterka has")
+
+
+def _add_object(total, item, path, raw, storage):
+    total.update(_text("group" if storage is None else "dataset") + _text(path))
+    names = sorted(name.encode() for name in item.attrs if name not in TOLD_BY_SCALES)
+    total.update(_number(len(names)))
+    for name in names:
+        _add_attribute(total, h5py.h5a.open(item.id, name), name)
+    if storage is None:
+        return
+    total.update(_text(_kind(item.id.get_type())) + _shape(item.shape))
+    for dimension in item.dims:
+        scales = dimension.values()
+        total.update(_number(len(scales)) + b"".join(_text(scale.name) for scale in scales))
+    if path not in (SEAL, FINISHED):
+        _add_data(total, path, raw, storage)
+
+
+def _add_attribute(total, attribute, name):
+    kind = _kind(attribute.get_type())
+    total.update(_text(name) + _text(kind) + _shape(attribute.shape))
+    if kind != "text":
+        value = np.empty(attribute.shape, attribute.dtype)
+        attribute.read(value)
+        total.update(value.tobytes())
+        return
+    if int(np.prod(attribute.shape)) != 1:
+        raise Broken("has a list of texts as attribute")
+    value = np.empty(attribute.shape, attribute.dtype)
+    attribute.read(value)
+    text = value.ravel()[0]
+    total.update(_text(text if isinstance(text, (bytes, str)) else b""))
+
+
+def _add_data(total, path, raw, storage):
+    if storage.chunk is not None:
+        if path == ATTRACTOR:
+            for tile in _tiles(raw, [storage]):
+                total.update(tile)
+        return
+    for done in range(0, storage.size, AT_ONCE):
+        total.update(_read(raw, storage.begin + done, min(AT_ONCE, storage.size - done)))

@@ -1,0 +1,32 @@
+// One checksum over everything that is final in a file: the seal, /summary/checksum.
+//
+// XXH3 (64 bits) of a sequence of bytes that follows from what the file says, not from where in the file it
+// lies; postprocess/peterka_pictures/seal.py makes the same one. Every text is preceded by its length, every
+// number is a little-endian 64-bit integer. From the root, each group before what is in it, names in the order
+// of their bytes, all but the group /run:
+//     "group" or "dataset", path, number of attributes, and of each, in the order of their names' bytes, name,
+//     type, shape (number of sizes, sizes) and bytes;
+//     of a dataset also type, shape, along each dimension the number of scales and their paths, and its bytes,
+//     tile by tile where it is chunked.
+// The bytes of chunked datasets but /attractor are left out: /tiles/checksum, which is in, vouches for them. So
+// are those of the seal itself and of /summary/finished, which is written after it. Types are "i4", "u8", "f8",
+// "S4096" for texts of fixed room, and "text". DIMENSION_LIST and REFERENCE_LIST are told by the scales.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+
+#include "output/checked.hpp"
+#include "output/disk_file.hpp"
+
+namespace peterka::output {
+
+// Throws Failure(ExitCode::output) for what no file of this program holds. `disk`: where numbers are read from;
+// null for a file in memory.
+[[nodiscard]] std::uint64_t seal_of(const Checked& check, hid_t file, const DiskFile* disk);
+
+// Whether the file on the disk has the seal that belongs to it.
+[[nodiscard]] bool is_sealed(const Checked& check, hid_t file);
+
+}  // namespace peterka::output
