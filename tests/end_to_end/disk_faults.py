@@ -1,0 +1,85 @@
+"""One call to the system fails in a small run of each kind, and what must come of it.
+
+Either the file is written all the same and is the right one, or the run ends with 3, says which file and why, and the
+next run makes the right file out of what is left. Nothing else: no signal, no wrong file.
+"""
+
+import subprocess
+
+import jobs
+import launch
+import map_contents
+
+LIBRARY = launch.BINARY.with_name("faulty_io.so")
+CALLS = ("write", "read", "fsync", "truncate", "allocate", "rename", "unlink")
+HOWS = ("ENOSPC", "EIO", "EDQUOT", "EINTR", "short", "persistent ENOSPC", "persistent EIO")
+CAUSES = ("No space left", "Input/output error", "Disk quota exceeded", "Interrupted system call", "cut short",
+          "failed", "damaged", "checksum", "doesn't hold", "read twice", "can't be locked")
+NAME = "job.h5"
+
+KINDS = {
+    "map": jobs.small_map(20, 20) + "[audit]\ncells = 2\n",
+    "basin": jobs.small_basin(20),
+    "sweep": jobs.small_sweep(5, "up", "[1.5]"),
+    "trace": jobs.trace(2.0, settings="cycles = 2"),
+    "study": jobs.small_label_study(2),
+}
+
+
+def run(folder, ranks=None, **faults):
+    settings = {f"FAULTY_{name.upper()}": str(value) for name, value in faults.items()}
+    environment = launch.ENVIRONMENT | settings | {"FAULTY_PATH": NAME}
+    command = launch.command("run", "job.toml", "--quiet", ranks=ranks)
+    command[-4:-4] = ["env", f"LD_PRELOAD={LIBRARY}"]
+    return subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, timeout=launch.HANGING)
+
+
+class Kind:
+    """A job, the right file of it, and how many calls of each kind a run makes."""
+
+    def __init__(self, name, folder):
+        self.name = name
+        self.folder = folder
+        self.right = folder / "right.h5"
+        jobs.write(folder, KINDS[name])
+        launch.run("run", "job.toml", "--quiet", "--output", self.right, cwd=folder)
+        self.calls = {call: self._count(call) for call in CALLS}
+
+    def fails(self, call, number, how):
+        """What is wrong with what came of it; nothing where all is as it should be."""
+        self._clear()
+        finished = run(self.folder, call=call, at=number, how=how)
+        problem = self._problem(finished)
+        return problem and f"{self.name}, {how} at {call} {number}: {problem}"
+
+    def _problem(self, finished):
+        if finished.returncode not in (0, 3):
+            return f"code {finished.returncode}: {finished.stderr[-300:]}"
+        if finished.returncode == 3:
+            told = launch.messages(finished)
+            if len(told) != 1 or NAME not in told[0] or not any(cause in told[0] for cause in CAUSES):
+                return f"says {finished.stderr[-300:]}"
+            again = launch.run("run", "job.toml", "--quiet", cwd=self.folder)
+            if again.returncode != 0:
+                return f"the next run ends with {again.returncode}: {again.stderr[-300:]} (first: {told[0]})"
+        try:
+            map_contents.assert_same_map(self.folder / NAME, self.right)
+        except (AssertionError, OSError, KeyError) as error:
+            return f"another file than the right one, after code {finished.returncode}: {str(error)[:200]}"
+        looked_at = launch.run("run", "job.toml", "--quiet", cwd=self.folder)
+        if looked_at.returncode != 0:
+            return f"after code {finished.returncode} the file is not complete: {looked_at.stderr[-300:]}"
+        left = [path.name for path in self.folder.iterdir() if path.name.startswith(NAME + ".")]
+        return f"leaves {left} behind" if left and finished.returncode == 0 and "unlink" not in str(left) else ""
+
+    def _count(self, call):
+        self._clear()
+        report = self.folder / "count"
+        report.write_text("0")
+        assert run(self.folder, call=call, count=report).returncode == 0
+        return int(report.read_text())
+
+    def _clear(self):
+        for path in self.folder.glob(NAME + "*"):
+            path.unlink()

@@ -1,0 +1,42 @@
+"""Disks that fail at one call, in a small run of each kind: a slice of what tests/endurance/disk_faults.py tries."""
+
+import pytest
+
+import disk_faults
+
+
+@pytest.fixture(scope="module", params=disk_faults.KINDS)
+def kind(request, tmp_path_factory):
+    return disk_faults.Kind(request.param, tmp_path_factory.mktemp(request.param))
+
+
+def spread(count, most):
+    """So many numbers from 1 to count at most, the first and the last among them."""
+    if count <= most:
+        return range(1, count + 1)
+    return sorted({1 + round(i * (count - 1) / (most - 1)) for i in range(most)})
+
+
+FAULTS = [("write", "EIO", 3), ("write", "persistent ENOSPC", 4), ("write", "short", 3), ("read", "EIO", 6),
+          ("fsync", "EIO", 2), ("allocate", "EDQUOT", 1), ("rename", "EIO", 1)]
+
+
+@pytest.mark.parametrize("call, how, most", FAULTS)
+def test_a_call_that_fails_leaves_the_right_file_or_says_so(kind, call, how, most):
+    tried = [kind.fails(call, number, how) for number in spread(kind.calls[call], most)]
+    assert [problem for problem in tried if problem] == []
+
+
+def test_every_kind_of_call_is_met(kind):
+    """A library that isn't loaded would fail nothing."""
+    whole = kind.name in ("trace", "study")
+    least = {"write": 2, "read": 1, "fsync": 1, "rename": 1} if whole else {"write": 50, "read": 200, "fsync": 2, "allocate": 1}
+    assert {call: number for call, number in least.items() if kind.calls[call] < number} == {}
+
+
+def test_a_read_that_fails_while_attractors_are_numbered(tmp_path):
+    """Open MPI calls it a success; cells of zeros would then be attractors of their own, in a file marked as finished."""
+    basin = disk_faults.Kind("basin", tmp_path)
+    reads = basin.calls["read"]
+    tried = [basin.fails("read", reads * part // 16, "EIO") for part in range(8, 16)]
+    assert [problem for problem in tried if problem] == []
