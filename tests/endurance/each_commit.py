@@ -40,6 +40,22 @@ WHAT_IS_TRIED = {  # the test: the fault, and what happens where it passes
     "test_more_failed_cells_than_allowed": ("cells that fail", "counted with their reason, exit 4"),
     "test_one_rank_that_fails_ends_all": ("an exception on one rank", "all end, its message once"),
     "test_a_failure_of_all_is_told_once": ("an exception on all ranks", "all end, one message"),
+    "test_a_call_that_fails_leaves_the_right_file_or_says_so": (
+        "a write, read, fsync, fallocate or rename fails or falls short, in a map, basin, sweep, trace and study",
+        "the right file, or exit 3 with path and cause and the right file from the next run"),
+    "test_a_read_that_fails_while_attractors_are_numbered": (
+        "reads that fail while a basin's attractors are numbered", "exit 3, path and cause; the next run mends it"),
+    "test_one_flipped_bit_in_any_dataset_is_found": (
+        "one bit flipped in each dataset of a finished file, one after the other", "refused by every reader"),
+    "test_a_changed_attribute_is_found": ("an attribute of a finished file changed", "refused by run and by every reader"),
+    "test_a_strangers_map_leads_a_run_nowhere": (
+        "an unfinished map whose datasets are links, lie elsewhere or are one another", "exit 3, nothing written anywhere"),
+    "test_a_second_run_by_another_name_is_kept_out": (
+        "a second run that comes by a link", "exit 3, or complete once the first is"),
+    "test_a_file_that_is_replaced_during_the_run_is_noticed": (
+        "the file is replaced during the run", "exit 3, path and cause; the other file untouched"),
+    "test_a_link_in_the_place_of_a_side_file_is_not_followed": (
+        "a link under the name of a lock or a temporary file", "exit 3, what it leads to untouched"),
     "test_a_map_is_the_same_at_any_number_of_ranks": ("1, 2, 3, 4, 7 ranks", "the same bytes"),
 }
 

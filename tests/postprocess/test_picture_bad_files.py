@@ -64,6 +64,59 @@ def huge_chunk(path):
     return path
 
 
+def huge_plane(path):
+    """A small file that says it holds 65536 x 65536 cells."""
+    with SealedFile(path, "w") as file:
+        file.attrs.update(peterka_layout=np.int32(2), peterka_kind="map")
+        for name in ("gap_ratio", "frequency_ratio"):
+            file[name] = np.arange(1.0, 65537)
+        for name, kind in (("regime", "i1"), ("impacts", "i4"), ("period", "i4"), ("peak_force_ratio", "f8")):
+            file.create_dataset(name, (65536, 65536), kind, chunks=(16, 16))
+    return path
+
+
+def huge_text(path):
+    """A text of 2 GB that nobody has written, and that only readers of texts would look at."""
+    with SealedFile(path, "r+") as file:
+        file.create_dataset("summary/omitted_for_long", (), "S2147483647")
+    return path
+
+
+def one_storage_twice(path):
+    """Two datasets with one storage: their addresses in the file are made equal."""
+    with h5py.File(path) as file:
+        of = {name: file[name].id.get_offset().to_bytes(8, "little") for name in ("impacts", "period")}
+    content = path.read_bytes()
+    assert content.count(of["period"]) == 1
+    path.write_bytes(content.replace(of["period"], of["impacts"]))
+    return path
+
+
+def two_names(path):
+    with SealedFile(path, "r+") as file:
+        del file["period"]
+        file["period"] = file["impacts"]
+    return path
+
+
+def virtual(path):
+    with SealedFile(path, "r+") as file:
+        layout = h5py.VirtualLayout((4, 4), "i1")
+        layout[:] = h5py.VirtualSource("other.h5", "regime", shape=(4, 4))
+        del file["regime"]
+        file.create_virtual_dataset("regime", layout)
+    return path
+
+
+def flipped(path):
+    with h5py.File(path) as file:
+        at = file["peak_force_ratio"].id.get_offset() + 5
+    content = bytearray(path.read_bytes())
+    content[at] ^= 1
+    path.write_bytes(content)
+    return path
+
+
 def huge_axis(path):
     with SealedFile(path, "r+") as file:
         del file["gap_ratio"]
@@ -121,6 +174,12 @@ CASES = {
     "axis of one point": (lambda p: replaced(write_map(p), "gap_ratio", [1.0]), "shape (1,)"),
     "axis in two dimensions": (lambda p: replaced(write_map(p), "gap_ratio", np.ones((4, 4))), "shape (4, 4)"),
     "huge axis": (lambda p: huge_axis(write_map(p)), "too short for what it says of gap_ratio"),
+    "huge plane": (huge_plane, "too short for what it says of"),
+    "huge text": (lambda p: huge_text(write_map(p)), "too short for what it says of summary/omitted_for_long"),
+    "one storage twice": (lambda p: one_storage_twice(write_map(p)), " lies"),
+    "two names for one object": (lambda p: two_names(write_map(p)), "two names for one object"),
+    "virtual dataset": (lambda p: virtual(write_map(p)), "keeps regime in another file"),
+    "flipped bit": (lambda p: flipped(write_map(p)), "not what was written (wrong checksum)"),
     "huge chunk": (huge_chunk, "in a way that no file of peterka has"),
     "link to another file": (lambda p: link_outside(write_map(p)), "no dataset regime"),
     "data in another file": (lambda p: stored_outside(write_map(p)), "keeps regime in another file"),
