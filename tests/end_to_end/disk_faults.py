@@ -46,10 +46,10 @@ class Kind:
         launch.run("run", "job.toml", "--quiet", "--output", self.right, cwd=folder)
         self.calls = {call: self._count(call) for call in CALLS}
 
-    def fails(self, call, number, how):
-        """What is wrong with what came of it; nothing where all is as it should be."""
+    def fails(self, call, number, how, **where):
+        """What is wrong with what came of it; nothing where all is as it should be. `where`: so many ranks, on which."""
         self._clear()
-        finished = run(self.folder, call=call, at=number, how=how)
+        finished = run(self.folder, call=call, at=number, how=how, **where)
         problem = self._problem(finished)
         return problem and f"{self.name}, {how} at {call} {number}: {problem}"
 

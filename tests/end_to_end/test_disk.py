@@ -100,3 +100,17 @@ def test_a_limit_of_file_sizes(tmp_path):
     output, errors = process.communicate(timeout=launch.HANGING)
     assert process.returncode == 3, errors
     assert "job.h5: pwrite failed" in errors and "File too large" in errors
+
+
+@pytest.mark.parametrize("kind", ["trace", "study"])
+def test_a_limit_that_a_file_written_at_once_exceeds(tmp_path, kind):
+    """HDF5 could not close it, and the program ended with a signal after its message."""
+    jobs.write(tmp_path, jobs.trace(2.0, settings="cycles = 100") if kind == "trace" else jobs.small_label_study(2))
+    kibibytes = 300 if kind == "trace" else 10
+    finished = subprocess.run(["bash", "-c", 'ulimit -f "$0"; exec "$@"', str(kibibytes), *launch.command("run", "job.toml")],
+                              cwd=tmp_path, env=launch.ENVIRONMENT | {"OMPI_MCA_btl": "self"}, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=launch.HANGING)
+    assert finished.returncode == 3, finished.stderr
+    assert "job.h5.peterka-creating: write failed: File too large" in finished.stderr
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left <= {"job.toml", "job.h5.peterka-lock"}  # a lock that is left behind stops nobody
