@@ -37,6 +37,7 @@ class CheckedFile:
         self._file = self._open()
         try:
             self._raw = open(self.path, "rb")  # noqa: SIM115 - closed with the file
+            self._size = os.fstat(self._raw.fileno()).st_size
             self._storages = self._own_storages()
         except BaseException:
             self.close()
@@ -50,10 +51,11 @@ class CheckedFile:
     def verify(self):
         """Reads the file once and compares it with its checksums."""
         try:
-            seal.verify(self._file, self._raw, self._storages)
+            with own_objects.bounded_memory(self._size):
+                seal.verify(self._file, self._raw, self._storages)
         except seal.Broken as broken:
             raise self.refusal(str(broken)) from broken
-        except _ERRORS as error:
+        except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
     def refusal(self, reason):
@@ -64,8 +66,9 @@ class CheckedFile:
         """A scalar attribute of the root, or of a dataset that was checked before, as str, int or float; None where it
         is absent or anything else."""
         try:
-            value = self._file[of].attrs.get(name)
-        except _ERRORS:
+            with own_objects.bounded_memory(self._size):
+                value = self._file[of].attrs.get(name)
+        except (*_ERRORS, MemoryError):
             return None
         if isinstance(value, np.ndarray) and value.size == 1:
             value = value.reshape(())[()]
@@ -108,8 +111,9 @@ class CheckedFile:
         """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
         meanings = self.attribute("flag_meanings", name)
         try:
-            numbers = np.ravel(self._file[name].attrs.get("flag_values", ()))
-        except _ERRORS:
+            with own_objects.bounded_memory(self._size):
+                numbers = np.ravel(self._file[name].attrs.get("flag_values", ()))
+        except (*_ERRORS, MemoryError):
             numbers = np.array([])
         words = meanings.split() if isinstance(meanings, str) else []
         if not words or len(words) != len(numbers) or numbers.dtype.kind not in INTEGER:
@@ -136,7 +140,7 @@ class CheckedFile:
 
     def _own_storages(self):
         try:
-            return own_objects.storages(self._file, os.fstat(self._raw.fileno()).st_size)
+            return own_objects.storages(self._file, self._size)
         except own_objects.NotOwn as reason:
             raise self.refusal(str(reason)) from reason
         except (*_ERRORS, RecursionError) as error:

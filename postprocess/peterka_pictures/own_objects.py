@@ -4,10 +4,15 @@ dataset with storage of its own inside the file.
 So a file can't ask for more memory than it is long, and can't make this program read what lies in another one.
 """
 
+import os
+import resource
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import h5py
 import numpy as np
+
+SPARE = 2**28  # bytes that reading small things may take besides the file's own length
 
 
 class NotOwn(Exception):
@@ -30,6 +35,21 @@ class Storage:
     def grid(self):
         """Chunks down and across."""
         return tuple(-(-side // step) for side, step in zip(self.shape[:2], self.chunk[:2]))
+
+
+@contextmanager
+def bounded_memory(file_size):
+    """For reading attributes: a text of any length says how long it is, and HDF5 takes that much before it looks."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    with open("/proc/self/statm", encoding="ascii") as pages:
+        limit = int(pages.read().split()[0]) * os.sysconf("SC_PAGE_SIZE") + 2 * file_size + SPARE
+    if soft != resource.RLIM_INFINITY:
+        limit = min(limit, soft)
+    resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
 
 
 def storages(file, file_size):

@@ -1,7 +1,7 @@
 """Whether a file is still what was written: the checksums of its tiles, and its seal over all the rest.
 
 The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src/output/seal.hpp describes. A file that is
-not finished has none; then its finished tiles alone are vouched for.
+not finished has none; then /summary/frame vouches for its attributes and coordinates.
 """
 
 import h5py
@@ -12,7 +12,8 @@ try:
 except ImportError:  # told where a file is verified
     xxhash = None
 
-SEAL, FINISHED, ATTRACTOR, RUN = "/summary/checksum", "/summary/finished", "/attractor", "/run"
+SEAL, FRAME, FINISHED = "/summary/checksum", "/summary/frame", "/summary/finished"
+ATTRACTOR, RUN = "/attractor", "/run"
 TOLD_BY_SCALES = {"DIMENSION_LIST", "REFERENCE_LIST"}
 AT_ONCE = 2**22  # bytes
 
@@ -25,21 +26,26 @@ def verify(file, raw, storages):
     """`raw`: the same file's bytes, open; `storages`: of own_objects. Raises Broken."""
     if xxhash is None:
         raise Broken("can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)")
-    if FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1:
-        if SEAL not in storages or file[SEAL].dtype != np.uint64 or file[SEAL].shape != ():
-            raise Broken("is damaged: it says that it is finished, but has no checksum")
-        if int(file[SEAL][()]) != seal_of(file, raw, storages):
-            raise Broken("is damaged: something in it is not what was written (wrong checksum); compute it again")
-    elif "/regime" not in storages or "/tiles/done" not in storages:
-        raise Broken("is not finished")
+    finished = FINISHED in storages and file[FINISHED].shape == () and file[FINISHED][()] == 1
+    place = SEAL if finished else FRAME
+    if place not in storages or file[place].dtype != np.uint64 or file[place].shape != ():
+        raise Broken("is damaged: it has no checksum of what lies outside its cells")
+    if int(file[place][()]) != seal_of(file, raw, storages, whole=finished):
+        raise Broken("is damaged: something in it is not what was written (wrong checksum); compute it again")
     _verify_tiles(file, raw, storages)
 
 
-def seal_of(file, raw, storages):
+def seal_of(file, raw, storages, whole=True):
+    """Of the whole file, or of its frame: without the bytes of datasets that are no coordinates."""
     total = xxhash.xxh3_64()
     for path in storages:  # in the order of the seal
-        if path != RUN and not path.startswith(RUN + "/"):
-            _add_object(total, file[path], path, raw, storages[path])
+        if path == RUN or path.startswith(RUN + "/"):
+            continue
+        item, storage = file[path], storages[path]
+        _add_object(total, item, path, storage)
+        is_coordinate = storage is not None and len(item.shape) == 1 and path.count("/") == 1
+        if storage is not None and path not in (SEAL, FINISHED) and (whole or is_coordinate):
+            _add_data(total, path, raw, storage)
     return total.intdigest()
 
 
@@ -135,7 +141,7 @@ def _kind(type_id):
     raise Broken("has a type that no file of peterka has")
 
 
-def _add_object(total, item, path, raw, storage):
+def _add_object(total, item, path, storage):
     total.update(_text("group" if storage is None else "dataset") + _text(path))
     names = sorted(name.encode() for name in item.attrs if name not in TOLD_BY_SCALES)
     total.update(_number(len(names)))
@@ -147,8 +153,6 @@ def _add_object(total, item, path, raw, storage):
     for dimension in item.dims:
         scales = dimension.values()
         total.update(_number(len(scales)) + b"".join(_text(scale.name) for scale in scales))
-    if path not in (SEAL, FINISHED):
-        _add_data(total, path, raw, storage)
 
 
 def _add_attribute(total, attribute, name):

@@ -109,10 +109,12 @@ bool is_finished(const Checked& check, const FileId& file) {
 }
 
 // That of the tiles is looked at by all ranks together (MapFile::remaining_tiles).
-void require_seal(const Checked& check, const FileId& file) {
-    if (is_sealed(check, file.id())) return;
+void require_seal(const Checked& check, const FileId& file, Sealed part) {
+    if (is_sealed(check, file.id(), part)) return;
     refuse(check.path(),
-           "is damaged: something outside its cells is not what it was when it was finished (wrong checksum)",
+           fmt::format(
+               "is damaged: something outside its cells is not what it was when it was {} (wrong checksum)",
+               part == Sealed::whole ? "finished" : "made"),
            "Don't trust it; compute it again with --fresh.");
 }
 
@@ -139,15 +141,16 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     require_job(path, file, job);
     const bool is_whole = job.kind == job::Kind::study || job.kind == job::Kind::trace;
     if (is_whole) {  // it was written whole, and no number of it is looked at
-        require_seal(check, file);
+        require_seal(check, file, Sealed::whole);
         return Existing::complete;
     }
     require_datasets(check, file, job);
     if (is_finished(check, file) && all_tiles_done(check, file, job)) {
-        require_seal(check, file);
+        require_seal(check, file, Sealed::whole);
         return Existing::complete;
     }
     require_arithmetic(path, file);
+    require_seal(check, file, Sealed::frame);
     if (::access(path.c_str(), W_OK) != 0) {
         const std::string reason = std::generic_category().message(errno);
         refuse(path, "is not finished and cannot be written: " + reason,

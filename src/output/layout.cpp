@@ -47,6 +47,7 @@ constexpr Variable run_variables[] = {
 constexpr Variable summary_variables[] = {
     {"omitted", Number::text, 0, "", "what the program left out of the scene and why"},
     {"failures", Number::text, 0, "", "cells without a result and why"},
+    {"frame", Number::uint64, 0, "", "XXH3 (64 bits) of what the file has from the beginning"},
     checksum_of_file,
     {"finished", Number::int8, 0, "1", "1 once everything in the file is final"},
 };

@@ -60,6 +60,7 @@ inline constexpr const char* hosts = "/run/hosts";
 inline constexpr const char* omitted = "/summary/omitted";
 inline constexpr const char* failures = "/summary/failures";
 inline constexpr const char* sum_of_file = "/summary/checksum";
+inline constexpr const char* sum_of_frame = "/summary/frame";
 inline constexpr const char* finished = "/summary/finished";
 inline constexpr const char* attractor = "/attractor";
 inline constexpr const char* attractor_count = "/attractors/count";

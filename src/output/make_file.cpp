@@ -19,6 +19,7 @@
 #include "output/make_layout.hpp"
 #include "output/map_size.hpp"
 #include "output/root_attributes.hpp"
+#include "output/seal.hpp"
 #include "support/errors.hpp"
 #include "support/readable.hpp"
 
@@ -57,6 +58,7 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     write_root_attributes(check, file.id(), job, provenance);
     make_datasets(check, file.id(), plans);
     write_coordinates(check, file.id(), plans, job);
+    write_seal(check, file.id(), Sealed::frame);
     check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");
     check(H5Fclose(file.release()), "H5Fclose");
 }

@@ -66,7 +66,8 @@ struct Names {
 
 class Sealing {
   public:
-    Sealing(const Checked& check, hid_t file, const DiskFile* disk) : check_(check), file_(file), disk_(disk) {}
+    Sealing(const Checked& check, hid_t file, const DiskFile* disk, Sealed part)
+        : check_(check), file_(file), disk_(disk), part_(part) {}
 
     [[nodiscard]] std::uint64_t value() {
         add_group("/");
@@ -171,7 +172,9 @@ class Sealing {
         const std::uint64_t values = add_shape(space.id(), path);
         const int rank = H5Sget_simple_extent_ndims(space.id());
         for (unsigned i = 0; i < static_cast<unsigned>(rank); ++i) add_scales(dataset.id(), i);
+        const bool is_coordinate = rank == 1 && path.rfind('/') == 0;
         if (path == path::sum_of_file || path == path::finished) return;
+        if (part_ == Sealed::frame && !is_coordinate) return;
         disk_ == nullptr ? add_from_memory(dataset.id(), type.id(), values) : add_from_disk(dataset.id(), path);
     }
 
@@ -209,22 +212,32 @@ class Sealing {
     const Checked& check_;
     hid_t file_;
     const DiskFile* disk_;
+    Sealed part_;
     Sum sum_;
 };
 
-}  // namespace
-
-std::uint64_t seal_of(const Checked& check, hid_t file, const DiskFile* disk) {
-    return Sealing(check, file, disk).value();
+const char* place_of(Sealed part) {
+    return part == Sealed::whole ? path::sum_of_file : path::sum_of_frame;
 }
 
-bool is_sealed(const Checked& check, hid_t file) {
+}  // namespace
+
+std::uint64_t seal_of(const Checked& check, hid_t file, const DiskFile* disk, Sealed part) {
+    return Sealing(check, file, disk, part).value();
+}
+
+void write_seal(const Checked& check, hid_t file, Sealed part) {
+    const std::uint64_t sum = seal_of(check, file, nullptr, part);
+    const DatasetId dataset(check(H5Dopen2(file, place_of(part), H5P_DEFAULT), "H5Dopen2"));
+    check(H5Dwrite(dataset.id(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &sum), "H5Dwrite");
+}
+
+bool is_sealed(const Checked& check, hid_t file, Sealed part) {
     const DiskFile disk(check.path());
-    const std::string path = path::sum_of_file;
-    if (!is_own_link(file, path)) return false;
+    if (!is_own_link(file, place_of(part))) return false;
     std::uint64_t sum = 0;
-    Stored({check, file, disk}, path, Number::uint64).read(Block(0, 1), &sum);
-    return sum == seal_of(check, file, &disk);
+    Stored({check, file, disk}, place_of(part), Number::uint64).read(Block(0, 1), &sum);
+    return sum == seal_of(check, file, &disk, part);
 }
 
 }  // namespace peterka::output

@@ -11,6 +11,9 @@
 // The bytes of chunked datasets but /attractor are left out: /tiles/checksum, which is in, vouches for them. So
 // are those of the seal itself and of /summary/finished, which is written after it. Types are "i4", "u8", "f8",
 // "S4096" for texts of fixed room, and "text". DIMENSION_LIST and REFERENCE_LIST are told by the scales.
+//
+// An unfinished map has a seal of its frame, /summary/frame: the same without the bytes of all datasets but
+// lists at the root, its coordinates.
 #pragma once
 
 #include <hdf5.h>
@@ -22,11 +25,20 @@
 
 namespace peterka::output {
 
+enum class Sealed {
+    frame,  // what a map has from the beginning: all but the numbers of datasets that are no coordinates
+    whole,
+};
+
 // Throws Failure(ExitCode::output) for what no file of this program holds. `disk`: where numbers are read from;
-// null for a file in memory.
-[[nodiscard]] std::uint64_t seal_of(const Checked& check, hid_t file, const DiskFile* disk);
+// null for a file that HDF5 makes.
+[[nodiscard]] std::uint64_t seal_of(const Checked& check, hid_t file, const DiskFile* disk,
+                                    Sealed part = Sealed::whole);
+
+// Writes the seal into a file that HDF5 makes.
+void write_seal(const Checked& check, hid_t file, Sealed part);
 
 // Whether the file on the disk has the seal that belongs to it.
-[[nodiscard]] bool is_sealed(const Checked& check, hid_t file);
+[[nodiscard]] bool is_sealed(const Checked& check, hid_t file, Sealed part = Sealed::whole);
 
 }  // namespace peterka::output

@@ -52,12 +52,6 @@ void write_values(const Checked& check, hid_t file, const Table& table) {
     write_block(check, dataset.id(), Number::float64, whole(table.plan), table.values.data());
 }
 
-void write_seal(const Checked& check, hid_t file) {
-    const std::uint64_t sum = seal_of(check, file, nullptr);
-    const DatasetId dataset(check(H5Dopen2(file, path::sum_of_file, H5P_DEFAULT), "H5Dopen2"));
-    check(H5Dwrite(dataset.id(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &sum), "H5Dwrite");
-}
-
 void fill_file(const Checked& check, hid_t file, const job::Job& job, const Provenance& provenance,
                const Contents& contents, const RunFacts& facts) {
     write_root_attributes(check, file, job, provenance);
@@ -71,7 +65,7 @@ void fill_file(const Checked& check, hid_t file, const job::Job& job, const Prov
     write_number(check, file, path::ranks, facts.ranks);
     write_number(check, file, path::compute_seconds, facts.compute_seconds);
     write_text(check, file, path::hosts, facts.hosts);
-    write_seal(check, file);
+    write_seal(check, file, Sealed::whole);
     write_number(check, file, path::finished, 1);
 }
 

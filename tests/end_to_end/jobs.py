@@ -38,7 +38,7 @@ def larger_map():
 
 
 def medium_map():
-    """64 tiles, 548 kB: to be broken and repaired many times."""
+    """64 tiles, 549 kB: to be broken and repaired many times."""
     return small_map(columns=128, rows=128, title="medium map")
 
 

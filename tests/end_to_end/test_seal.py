@@ -120,3 +120,17 @@ def test_a_file_of_the_layout_before_says_what_it_lacks(copy):
     assert refused(copy) == ""
     run = launch.run("run", "job.toml", cwd=copy.parent)
     assert "have no checksum over what lies outside their cells" in run.stderr
+
+
+@pytest.mark.parametrize("name, value", [("hammer_mass_kg", 2.98), ("frequency_ratio", 0.6)])
+def test_an_unfinished_map_with_another_frame_is_not_gone_on_with(tmp_path, name, value):
+    """Its end would seal what is wrong."""
+    jobs.write(tmp_path, jobs.small_map())
+    assert launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path).returncode == 5
+    assert drawable(tmp_path / "job.h5")
+    with h5py.File(tmp_path / "job.h5", "r+") as file:
+        if name in file:
+            file[name][0] = value
+        else:
+            file.attrs[name] = value
+    assert refused(tmp_path / "job.h5") == ""

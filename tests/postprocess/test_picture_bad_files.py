@@ -1,10 +1,14 @@
 """Files that cannot be drawn: exit code 2, one clear line, no picture, whatever a stranger puts into them."""
 
 import os
+import struct
+import subprocess
+import sys
 
 import h5py
 import numpy as np
 import pytest
+from conftest import POSTPROCESS
 from picture_samples import write_basin, write_map
 from sealing import SealedFile
 
@@ -79,6 +83,15 @@ def huge_text(path):
     """A text of 2 GB that nobody has written, and that only readers of texts would look at."""
     with SealedFile(path, "r+") as file:
         file.create_dataset("summary/omitted_for_long", (), "S2147483647")
+    return path
+
+
+def long_attribute(path):
+    """A title that says it is 4 GB long: HDF5 takes as much memory before it looks."""
+    content = bytearray(path.read_bytes())
+    at = content.index(struct.pack("<IQ", len("Sample"), content.index(b"GCOL")))
+    content[at : at + 4] = struct.pack("<I", 0xFFFFFFF0)
+    path.write_bytes(content)
     return path
 
 
@@ -176,6 +189,7 @@ CASES = {
     "huge axis": (lambda p: huge_axis(write_map(p)), "too short for what it says of gap_ratio"),
     "huge plane": (huge_plane, "too short for what it says of"),
     "huge text": (lambda p: huge_text(write_map(p)), "too short for what it says of summary/omitted_for_long"),
+    "long attribute": (lambda p: long_attribute(write_map(p)), "is damaged"),
     "one storage twice": (lambda p: one_storage_twice(write_map(p)), " lies"),
     "two names for one object": (lambda p: two_names(write_map(p)), "two names for one object"),
     "virtual dataset": (lambda p: virtual(write_map(p)), "keeps regime in another file"),
@@ -188,6 +202,18 @@ CASES = {
     "too many attractors": (lambda p: replaced(write_basin(p), "attractors/count", np.int32(257)), "257 attractors"),
     "fewer than no attractors": (lambda p: replaced(write_basin(p), "attractors/count", np.int32(-1)), "-1 attractors"),
 }
+
+
+@pytest.mark.parametrize("make", [huge_plane, lambda p: huge_text(write_map(p)), lambda p: long_attribute(write_map(p))],
+                         ids=["huge plane", "huge text", "long attribute"])
+def test_a_small_file_takes_little_memory(make, tmp_path):
+    path = make(tmp_path / "bad.h5")
+    code = "import resource, sys; import draw; code = draw.main(); " \
+           "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss); sys.exit(code)"
+    drawn = subprocess.run([sys.executable, "-c", code, str(path), "--output-dir", str(tmp_path / "out")], cwd=POSTPROCESS,
+                           capture_output=True, text=True, check=False)
+    assert drawn.returncode == 2, drawn.stderr
+    assert int(drawn.stdout.split()[-1]) < 600_000  # KiB, with matplotlib
 
 
 @pytest.mark.parametrize("case", CASES)
