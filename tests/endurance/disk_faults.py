@@ -2,7 +2,7 @@
 """Each call to the system fails once in a small run of each kind: every write, read, fsync, ftruncate, fallocate, rename
 and unlink of its files, by the errors of disk_faults.HOWS in turn (all of them where a run makes few calls).
 
-    PETERKA_ENDURANCE_STRIDE=10 tests/endurance.sh disk_faults     only every tenth
+    PETERKA_ENDURANCE_STRIDE=10 tests/endurance.sh disk_faults     only every tenth, where there are many
 """
 
 import os
@@ -24,10 +24,12 @@ def faults(kind):
     for call in disk_faults.CALLS:
         hows = [how for how in disk_faults.HOWS if how != "short" or call in ("write", "read")]
         for number in range(1, kind.calls[call] + 1):
-            for how in hows if kind.calls[call] <= FEW else [hows[turn % len(hows)]]:
-                turn += 1
-                if turn % STRIDE == 0:
-                    yield call, number, how
+            if kind.calls[call] <= FEW:
+                yield from ((call, number, how) for how in hows)
+                continue
+            turn += 1
+            if turn % STRIDE == 0:
+                yield call, number, hows[turn // STRIDE % len(hows)]
 
 
 def main():
