@@ -26,7 +26,7 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 def draw(file):
     """The map of a map file as a Figure, with the share of each class in its legend."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
-    orbits, regimes = _legend_entries(counts)
+    orbits, regimes = _legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
     others = regimes + chatter_entry + _edge_entry(file)
     legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
@@ -55,12 +55,17 @@ def _names_to_write(counts):
     return named
 
 
-def _legend_entries(counts):
-    """Legend entries of the classes that occur: those of an orbit p/q, and the others."""
+def _legend_entries(counts, observed_chaos):
+    """Legend entries of the classes that occur: those of an orbit p/q, and the others; chaos speaks of the cycles for
+    which it was observed, (fewest, most) or None."""
     orbits, regimes = [], []
     for n in np.flatnonzero(counts):
         entry, share = CLASSES[n], axes.percent(counts[n] / counts.sum())
-        key = axes.legend_patch(f"{entry.label} ({share})", entry.colour, n == INDEX["not computed yet"])
+        label = entry.label
+        if n == INDEX["chaotic"] and observed_chaos:
+            cycles = "–".join(f"{count:,}" for count in sorted(set(observed_chaos)))
+            label = f"chaotic for {cycles} cycles"
+        key = axes.legend_patch(f"{label} ({share})", entry.colour, n == INDEX["not computed yet"])
         (orbits if entry.orbit or n == INDEX["other p/q"] else regimes).append(key)
     return orbits, regimes
 

@@ -55,6 +55,16 @@ class PeterkaFile(OpenedFile):
         missing = sum(int(np.sum(band["regime"] == classes.NOT_COMPUTED)) for _, band in self.bands(["regime"]))
         return 1 - missing / (self.shape[0] * self.shape[1])
 
+    @cached_property
+    def observed_chaos(self):
+        """The fewest and the most forcing cycles for which chaotic cells were followed; None without such cells."""
+        if not self._has_observed_cycles:
+            return None
+        followed = [band["observed_cycles"][band["regime"] == classes.CHAOTIC]
+                    for _, band in self.bands(["regime", "observed_cycles"])]
+        cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled ones were not followed
+        return (int(cycles.min()), int(cycles.max())) if cycles.size else None
+
     def bands(self, names, multiple=1):
         """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names.
 
@@ -82,6 +92,7 @@ class PeterkaFile(OpenedFile):
             self._check_quantity(name)
         self.has_chatter = self._has_integers("chatter")
         self.has_last_impact = self._has_integers("last_impact")
+        self._has_observed_cycles = self._has_integers("observed_cycles")
         self.is_refined = self._has_integers("computed")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None

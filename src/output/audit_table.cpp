@@ -70,7 +70,7 @@ AuditReport report(std::span<const AuditRow> rows) {
     std::vector<double> errors;
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
-        report.decided_by_rounding += !row.agrees && row.sensitivity > rounding_decides ? 1 : 0;
+        report.decided_by_rounding += !row.agrees && row.sensitivity > regime::rounding_decides ? 1 : 0;
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
         if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
     }

@@ -28,9 +28,6 @@ struct AuditRow {
     double seconds = 0;                    // spent on solving it again
 };
 
-// Above this sensitivity errors of rounding, some 1e-16, have grown so much that they may decide a label.
-inline constexpr double rounding_decides = 20;
-
 // What the sample says of the whole map.
 struct AuditReport {
     std::int64_t cells = 0;

@@ -36,6 +36,10 @@ void add_cell(Statistics& statistics, const StoredCell& cell, std::int64_t row, 
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.regime == Regime::failed) count(counts.failed_by_status, static_cast<std::int8_t>(cell.status));
+    if (regime::has_period(cell.regime)) count(counts.open_by_status, static_cast<std::int8_t>(cell.status));
+    if (cell.regime == Regime::chaotic && cell.computed) {
+        statistics.chaos.take({cell.observed_cycles, cell.observed_cycles});
+    }
 
     statistics.transients.add(cell);
     const LargestForce force{cell.peak_force, row, column};
@@ -71,10 +75,16 @@ void Extremes::take(const Extremes& other) {
     one_to_one.take(other.one_to_one);
 }
 
+void Observed::take(const Observed& other) {
+    fewest = std::min(fewest, other.fewest);
+    most = std::max(most, other.most);
+}
+
 void Counts::add(const Counts& other) {
     add_each(by_regime, other.by_regime);
     add_each(unresolved_by_status, other.unresolved_by_status);
     add_each(failed_by_status, other.failed_by_status);
+    add_each(open_by_status, other.open_by_status);
     add_each(by_engine, other.by_engine);
     cells += other.cells;
     filled += other.filled;

@@ -39,6 +39,7 @@ struct Counts {
     std::array<std::int64_t, regime_names.size()> by_regime{};
     std::array<std::int64_t, status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, status_names.size()> failed_by_status{};
+    std::array<std::int64_t, status_names.size()> open_by_status{};  // of what proofs leave open
     std::array<std::int64_t, engine_names.size()> by_engine{};
     std::int64_t cells = 0;   // that the map holds so far
     std::int64_t filled = 0;  // of these, from cells around them
@@ -55,8 +56,17 @@ struct Extremes {
     void take(const Extremes& other);
 };
 
+// For how many cycles chaotic motions were followed.
+struct Observed {
+    std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
+    std::int64_t most = 0;
+
+    void take(const Observed& other);
+};
+
 struct Statistics {
     Counts counts;
+    Observed chaos;
     Extremes largest;
     std::map<ImpactClass, std::int64_t> periodic_cells;  // per class
     Transients transients;                               // of cells that store their last impact

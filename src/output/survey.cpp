@@ -12,6 +12,7 @@ namespace {
 // The parts of Statistics that travel as plain bytes.
 struct Totals {
     Counts counts;
+    Observed chaos;
     Extremes largest;
     Transients transients;
     double tile_seconds = 0;
@@ -38,13 +39,14 @@ Statistics survey_share(const TileStore& tiles, Share share) {
 Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     Statistics mine;
     together(communicator, [&] { mine = survey_share(tiles, share_of(tiles.tiling().count(), communicator)); });
-    const Totals totals{mine.counts, mine.largest, mine.transients, mine.tile_seconds};
+    const Totals totals{mine.counts, mine.chaos, mine.largest, mine.transients, mine.tile_seconds};
     std::vector<ClassCount> classes;
     for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
 
     Statistics all;
     for (const Totals& share : gather<Totals>(std::span(&totals, 1), communicator)) {
         all.counts.add(share.counts);
+        all.chaos.take(share.chaos);
         all.largest.take(share.largest);
         all.transients.add(share.transients);
         all.tile_seconds += share.tile_seconds;

@@ -14,14 +14,16 @@ constexpr std::uint64_t mixed(std::uint64_t counter) {
 }
 
 // The cell of sample `index` out of `samples` <= `cells`: one at random from each of as many equal stretches of
-// cells, so that the sample is spread over the whole map and no cell comes twice.
-constexpr std::int64_t audited_cell(std::int64_t index, std::int64_t samples, std::int64_t cells) {
+// cells, so that the sample is spread over the whole map and no cell comes twice. Each `draw` is another one.
+constexpr std::int64_t audited_cell(std::int64_t index, std::int64_t samples, std::int64_t cells,
+                                    std::int64_t draw = 0) {
     const auto start_of = [&](std::int64_t stretch) {  // stretch * cells / samples without its overflow
         return stretch * (cells / samples) + stretch * (cells % samples) / samples;
     };
     const std::int64_t first = start_of(index);
     const std::int64_t length = start_of(index + 1) - first;
-    const std::uint64_t random = mixed(static_cast<std::uint64_t>(index));
+    const std::uint64_t random =
+        mixed(static_cast<std::uint64_t>(index) ^ (static_cast<std::uint64_t>(draw) << 48U));
     return first + static_cast<std::int64_t>(random % static_cast<std::uint64_t>(length));
 }
 

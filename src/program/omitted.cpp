@@ -28,8 +28,9 @@ std::string kept_in_words(const output::Statistics& statistics) {
 std::string cubic_in_words(const job::Job& job, const output::Statistics& statistics) {
     if (job.hammer.cubic_stiffness_n_per_m3 == 0) return "cubic spring: the job has none (k3 = 0)";
     return fmt::format(
-        "cubic spring: in {} cells, where it changes the springs by 3 k3 u^2/k (over 1 - |multiplier| of an "
-        "orbit) or the peak force on the orbit by less than omit_tolerance = {:g}{}",
+        "cubic spring: in {} cells, where it changes no label and the peak force by less than omit_tolerance = "
+        "{:g}, or "
+        "where chaos or rounding decides{}",
         readable_count(cells_of(statistics, Engine::exact)), job.solver.omit_tolerance,
         kept_in_words(statistics));
 }

@@ -78,20 +78,44 @@ std::string reasons(std::span<const std::int64_t> cells_by_status) {
     return text;
 }
 
+std::string observed(const output::Observed& chaos) {
+    if (chaos.most == 0) return "filled from chaotic cells around";
+    const std::string cycles = chaos.fewest == chaos.most
+                                   ? readable_count(chaos.most)
+                                   : readable_count(chaos.fewest) + " to " + readable_count(chaos.most);
+    return fmt::format("chaotic for the {} cycles that were observed; it may settle later", cycles);
+}
+
+// What proofs leave open.
+std::string open_ends(const output::Counts& counts) {
+    const auto cells = [&](regime::Status status) {
+        return counts.open_by_status[static_cast<std::size_t>(status)];
+    };
+    std::string text;
+    if (const std::int64_t hanging = cells(regime::Status::rounding); hanging > 0) {
+        text += fmt::format("  rounding decides the label of {} of these: the last bit of the start turns it\n",
+                            readable_count(hanging));
+    }
+    if (const std::int64_t imprecise = cells(regime::Status::imprecise); imprecise > 0) {
+        text +=
+            fmt::format("  the peak force of {} of these may be off by more than solver.tolerance (status)\n",
+                        readable_count(imprecise));
+    }
+    return text;
+}
+
 std::string regimes(const SummaryInput& input) {
     const Statistics& statistics = input.findings.statistics;
-    const std::int64_t cycles = regime::budget_of(input.scene.job().steady_state).fewest_chaos_cycles();
-    const std::string observed = fmt::format(
-        "chaotic for the {} cycles or more that were observed; it may settle later", readable_count(cycles));
     return "\nWhat the hammer settles into\n" +
            regime_line(statistics, Regime::no_impact, "no impact", "it swings without reaching the stop") +
            regime_line(statistics, Regime::periodic, "periodic",
                        "z = p/q: p impacts in q forcing cycles, for ever") +
-           regime_line(statistics, Regime::chaotic, "chaotic", observed) +
+           regime_line(statistics, Regime::chaotic, "chaotic", observed(statistics.chaos)) +
            regime_line(statistics, Regime::sustained_contact, "sustained contact", "it stays on the stop") +
            regime_line(statistics, Regime::unresolved, "unresolved",
                        reasons(statistics.counts.unresolved_by_status)) +
-           regime_line(statistics, Regime::failed, "failed", reasons(statistics.counts.failed_by_status));
+           regime_line(statistics, Regime::failed, "failed", reasons(statistics.counts.failed_by_status)) +
+           open_ends(statistics.counts);
 }
 
 std::string most_frequent_classes(const Statistics& statistics) {
@@ -224,7 +248,7 @@ std::string differing(const output::AuditReport& audit) {
         const std::string each = all == 1 ? "it" : "each";
         text += fmt::format(
             "in {} a perturbation grew by e^{:g} or more (sensitivity), so rounding decides the label",
-            others == 0 ? each : readable_count(audit.decided_by_rounding), output::rounding_decides);
+            others == 0 ? each : readable_count(audit.decided_by_rounding), regime::rounding_decides);
     }
     if (others > 0) {
         text += fmt::format("{}{} for another reason; /audit in the file has the cells",
@@ -237,7 +261,8 @@ std::string audit(const SummaryInput& input) {
     if (!input.findings.audit) return "";
     const output::AuditReport& audit = *input.findings.audit;
     std::string text = fmt::format(
-        "\nAudit: {} cells at random, solved again with every term by an integrator\n"
+        "\nAudit: {} cells, half of them where claims are weakest, solved again with every term by an "
+        "integrator\n"
         "  same regime and z   {} of {} ({})\n",
         readable_count(audit.cells), readable_count(audit.agreeing), readable_count(audit.cells),
         readable_share(audit.agreeing, audit.cells));

@@ -39,6 +39,9 @@ enum class Engine : std::int8_t {
     arkode = 3,  // explicit Runge-Kutta, or implicit where the contact is stiff
 };
 
+// Above this sensitivity errors of rounding, some 1e-16, have grown so much that they may decide a label.
+inline constexpr double rounding_decides = 20;
+
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is proved
 

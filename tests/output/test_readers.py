@@ -13,7 +13,7 @@ ENGINES = ["netcdf4", "h5netcdf"]
 GROUPS = {"map": ["tiles", "run", "summary"], "basin": ["tiles", "run", "summary", "attractors"]}
 ALWAYS = {
     "regime": "int8", "status": "int8", "engine": "int8", "impacts": "int32", "period": "int32", "peak_force_ratio": "float64",
-    "impact_rate": "float64", "cycles": "int32",
+    "impact_rate": "float64", "cycles": "int32", "observed_cycles": "int32",
 }
 ON_REQUEST = ["multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity"]
 FIELDS = {
@@ -25,7 +25,8 @@ AXES = {
     "basin": {"displacement_ratio": (-3.0, 0.0), "velocity_ratio": (-0.8, 2.2)},
 }
 REGIMES = "no_impact periodic chaotic sustained_contact unresolved failed"
-STATUSES = "proved budget conservative too_many_events not_finite solver_failed"
+STATUSES = ("proved budget conservative too_many_events not_finite solver_failed rounding imprecise"
+            " chaotic_so_far")
 
 
 @pytest.fixture(params=["map", "basin"])

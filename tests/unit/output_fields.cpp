@@ -26,8 +26,8 @@ std::vector<std::string> names(const std::vector<Field>& fields) {
     return all;
 }
 
-const std::vector<std::string> always{"regime", "status",           "engine",      "impacts",
-                                      "period", "peak_force_ratio", "impact_rate", "cycles"};
+const std::vector<std::string> always{"regime",           "status",      "engine", "impacts",        "period",
+                                      "peak_force_ratio", "impact_rate", "cycles", "observed_cycles"};
 
 // A rigid stop has a field of its own, and a refined map.
 job::Job with_every_field() {
@@ -81,6 +81,7 @@ regime::CellResult distinct_cell() {
             .impacts = 11,
             .period = 12,
             .cycles = 13,
+            .observed_cycles = 18,
             .peak_force = 1.5,
             .largest_displacement = 8.5,
             .chatter = true,
@@ -105,15 +106,15 @@ TEST(OutputFields, EachFieldStoresItsOwnMember) {
     const job::Job job = with_every_field();
     std::vector<double> values;
     for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2,   1,   0,   3,   11,   12,   1.5,  1,    2.5,  13,   3.5, 4.5,
-                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16,  17}));
+    EXPECT_EQ(values, (std::vector<double>{2,   1,   0,   3,   11,   12,   1.5,  1,    2.5,  13,   18, 3.5, 4.5,
+                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16, 17}));
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {
     const std::vector<Field> fields = stored_fields(examples::small_basin(4, 4));
     std::vector<StoredCell> cells{distinct_cell(), examples::made_up_cell(1, 2), examples::made_up_cell(2, 2)};
     const std::vector<std::byte> bytes = encode(fields, cells);
-    EXPECT_EQ(bytes.size(), 3 * (3 * 1 + 3 * 4 + 4 * 8));
+    EXPECT_EQ(bytes.size(), 3 * (3 * 1 + 4 * 4 + 4 * 8));
     const std::vector<StoredCell> back = decode(fields, bytes, 3);
     ASSERT_EQ(back.size(), 3);
     EXPECT_EQ(encode(fields, back), bytes);

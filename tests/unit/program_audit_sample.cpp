@@ -21,6 +21,19 @@ TEST(AuditSample, TakesEachStretchOfCellsOnceAndInOrder) {
     }
 }
 
+TEST(AuditSample, OtherDrawsAreOtherCellsOfTheSameStretch) {
+    int same = 0;
+    for (std::int64_t index = 0; index < 100; ++index) {
+        const std::int64_t first = audited_cell(index, 100, 100'000);
+        for (std::int64_t draw = 1; draw < 8; ++draw) {
+            const std::int64_t other = audited_cell(index, 100, 100'000, draw);
+            EXPECT_EQ(other / 1000, index);
+            same += other == first ? 1 : 0;
+        }
+    }
+    EXPECT_LT(same, 10);
+}
+
 TEST(AuditSample, IsSpreadOverRowsAndColumns) {
     constexpr std::int64_t columns = 512;
     std::int64_t left = 0;

@@ -55,7 +55,7 @@ TEST(CubicShift, IsWhatARunFromTheStartShows) {
 // A softening spring moves the fold of 1/1 past the cell, a hardening one away from it.
 TEST(CubicShift, IsNoneWhereTheOrbitIsLost) {
     const auto at_fold = paper_rig(beam_170mm, 1.8463796477495107, 1.5362035225048922);
-    EXPECT_TRUE(shift_at(at_fold, 30 * paper_cubic).change);
+    EXPECT_TRUE(shift_at(at_fold, 3 * paper_cubic).change);
     EXPECT_FALSE(shift_at(at_fold, -30 * paper_cubic).change);
 }
 
@@ -66,7 +66,7 @@ TEST(CubicShift, IsThatOfTheOrbitOnARigidStop) {
     const CubicShift shift = shift_at(scene, paper_cubic);
     ASSERT_TRUE(shift.change);
     EXPECT_GT(*shift.change, 1e-7);
-    EXPECT_LT(*shift.change, 1e-4);
+    EXPECT_LT(*shift.change, 1e-3);
 }
 
 // Multipliers near 0 and weak impacts: 3 k3 u^2/k is 1e-4, but the force changes by 1.1 %.
