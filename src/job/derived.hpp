@@ -4,8 +4,6 @@
 // omega.
 #pragma once
 
-#include <string>
-
 #include "job/job.hpp"
 
 namespace peterka::job {
@@ -28,8 +26,5 @@ struct HuntCrossleyNumbers {
 [[nodiscard]] HammerNumbers derive(const Hammer& hammer);
 [[nodiscard]] KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer);
 [[nodiscard]] HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const Cart& cart);
-
-// The same as comment lines, for people who read a resolved job.
-[[nodiscard]] std::string derived_numbers_in_words(const Job& job);
 
 }  // namespace peterka::job

@@ -5,7 +5,7 @@
 // (table_writer.hpp), which prints it. Defaults are those of the structs in job.hpp.
 #pragma once
 
-#include "job/derived.hpp"
+#include "job/derived_in_words.hpp"
 #include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"

@@ -65,6 +65,10 @@ const StopRequest* StopRequest::in_force() {
     return request_in_force;
 }
 
+void look_for_stop_request() {
+    if (request_in_force != nullptr && request_in_force->requested()) throw Stopped();
+}
+
 bool StopRequest::requested() const {
     return received_signal != 0 || since_start_.seconds() >= max_wall_seconds_;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "support/stop_if_asked.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -29,19 +30,5 @@ class StopRequest {
     double max_wall_seconds_;
     Stopwatch since_start_;
 };
-
-// Thrown in the middle of a computation that was asked to stop. What it computed is incomplete, and is dropped.
-struct Stopped {};
-
-// To be called in any loop that may take long, at every round: looks at the request now and then, which costs
-// nothing to speak of, and throws Stopped.
-inline void stop_if_asked() {
-    constexpr unsigned calls_between_looks = 16;
-    static unsigned calls = 0;
-    if (++calls % calls_between_looks != 0) return;
-    if (const StopRequest* request = StopRequest::in_force(); request != nullptr && request->requested()) {
-        throw Stopped();
-    }
-}
 
 }  // namespace peterka

@@ -11,12 +11,12 @@
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
 #include "support/errors.hpp"
+#include "trace/carrier.hpp"
 
 namespace peterka::trace {
 
 namespace {
 
-using regime::Engine;
 using regime::EngineSettings;
 using scene::Oscillator;
 using trajectory::Cycle;
@@ -112,13 +112,9 @@ Course driven(const scene::Scene& scene) {
     const job::Job& job = scene.job();
     regime::CycleDesk desk;
     const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
-    // the engine used last is that of the result, or one that only looked what the cubic spring would change
-    Course course{desk.scene(), desk.settings(), scene.cell(0, 0).start,
-                  static_cast<double>(job.trace.cycles) * desk.scene().period()};
-    if (result.engine == Engine::exact) {
-        course.scene.cubic = 0;
-        course.settings = {};
-    }
+    const Carrier carrier = carrier_of(desk, result);
+    Course course{carrier.scene, carrier.settings, scene.cell(0, 0).start,
+                  static_cast<double>(job.trace.cycles) * carrier.scene.period()};
     course.cell = result;
     if (job.trace.from == job::TraceBegin::start) return course;
     if (std::isfinite(result.orbit_displacement)) {

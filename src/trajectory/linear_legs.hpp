@@ -16,7 +16,7 @@
 
 #include "motion/linear_motion.hpp"
 #include "motion/signal.hpp"
-#include "support/stop_request.hpp"
+#include "support/stop_if_asked.hpp"
 #include "trajectory/first_crossing.hpp"
 #include "trajectory/journey.hpp"
 #include "trajectory/largest_value.hpp"

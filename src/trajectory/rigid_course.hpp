@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-#include "support/stop_request.hpp"
+#include "support/stop_if_asked.hpp"
 #include "trajectory/journey.hpp"
 
 namespace peterka::trajectory {

@@ -1,0 +1,31 @@
+// Where SUNDIALS is out of reach, its engines are, too: each cycle that a search orders of them fails, so that
+// the cell is `failed` and its `engine` tells why.
+#include "trajectory/integrated_cycle_map.hpp"
+
+namespace peterka::trajectory {
+
+struct IntegratedCycleMap::Engine {
+    Oscillator<double> scene;
+};
+
+IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& scene, Integrator /*integrator*/,
+                                       double /*relative_tolerance*/)
+    : engine_(std::make_unique<Engine>(scene)) {}
+
+IntegratedCycleMap::IntegratedCycleMap(IntegratedCycleMap&&) noexcept = default;
+IntegratedCycleMap& IntegratedCycleMap::operator=(IntegratedCycleMap&&) noexcept = default;
+IntegratedCycleMap::~IntegratedCycleMap() = default;
+
+const Oscillator<double>& IntegratedCycleMap::scene() const {
+    return engine_->scene;
+}
+
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): the interface of every engine
+Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<double>* /*recorder*/) {
+    Cycle<double> cycle;
+    cycle.outcome = Cycle<double>::Outcome::solver_failed;
+    cycle.end = x;
+    return cycle;
+}
+
+}  // namespace peterka::trajectory

@@ -1,0 +1,24 @@
+// What carries the motion of a solved cell from cycle to cycle.
+#pragma once
+
+#include "regime/cell_result.hpp"
+#include "regime/cycle_desk.hpp"
+
+namespace peterka::trace {
+
+struct Carrier {
+    scene::Oscillator<double> scene;  // as solved: with its cubic spring or without
+    regime::EngineSettings settings;
+};
+
+// The engine used last is that of the result, or one that only looked what the cubic spring would change.
+inline Carrier carrier_of(const regime::CycleDesk& desk, const regime::CellResult& result) {
+    Carrier carrier{desk.scene(), desk.settings()};
+    if (result.engine == regime::Engine::exact) {
+        carrier.scene.cubic = 0;
+        carrier.settings = {};
+    }
+    return carrier;
+}
+
+}  // namespace peterka::trace
