@@ -76,6 +76,13 @@ class CheckedFile:
             value = value.decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
+    def names(self):
+        """Of all that lies at the root."""
+        try:
+            return sorted(self._file)
+        except _ERRORS:
+            return []
+
     def has(self, name):
         """Whether there is anything of this name; dataset() then says whether it may be read."""
         try:

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Writes a map or a basin as one page of HTML with the program's own engine inside.
+
+    explore.py FILE.h5 [--output FILE.html] [--layers NAME,NAME,...] [--every N]
+
+Open the page in a browser, from disk: it needs no server and no network. Point at a cell for its values; click it and
+the engine solves it at once: motion, force, phase plane, what proves its z. Sliders change the rig and the map is
+computed again while they move. All fields of a map of up to a million cells are in the page, to the last bit; of a
+larger one z and peak force, to so many digits that the page stays below 10 MB, or those that --layers names. --every 4
+takes each 4th row and column of a map of more than 16,777,216 cells.
+The engine is built when it is first needed, which takes a minute, and kept in build/page. Without the compiler for it
+(src/page/build_wasm.sh names the packages) the page shows the map and its values, and says what is missing.
+Exit codes: 0 done; 2 a file cannot be shown, or bad arguments; 3 the page cannot be written.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+# A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+from peterka_page.layers import MOST_CELLS  # noqa: E402
+from peterka_page.page import page  # noqa: E402
+from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, tell  # noqa: E402
+from peterka_pictures.opened import NotDrawable  # noqa: E402
+from peterka_pictures.pictures import open_file  # noqa: E402
+from peterka_pictures.read import COORDINATES  # noqa: E402
+
+
+def main():
+    arguments = read_arguments()
+    output = arguments.output or Path(arguments.file.with_suffix(".html").name)
+    try:
+        with open_file(arguments.file) as file:
+            refuse_what_has_no_plane(file, arguments.every)
+            text, notes = page(file, arguments.every, arguments.layers)
+    except NotDrawable as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    for note in notes:
+        tell(note)
+    try:
+        write_whole(output, text)
+    except OSError as error:
+        complain(f"cannot write {output}: {error.strerror or error}")
+        return BAD_OUTPUT
+    tell(output)
+    return DONE
+
+
+def read_arguments():
+    parser = OneLineParser(__doc__)
+    parser.add_argument("file", metavar="FILE.h5", type=Path)
+    parser.add_argument("--output", metavar="FILE.html", type=Path, help="default: the file's stem, in this folder")
+    parser.add_argument("--layers", metavar="NAME,...", type=lambda text: text.split(","), help="datasets to show")
+    parser.add_argument("--every", metavar="N", type=read_step, default=1, help="each N-th row and column; default: 1")
+    return parser.parse_args()
+
+
+def read_step(text):
+    if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**5):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a step along rows and columns")
+    return int(text)
+
+
+def refuse_what_has_no_plane(file, every):
+    if file.kind not in COORDINATES:
+        raise file.refusal(f"is of kind {file.kind}; explore.py shows {' and '.join(COORDINATES)} files, draw.py draws "
+                           "this one")
+    rows, columns = (-(-size // every) for size in file.shape)
+    if rows * columns > MOST_CELLS:
+        step = next(n for n in range(2, 10**5) if -(-file.shape[0] // n) * -(-file.shape[1] // n) <= MOST_CELLS)
+        raise file.refusal(f"has {rows * columns:,} cells, a page holds {MOST_CELLS:,}; --every {step} takes a part")
+    if min(rows, columns) < 2:
+        raise file.refusal(f"has too few rows or columns for --every {every}")
+
+
+def write_whole(path, text):
+    """Never half a page under its name."""
+    unfinished = path.with_name(f".{path.name}.unfinished")
+    try:
+        unfinished.write_text(text, encoding="utf-8")
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,49 @@
+// The basin of the cell that is looked at: which motion each start ends in, behind its phase plane. A start at forcing
+// phase 0 is a point of that plane, for there the cart passes its middle: x = u, x' = u' + eta.
+
+const BASIN_SIZE = 96;
+
+function liveBasin(workers, cell, window, changed) {
+  const motions = new Motions();
+  const at = ([from, to], n) => from + ((n + 0.5) / BASIN_SIZE) * (to - from);
+  const plane = new LivePlane({
+    workers, cell, names: ["displacement_ratio", "velocity_ratio"], size: BASIN_SIZE, changed,
+    valuesAt: (i, j) => {
+      const u = at(window.x, i);
+      return u > cell.gap_ratio ? null : [u, at(window.y, j) + cell.frequency_ratio];
+    },
+    colour: (...result) => motions.colourOf(...result),
+  });
+  plane.motions = motions;
+  plane.window = window;
+  return plane;
+}
+
+// The motions in which starts end, each with its colour and how many starts it has. Those of one class are told apart
+// by their force: a second one has a shade of the class's colour.
+class Motions {
+  constructor() {
+    this.all = [];
+  }
+  colourOf(regime, p, q, force) {
+    const kind = classOf(regime, p, q);
+    const same = this.all.filter((one) => one.regime === regime && one.p === p && one.q === q);
+    let motion = regime === PERIODIC && !Number.isNaN(force)
+      ? same.find((one) => Math.abs(one.force - force) <= 1e-6 * force) : same[0];
+    if (!motion) {
+      const colour = shade(content.classes[kind].colour, same.length);
+      motion = { regime, p, q, force, colour, painted: abgr(colour), count: 0 };
+      this.all.push(motion);
+    }
+    ++motion.count;
+    return motion.painted;
+  }
+  // For a legend, largest first.
+  entries(newtons) {
+    const sum = this.all.reduce((so_far, one) => so_far + one.count, 0);
+    return [...this.all].sort((a, b) => b.count - a.count).slice(0, 8).map(({ regime, p, q, force, colour, count }) => ({
+      label: labelWords(regime, p, q) + (regime === PERIODIC && force > 0 ? `, ${digits(force * newtons, 3)} N` : ""),
+      colour, share: count / sum,
+    }));
+  }
+}

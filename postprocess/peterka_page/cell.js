@@ -1,0 +1,190 @@
+// The panel of one cell: the engine solves it, and its motion is shown.
+
+const MOST_STARTS = 60;
+
+class CellPanel {
+  constructor(element, workers) {
+    this.element = element;
+    this.workers = workers;
+    this.charts = new Charts(element);
+    this.stage = new Stage(element("stage"), (now) => this.charts.point(now));
+    this.starts = [];
+    this.view = "steady";
+    this.#listen();
+  }
+  // cell: all numbers; stored: what the file has of it, null where it is another rig, place or start.
+  show(cell, stored) {
+    this.home = null; // the answer to which knocks are given
+    this.starts = [];
+    this.#basinOff();
+    this.element("knock").value = 0;
+    this.#setView("steady");
+    this.#solve(cell, stored);
+  }
+  // The same cell from another start at forcing phase 0.
+  startFrom(u, v, words) {
+    const { cell } = this;
+    this.#setView("way");
+    this.#solve({ ...cell, displacement_ratio: u, velocity_ratio: v + cell.frequency_ratio }, null, { u, v, words });
+  }
+  #solve(cell, stored, start = null) {
+    Object.assign(this, { cell, stored, start });
+    const refusal = whyNot(cell);
+    this.element("cell").classList.toggle("cannot", refusal !== null);
+    if (refusal) return this.#say("", refusal);
+    this.element("cell").dataset.state = "solving";
+    this.workers.lookAt(cell, (data) => (data.answer ? this.#take(data) : this.#wait(data.spent)), start !== null);
+  }
+  #wait(spent) {
+    this.element("spent").textContent = `solving: ${spent.toLocaleString("en")} cycles so far`;
+  }
+  #say(headline, words) {
+    this.element("z").textContent = headline;
+    this.element("proof").textContent = words;
+  }
+  #take(data) {
+    const { answer } = data;
+    this.data = data;
+    this.home ??= data;
+    const integrator = answer.engine >= 2;
+    this.element("cell").dataset.state = "solved";
+    this.element("cell").dataset.milliseconds = data.milliseconds.toFixed(1);
+    this.element("spent").textContent = "";
+    this.#headline(answer);
+    this.element("proof").textContent = integrator
+      ? "Its cubic spring is too strong for the closed form; the integrator that carries it is not in the page."
+      : proof(answer, data.multipliers);
+    this.#compare(answer);
+    this.#numbers(answer);
+    if (this.start) this.#keepStart(answer);
+    this.#showMotion();
+    if (this.element("basin").checked && !this.charts.basin) this.#basinOn();
+  }
+  #headline({ regime, impacts, period, peak_force_ratio: force, weight_n: weight, chatter }) {
+    const kind = classOf(regime, impacts, period);
+    this.element("swatch").style.background = content.classes[kind].colour;
+    this.element("z").textContent = labelWords(regime, impacts, period);
+    this.element("newtons").textContent = force > 0 ? number(force * weight, "N") : "";
+    this.element("meaning").textContent = meaning({ regime, impacts, period }) + (chatter ? "; chatters to rest on the stop" : "");
+  }
+  #compare(answer) {
+    const badge = this.element("agreement");
+    let { same, words } = this.stored ? agreement(answer, this.stored) : { same: null, words: "" };
+    if (this.start) {
+      const again = ["regime", "impacts", "period"].every((name) => this.home.answer[name] === answer[name]) &&
+        !(Math.abs(answer.peak_force_ratio / this.home.answer.peak_force_ratio - 1) > 1e-6 && answer.regime === PERIODIC);
+      words = `${this.start.words}: ${again ? "ends in the same motion" : "ends in another motion"}`;
+    }
+    badge.textContent = words;
+    badge.dataset.same = String(same);
+  }
+  #numbers(answer) {
+    const force = answer.peak_force_ratio;
+    const rows = [
+      ["peak force", force > 0 ? `${number(force * answer.weight_n, "N")} = ${number(force, "m g")}` : number(force, "m g")],
+      ["impact speed", number(1000 * answer.impact_speed, "mm/s")],
+      ["impulse", number(1000 * answer.impulse, "mN s")],
+      ["time pressed", timeWords(answer.contact_time)],
+      ["power into the stop", number(1000 * answer.contact_power_w, "mW")],
+      ["largest |x − y|", number(1000 * answer.max_displacement, "mm")],
+      ["impacts per cycle", number(answer.impact_rate, "")],
+      ["Lyapunov exponent", number(answer.lyapunov, "per cycle", 3)],
+    ];
+    const list = this.element("numbers");
+    list.replaceChildren(...rows.flatMap(([name, value]) => {
+      const [term, detail] = [document.createElement("dt"), document.createElement("dd")];
+      [term.textContent, detail.textContent] = [name, value];
+      return [term, detail];
+    }));
+  }
+  #keepStart(answer) {
+    const colour = content.classes[classOf(answer.regime, answer.impacts, answer.period)].colour;
+    this.starts = [...this.starts, { ...this.start, colour }].slice(-MOST_STARTS);
+  }
+  #showMotion() {
+    const { data, cell } = this;
+    const { answer, steady, way } = data;
+    const steadyView = this.view === "steady";
+    const motion = steadyView ? steady : way;
+    if (!this.start || !this.window) this.window = this.#windowOf(data);
+    this.charts.show({
+      motion, gap: cell.gap_ratio, scales: answer, pulse: data.pulse, touch: data.touch, multipliers: data.multipliers,
+      points: steadyView ? data.points : way.points, starts: this.starts, window: this.window,
+    });
+    this.stage.length = answer.length_m;
+    const period = 2 * Math.PI / cell.frequency_ratio;
+    this.stage.show(motion, { gap: cell.gap_ratio, period });
+    const hertz = (cell.frequency_ratio * answer.frequency_rad_per_s) / (2 * Math.PI);
+    this.element("slowed").textContent = `slowed ${digits(SECONDS_PER_CYCLE * hertz, 2)} ×`;
+    const most = 4 * 1000 * answer.length_m * answer.frequency_rad_per_s;
+    Object.assign(this.element("knock"), { min: -most, max: most, step: most / 200 });
+  }
+  // Room around both motions, so that there is somewhere to click.
+  #windowOf({ steady, way }) {
+    let [u, v] = [Math.max(1, Math.abs(this.cell.gap_ratio)), 1];
+    for (const { samples } of [steady, way]) {
+      for (let i = 0; i < samples.length; i += 5) {
+        u = Math.max(u, Math.abs(samples[i + 2]));
+        v = Math.max(v, Math.abs(samples[i + 3]));
+      }
+    }
+    return { x: [-1.4 * u, Math.min(1.4 * u, this.cell.gap_ratio + 0.6 * u)], y: [-1.4 * v, 1.4 * v] };
+  }
+  #setView(view) {
+    this.view = view;
+    this.element(`view-${view}`).checked = true;
+  }
+  #basinOff() {
+    this.charts.basin?.end();
+    this.charts.basin = null;
+    this.element("basin").checked = false;
+    this.element("basin-state").textContent = "";
+    this.element("basin-legend").replaceChildren();
+  }
+  #basinOn() {
+    if (!this.data || whyNot(this.cell)) return;
+    const state = this.element("basin-state");
+    this.charts.basin = liveBasin(this.workers, this.cell, this.window, (plane) => {
+      const part = Math.floor((100 * plane.done) / plane.count);
+      state.textContent = plane.finished ? `${BASIN_SIZE} × ${BASIN_SIZE} starts` : `${part} %`;
+      state.dataset.finished = String(plane.finished);
+      this.element("basin-legend").replaceChildren();
+      entriesInto(this.element("basin-legend"), plane.motions.entries(this.data.answer.weight_n));
+      this.charts.drawPhase();
+    });
+  }
+  #listen() {
+    const listen = (name, event, act) => this.element(name).addEventListener(event, act);
+    for (const view of ["steady", "way"]) {
+      listen(`view-${view}`, "change", () => {
+        this.view = view;
+        if (this.data) this.#showMotion();
+      });
+    }
+    listen("play", "click", () => this.togglePlay());
+    listen("cancel", "click", () => this.cancel());
+    listen("knock", "input", () => this.#knock(Number(this.element("knock").value)));
+    listen("basin", "change", (event) => (event.target.checked ? this.#basinOn() : this.#basinOff() ?? this.charts.drawPhase()));
+    listen("chart-phase", "click", (event) => {
+      const at = this.data && this.charts.phase.valuesAt(event);
+      if (!at) return;
+      if (at[0] > this.cell.gap_ratio && this.cell.contact_law === 1) return; // inside a rigid stop nothing starts
+      this.startFrom(at[0], at[1], "from the start clicked");
+    });
+  }
+  #knock(speed) {
+    this.element("knock-value").textContent = `${speed > 0 ? "+" : ""}${digits(speed, 3)} mm/s`;
+    if (!this.home) return;
+    const { answer } = this.home;
+    const unit = 1000 * answer.length_m * answer.frequency_rad_per_s;
+    this.startFrom(answer.orbit_displacement, answer.orbit_velocity + speed / unit, `knocked by ${digits(speed, 3)} mm/s`);
+  }
+  togglePlay() {
+    this.element("play").textContent = this.stage.toggle() ? "Pause" : "Play";
+  }
+  cancel() {
+    this.workers.giveUp();
+    this.element("cell").dataset.state = "given-up";
+    this.element("spent").textContent = "given up";
+  }
+}

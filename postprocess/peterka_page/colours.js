@@ -1,0 +1,138 @@
+// Colours of cells, as in the pictures of draw.py: of classes, of numbers, and of a file's own words.
+
+const abgr = (colour) => {
+  const [red, green, blue] = [1, 3, 5].map((from) => parseInt(colour.slice(from, from + 2), 16));
+  return ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
+};
+const CLASS_COLOURS = Uint32Array.from(content.classes, (one) => abgr(one.colour));
+const SCALE_COLOURS = Uint32Array.from(content.viridis, abgr);
+const NO_VALUE_COLOUR = "#F7C6D0";
+const MISSING = classIndex["not computed yet"];
+const [HATCH, BARE] = [abgr("#B4B4B4"), abgr("#FFFFFF")];
+const SHADES = [[0, 255], [0.5, 255], [0.4, 0], [0.75, 255], [0.65, 0]]; // weight and brightness mixed into a colour
+
+function shade(colour, repeat) {
+  const [weight, towards] = SHADES[repeat % SHADES.length];
+  const parts = [1, 3, 5].map((from) => parseInt(colour.slice(from, from + 2), 16));
+  return `#${parts.map((part) => Math.round((1 - weight) * part + weight * towards).toString(16).padStart(2, "0")).join("")}`;
+}
+
+// A layer paints rows of pixels: paint(out, from, firstCell, columnOfPixel, y) where columnOfPixel is -1 outside.
+function classPainter() {
+  const { raw } = file.labels;
+  const colours = Uint32Array.from(content.labels.table, ([, , , number]) => CLASS_COLOURS[number]);
+  const missing = content.labels.table.map(([, , , number]) => number === MISSING);
+  const some = missing.some((one) => one);
+  return (out, from, first, columns, y) => {
+    for (let x = 0; x < columns.length; ++x) {
+      const label = columns[x] < 0 ? -1 : raw[first + columns[x]];
+      out[from + x] = label < 0 ? 0 : some && missing[label] ? hatched(x, y) : colours[label];
+    }
+  };
+}
+
+const hatched = (x, y) => ((x + y) % 9 < 2 ? HATCH : BARE);
+
+// What has no value, or none to speak of, keeps the colour of its class.
+const APART = ["no impact", "sustained contact", "unresolved", "failed", "not computed yet"].map((one) => classIndex[one]);
+
+function numberPainter(layer) {
+  const { raw } = file.labels;
+  const kinds = content.labels.table.map(([, , , number]) => number);
+  const apart = kinds.map((number) => APART.includes(number));
+  const none = abgr(NO_VALUE_COLOUR);
+  const step = (SCALE_COLOURS.length - 1) / (layer.top - layer.low);
+  const last = SCALE_COLOURS.length - 1;
+  return (out, from, first, columns, y) => {
+    for (let x = 0; x < columns.length; ++x) {
+      if (columns[x] < 0) {
+        out[from + x] = 0;
+        continue;
+      }
+      const cell = first + columns[x];
+      const label = raw[cell];
+      const value = layer.plane.at(cell);
+      if (kinds[label] === MISSING) out[from + x] = hatched(x, y);
+      else if (apart[label] && !(value > 0)) out[from + x] = CLASS_COLOURS[kinds[label]];
+      else if (Number.isNaN(value)) out[from + x] = none;
+      else out[from + x] = SCALE_COLOURS[Math.max(0, Math.min(last, Math.round((value - layer.low) * step)))];
+    }
+  };
+}
+
+// Words, or an attractor's number: a colour each.
+function wordPainter(layer, entries) {
+  const { raw } = file.labels;
+  const missing = content.labels.table.map(([, , , number]) => number === MISSING);
+  const colours = new Map(entries.map(({ number, colour }) => [number, abgr(colour)]));
+  const other = abgr(NO_VALUE_COLOUR);
+  return (out, from, first, columns, y) => {
+    for (let x = 0; x < columns.length; ++x) {
+      if (columns[x] < 0) out[from + x] = 0;
+      else if (missing[raw[first + columns[x]]]) out[from + x] = hatched(x, y);
+      else out[from + x] = colours.get(layer.plane.at(first + columns[x])) ?? other;
+    }
+  };
+}
+
+const isWords = (layer) => layer.words !== undefined || layer.name === "attractor";
+const CATEGORY_COLOURS = ["#F2F2F2", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#F0E442"];
+
+// {number, label, colour} of each word of a layer that occurs.
+function wordEntries(layer) {
+  if (layer.name === "attractor") return attractorEntries(layer);
+  const counts = countsOf(layer.plane);
+  return Object.entries(layer.words).filter(([number]) => counts.has(Number(number)))
+    .map(([number, word], place) => ({
+      number: Number(number), label: word.replaceAll("_", " "), share: share(counts.get(Number(number))),
+      colour: CATEGORY_COLOURS[place % CATEGORY_COLOURS.length],
+    }));
+}
+
+// Attractors of one class in shades of its colour, as draw.py has them; -1: none.
+function attractorEntries(layer) {
+  const firsts = new Map();
+  const counts = countsOf(layer.plane, (number, cell) => firsts.set(number, cell));
+  const seen = new Map();
+  return [...counts.keys()].sort((a, b) => a - b).map((number) => {
+    const [regime, p, q, kind] = content.labels.table[file.labels.at(firsts.get(number))];
+    const { colour } = content.classes[kind];
+    const repeat = seen.get(colour) ?? 0;
+    if (number >= 0) seen.set(colour, repeat + 1);
+    const label = number < 0 ? "no attractor" : `${number}: ${labelWords(regime, p, q)}`;
+    return { number, label, share: share(counts.get(number)), colour: number < 0 ? NO_VALUE_COLOUR : shade(colour, repeat) };
+  });
+}
+
+function countsOf(plane, first = () => {}) {
+  const counts = new Map();
+  const cells = file.rows.values.length * file.columns.values.length;
+  for (let cell = 0; cell < cells; ++cell) {
+    const number = plane.at(cell);
+    const count = counts.get(number);
+    if (count === undefined) first(number, cell);
+    counts.set(number, (count ?? 0) + 1);
+  }
+  return counts;
+}
+
+const share = (count) => count / (file.rows.values.length * file.columns.values.length);
+
+// {label, colour, share} of each class that occurs.
+function classEntries() {
+  const counts = new Array(content.classes.length).fill(0);
+  const { raw } = file.labels;
+  const table = content.labels.table;
+  const labels = new Array(table.length).fill(0);
+  for (let cell = 0; cell < raw.length; ++cell) ++labels[raw[cell]];
+  labels.forEach((count, label) => (counts[table[label][3]] += count));
+  return content.classes.map((one, number) => ({ number, ...one, share: share(counts[number]) })).filter((one) => one.share > 0);
+}
+
+// Neither 0 % nor 100 % unless it is exactly that.
+function percent(part) {
+  const value = 100 * part;
+  if (value > 0 && value < 0.1) return "< 0.1 %";
+  if (value > 99.9 && value < 100) return "> 99.9 %";
+  return `${value.toFixed(1)} %`;
+}

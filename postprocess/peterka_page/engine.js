@@ -1,0 +1,68 @@
+// The program's own engine in WebAssembly: src/page/interface.hpp names its functions and the order of its numbers.
+
+const CELL_NUMBERS = [
+  "mass_kg", "natural_frequency_hz", "stiffness_n_per_m", "damping_ns_per_m", "damping_ratio",
+  "cubic_stiffness_n_per_m3", "cubic_form", "amplitude_m", "contact_law", "contact_first", "contact_second",
+  "contact_third", "max_cycles", "max_period", "chaos_cycles", "engine_choice", "tolerance", "omit_tolerance",
+  "frequency_ratio", "gap_ratio", "displacement_ratio", "velocity_ratio",
+];
+const ANSWER_NUMBERS = [
+  "regime", "status", "engine", "impacts", "period", "cycles", "peak_force_ratio", "impact_rate", "chatter", "lyapunov",
+  "sensitivity", "impact_speed", "impulse", "contact_time", "contact_power_w", "max_displacement", "orbit_displacement",
+  "orbit_velocity", "length_m", "frequency_rad_per_s", "force_n", "weight_n",
+];
+
+class Engine {
+  // The C library's ways out, to which the engine has nothing to say.
+  static async from(bytes) {
+    const nothing = () => 0;
+    const wasi = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
+    const { instance } = await WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: wasi });
+    instance.exports._initialize();
+    return new Engine(instance.exports);
+  }
+  constructor(functions) {
+    this.functions = functions;
+  }
+  // A cell: an object of CELL_NUMBERS, null for what isn't given.
+  begin(cell, measures) {
+    const numbers = this.#numbers(this.functions.peterka_cell(), CELL_NUMBERS.length);
+    CELL_NUMBERS.forEach((name, place) => (numbers[place] = cell[name] ?? NaN));
+    this.functions.peterka_begin(measures ? 1 : 0);
+  }
+  // True once it is solved; 0 cycles: to the end.
+  advance(cycles) {
+    return this.functions.peterka_advance(cycles) === 1;
+  }
+  answer() {
+    const numbers = this.#numbers(this.functions.peterka_answer(), ANSWER_NUMBERS.length);
+    return Object.fromEntries(ANSWER_NUMBERS.map((name, place) => [name, numbers[place]]));
+  }
+  points() {
+    const count = this.functions.peterka_count_points();
+    return this.#numbers(this.functions.peterka_points(), 2 * count).slice();
+  }
+  // The motion from the cell's start, or its steady one: samples (tau, cart, x - y, its rate, force), impacts (touch,
+  // end, speed, peak force, time pressed), points at the end of each cycle.
+  follow(steady, cycles, samples) {
+    const followed = this.functions.peterka_follow(steady ? 1 : 0, cycles, samples);
+    const impacts = this.functions.peterka_count_impacts();
+    return {
+      cycles: followed,
+      samples: this.#samples(),
+      impacts: this.#numbers(this.functions.peterka_impacts(), 5 * impacts).slice(),
+      points: this.points(),
+      multipliers: this.#numbers(this.functions.peterka_multipliers(), 4).slice(),
+    };
+  }
+  lookClosely(impact, samples) {
+    this.functions.peterka_look_closely(impact, samples);
+    return this.#samples();
+  }
+  #samples() {
+    return this.#numbers(this.functions.peterka_samples(), 5 * this.functions.peterka_count_samples()).slice();
+  }
+  #numbers(address, count) {
+    return new Float64Array(this.functions.memory.buffer, address, count);
+  }
+}

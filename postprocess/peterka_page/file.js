@@ -1,0 +1,113 @@
+// What the file says, and what the page asks of it.
+
+const content = JSON.parse(document.getElementById("content").textContent);
+const [NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED] = [0, 1, 2, 3, 4, 5, -128];
+
+const blobOf = (number) => {
+  const element = document.getElementById(`blob-${number}`);
+  const text = element.textContent;
+  element.remove(); // megabytes that nobody needs any more
+  return unpacked(text);
+};
+
+// Ratios along one side. `place` is linear on the screen: the ratio or its logarithm. Cells reach half-way to their
+// neighbours.
+class Axis {
+  constructor(description, factor) {
+    Object.assign(this, description);
+    this.factor = factor; // from the ratio to Hz, mm or mm/s; null where the file doesn't tell
+    const places = this.values.map((value) => this.place(value));
+    const last = places.length - 1;
+    this.edges = new Float64Array(places.length + 1);
+    for (let i = 1; i <= last; ++i) this.edges[i] = (places[i - 1] + places[i]) / 2;
+    this.edges[0] = 2 * places[0] - this.edges[1];
+    this.edges[last + 1] = 2 * places[last] - this.edges[last];
+    if (this.name === "frequency_ratio" && !this.log) this.edges[0] = Math.max(this.edges[0], 0);
+  }
+  place(value) {
+    return this.log ? Math.log(value) : value;
+  }
+  value(place) {
+    return this.log ? Math.exp(place) : place;
+  }
+  // The cell at a place, -1 outside.
+  cell(place) {
+    const edges = this.edges;
+    if (!(place >= edges[0] && place <= edges.at(-1))) return -1;
+    let low = 0;
+    let high = edges.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (edges[middle] <= place) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+}
+
+function secondScale(name) {
+  const { hertz, amplitude_m: amplitude } = content;
+  if (name === "frequency_ratio") return hertz;
+  if (name === "velocity_ratio") return hertz && amplitude && 2000 * Math.PI * hertz * amplitude;
+  return amplitude && 1000 * amplitude;
+}
+
+const file = {
+  columns: new Axis(content.columns, secondScale(content.columns.name)),
+  rows: new Axis(content.rows, secondScale(content.rows.name)),
+  labels: null, // number of the label of each cell
+  layers: content.layers.map((layer) => ({ ...layer, plane: null })),
+  isBasin: content.kind === "basin",
+
+  async loadLabels() {
+    const { plane, blob } = content.labels;
+    this.labels = planeOf(plane, await blobOf(blob), this.columns.values.length);
+  },
+  async loadLayer(layer) {
+    layer.loading ??= blobOf(layer.blob).then((bytes) => {
+      layer.plane = planeOf(content.layers[this.layers.indexOf(layer)].plane, bytes, this.columns.values.length);
+    });
+    await layer.loading;
+  },
+  index(row, column) {
+    return row * this.columns.values.length + column;
+  },
+  holds(row, column) {
+    return row >= 0 && column >= 0 && row < this.rows.values.length && column < this.columns.values.length;
+  },
+  // [regime, impacts, period, class]
+  label(row, column) {
+    return content.labels.table[this.labels.at(this.index(row, column))];
+  },
+  // As the file has it.
+  value(row, column) {
+    if (!this.holds(row, column)) throw new RangeError(`the map has no cell in row ${row}, column ${column}`);
+    const [regime, impacts, period] = this.label(row, column);
+    return { regime, impacts, period, peak_force_ratio: this.number("peak_force_ratio", row, column) };
+  },
+  number(name, row, column) {
+    const layer = this.layers.find((one) => one.name === name);
+    return layer?.plane ? layer.plane.at(this.index(row, column)) : NaN;
+  },
+};
+
+const classIndex = Object.fromEntries(content.classes.map((one, number) => [one.label, number]));
+const classOfOrbit = new Map(
+  content.classes.flatMap((one, number) => (one.orbit ? [[one.orbit.join("/"), number]] : [])),
+);
+
+// The class of a cell, as classes.py tells it.
+function classOf(regime, impacts, period) {
+  if (regime === PERIODIC) return classOfOrbit.get(`${impacts}/${period}`) ?? classIndex["other p/q"];
+  const names = {
+    [NO_IMPACT]: "no impact", [CHAOTIC]: "chaotic", [SUSTAINED_CONTACT]: "sustained contact",
+    [UNRESOLVED]: "unresolved", [FAILED]: "failed", [NOT_COMPUTED]: "not computed yet",
+  };
+  return classIndex[names[regime]];
+}
+
+// z = p/q where there is one, else the regime, as words.
+function labelWords(regime, impacts, period) {
+  if (regime === PERIODIC) return `z = ${impacts}/${period}`;
+  return content.classes[classOf(regime, impacts, period)].label;
+}

@@ -1,0 +1,40 @@
+// The legend of the layer shown: classes and words with their shares, or a scale of colours.
+
+function drawLegend(parent, layer) {
+  parent.replaceChildren();
+  if (layer.name === "z") return entriesInto(parent, classEntries());
+  if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
+  const bar = Object.assign(document.createElement("div"), { className: "bar" });
+  bar.style.background = `linear-gradient(to right, ${content.viridis.filter((_, i) => i % 15 === 0).join(", ")})`;
+  const scale = Object.assign(document.createElement("div"), { className: "scale" });
+  for (const value of ticksBetween(layer.low, layer.top, 5).values) scale.append(tickOf(layer, value));
+  const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
+  parent.append(about, bar, scale);
+  entriesInto(parent, classEntries().filter(({ number: kind }) => APART.includes(kind)));
+}
+
+function tickOf(layer, value) {
+  const tick = document.createElement("span");
+  tick.style.left = `${(100 * (value - layer.low)) / (layer.top - layer.low)}%`;
+  const newtons = layer.name === "peak_force_ratio" && content.newtons;
+  tick.textContent = digits(value, 3) + (newtons ? `\n${digits(value * newtons, 3)} N` : "");
+  return tick;
+}
+
+function aboutLayer(layer) {
+  const unit = layer.unit && layer.unit !== "1" ? ` (${layer.unit})` : "";
+  return `${layer.about || layer.title}${unit}`;
+}
+
+function entriesInto(parent, entries) {
+  const list = Object.assign(document.createElement("ul"), { className: "entries" });
+  for (const { label, colour, share: part, number: kind } of entries) {
+    const entry = document.createElement("li");
+    const patch = Object.assign(document.createElement("i"), { className: label === "not computed yet" ? "hatched" : "" });
+    if (label !== "not computed yet") patch.style.background = colour;
+    entry.append(patch, document.createTextNode(`${label} `), Object.assign(document.createElement("small"), { textContent: percent(part) }));
+    entry.dataset.number = kind;
+    list.append(entry);
+  }
+  parent.append(list);
+}

@@ -1,0 +1,110 @@
+// A plane of cells that the workers compute while the page waits, coarse to fine: a live map, or the basin of a cell.
+
+const COARSEST = 16; // cells of the first pass stand so far apart
+
+// Places of a grid of size x size, those of the coarsest pass first: [[place, stride], ...].
+function coarseToFine(size) {
+  const order = [];
+  for (let stride = COARSEST; stride >= 1; stride /= 2) {
+    for (let j = 0; j < size; j += stride) {
+      for (let i = 0; i < size; i += stride) {
+        if (stride === COARSEST || i % (2 * stride) > 0 || j % (2 * stride) > 0) order.push([j * size + i, stride]);
+      }
+    }
+  }
+  return order;
+}
+
+class LivePlane {
+  // {workers, cell, names, size, valuesAt(i, j) -> [of names[0], of names[1]] or null where there is nothing to compute,
+  //  colour(regime, impacts, period, force) -> abgr, changed(plane)}
+  constructor(how) {
+    Object.assign(this, how);
+    this.canvas = Object.assign(document.createElement("canvas"), { width: this.size, height: this.size });
+    this.image = new ImageData(this.size, this.size);
+    this.pixels = new Uint32Array(this.image.data.buffer);
+    this.strides = new Uint8Array(this.size ** 2).fill(255); // of the cell that coloured a pixel
+    this.todo = coarseToFine(this.size).filter(([place]) => this.#values(place));
+    this.has = new Uint8Array(this.size ** 2); // where there is anything to compute: coarse cells must not spill beyond
+    for (const [place] of this.todo) this.has[place] = 1;
+    this.count = this.todo.length;
+    this.done = 0;
+    this.begun = performance.now();
+    this.todo.reverse(); // the next one is the last
+    this.workers.begin(this);
+  }
+  end() {
+    this.workers.end(this);
+  }
+  get finished() {
+    return this.done === this.count;
+  }
+  hasMore() {
+    return this.todo.length > 0;
+  }
+  take(most) {
+    const places = this.todo.splice(-most).reverse();
+    return { places, cells: Float64Array.from(places.flatMap(([place]) => this.#values(place))) };
+  }
+  putBack(places) {
+    this.todo.push(...places.reverse());
+  }
+  give(places, results) {
+    places.forEach(([place, stride], n) => {
+      this.#paint(place, stride, this.colour(...results.subarray(4 * n, 4 * n + 4)));
+    });
+    this.done += places.length;
+    if (this.finished) this.milliseconds = performance.now() - this.begun;
+    this.waits ??= requestAnimationFrame(() => {
+      this.waits = null;
+      if (this.ended) return;
+      this.canvas.getContext("2d").putImageData(this.image, 0, 0);
+      this.changed(this);
+    });
+  }
+  #values(place) {
+    return this.valuesAt(place % this.size, Math.floor(place / this.size));
+  }
+  // Row 0 is the lowest.
+  #paint(place, stride, colour) {
+    const [i, j] = [place % this.size, Math.floor(place / this.size)];
+    for (let row = j; row < Math.min(j + stride, this.size); ++row) {
+      const line = (this.size - 1 - row) * this.size;
+      for (let column = i; column < Math.min(i + stride, this.size); ++column) {
+        if (this.strides[line + column] < stride || !this.has[row * this.size + column]) continue;
+        this.strides[line + column] = stride;
+        this.pixels[line + column] = colour;
+      }
+    }
+  }
+}
+
+const LIVE_SIZE = 128;
+
+// The window of the map, computed again for this rig.
+function liveMap(workers, cell, view, layer, changed) {
+  const inside = (axis, place) => {
+    const value = axis.value(place);
+    return axis.values[0] >= 0 ? Math.max(value, axis.name === "frequency_ratio" ? 1e-6 : 0) : value;
+  };
+  const at = ([from, to], n) => from + ((n + 0.5) / LIVE_SIZE) * (to - from);
+  const plane = new LivePlane({
+    workers, cell, names: [file.columns.name, file.rows.name], size: LIVE_SIZE, changed,
+    valuesAt: (i, j) => [inside(file.columns, at(view.x, i)), inside(file.rows, at(view.y, j))],
+    colour: liveColour(layer),
+  });
+  plane.view = { x: [...view.x], y: [...view.y] };
+  return plane;
+}
+
+// A live map knows z and peak force.
+function liveColour(layer) {
+  if (layer.name !== "peak_force_ratio") return (regime, p, q) => CLASS_COLOURS[classOf(regime, p, q)];
+  const last = SCALE_COLOURS.length - 1;
+  return (regime, p, q, force) => {
+    const kind = classOf(regime, p, q);
+    if (APART.includes(kind) && !(force > 0)) return CLASS_COLOURS[kind];
+    if (Number.isNaN(force)) return abgr(NO_VALUE_COLOUR);
+    return SCALE_COLOURS[Math.min(last, Math.max(0, Math.round(((force - layer.low) / (layer.top - layer.low)) * last)))];
+  };
+}

@@ -1,0 +1,72 @@
+// What an answer of the engine says, in words.
+
+const number = (value, unit, count = 4) => (Number.isFinite(value) ? `${digits(value, count)}${unit ? ` ${unit}` : ""}` : "–");
+
+function timeWords(seconds) {
+  if (!(seconds > 0)) return seconds === 0 ? "0 s" : "–";
+  const { scale, unit } = timeUnit(seconds);
+  return number(scale * seconds, unit);
+}
+
+function meaning({ regime, impacts, period }) {
+  if (regime === PERIODIC) {
+    const blows = impacts === 1 ? "one blow" : `${impacts} blows`;
+    return `${blows} in ${period === 1 ? "each cycle" : `${period} cycles`} of the cart, then the same again`;
+  }
+  return {
+    [NO_IMPACT]: "the hammer swings free of the stop",
+    [CHAOTIC]: "blows that never repeat",
+    [SUSTAINED_CONTACT]: "the hammer never leaves the stop",
+    [UNRESOLVED]: "no proof of any regime",
+    [FAILED]: "the cell left physics or the range of numbers",
+  }[regime];
+}
+
+// Why the engine says so.
+function proof(answer, multipliers) {
+  const { regime, cycles, lyapunov, sensitivity, status } = answer;
+  const spent = `${cycles.toLocaleString("en")} cycles`;
+  if (regime === PERIODIC) {
+    return `Newton's method found the orbit, its multipliers ${multiplierWords(multipliers)} lie inside the unit circle, ` +
+      `and the motion contracts to it; ${spent}.`;
+  }
+  if (regime === NO_IMPACT) return `What is left of the decaying free motion can't reach the stop any more; ${spent}.`;
+  if (regime === SUSTAINED_CONTACT) return `What is left of the decaying motion in contact can't part them any more; ${spent}.`;
+  if (regime === CHAOTIC) {
+    return `A perturbation grew by e^${digits(sensitivity, 3)}, and the largest Lyapunov exponent is ${digits(lyapunov, 3)} ` +
+      `a cycle, positive by three standard errors; ${spent}. It may still be a long transient.`;
+  }
+  const why = ["", "the budget ran out", "nothing dissipates, so nothing settles", "too many contacts in one cycle",
+    "the numbers ran out of range", "the start lies inside the rigid stop, or an integrator gave up"][status];
+  return `${why[0].toUpperCase()}${why.slice(1)}; ${spent}.`;
+}
+
+function multiplierWords(multipliers) {
+  if (!multipliers) return "";
+  const [re, im, other] = multipliers;
+  const size = (value) => (Math.abs(value) < 1e-9 ? "0" : digits(value, 3)); // rounding, where the way in forgets all
+  return im === 0 ? `${size(re)} and ${size(other)}` : `${size(re)} ± ${size(Math.abs(im))} i`;
+}
+
+// {same, words}: whether a live result is that of the file's cell.
+function agreement(answer, stored) {
+  if (stored.regime === NOT_COMPUTED) return { same: null, words: "the file has no result of this cell yet" };
+  const label = labelWords(stored.regime, stored.impacts, stored.period);
+  const same = ["regime", "impacts", "period"].every((name) => stored[name] === answer[name]);
+  if (!same) return { same, words: `differs from the file, which has ${label}` };
+  const [live, kept] = [answer.peak_force_ratio, stored.peak_force_ratio];
+  if (!Number.isFinite(live) || !Number.isFinite(kept) || kept === 0) return { same, words: "equals the file’s cell" };
+  const off = Math.abs(live - kept) / kept;
+  return { same, words: `equals the file’s cell, force to ${off === 0 ? "the last bit" : digits(off, 1)}` };
+}
+
+// Why the engine of the page can't run a cell; null where it can.
+function whyNot(cell) {
+  if (cell.contact_law === 2) {
+    return "This stop follows Hunt and Crossley’s law, which only the program’s integrators carry; the page shows the file’s values.";
+  }
+  if (cell.engine_choice >= 3) {
+    return "The job asks for an integrator (cvode or arkode), which the page hasn’t; it shows the file’s values.";
+  }
+  return null;
+}

@@ -1,0 +1,82 @@
+// Workers that run the engine: one for the cell that is looked at, the others (or the same, where there is only one
+// processor) for lists of cells.
+
+class Workers {
+  constructor(bytes, source) {
+    const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    const processors = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 16));
+    this.orders = 0;
+    this.waiting = new Map(); // number of an order to who waits for it
+    this.one = this.#start(url, bytes);
+    this.many = Array.from({ length: processors }, () => this.#start(url, bytes));
+    this.idle = [...this.many];
+    this.jobs = [];
+  }
+  #start(url, bytes) {
+    const worker = new Worker(url);
+    worker.postMessage({ bytes });
+    worker.onmessage = ({ data }) => this.waiting.get(data.number)?.(data);
+    return worker;
+  }
+  // Solves one cell; a newer one ends it. tell(data) comes while it lasts and at its end.
+  lookAt(cell, tell, knocked = false) {
+    this.waiting.delete(this.looking);
+    this.looking = ++this.orders;
+    this.waiting.set(this.looking, tell);
+    this.one.postMessage({ number: this.looking, cell, knocked });
+  }
+  giveUp() {
+    this.waiting.delete(this.looking);
+    this.looking = ++this.orders;
+    this.one.postMessage({ number: this.looking });
+  }
+  // A job: {cell, names of the two numbers that differ, take(most) -> {places, cells} or null, give(places, results)}.
+  // Jobs are served in their order, the last one begun first; end(job) forgets it.
+  begin(job) {
+    this.jobs.unshift(job);
+    this.#feed();
+  }
+  end(job) {
+    job.ended = true;
+    this.jobs = this.jobs.filter((other) => other !== job);
+  }
+  #feed() {
+    while (this.idle.length > 0) {
+      const job = this.jobs.find((one) => one.hasMore());
+      if (!job) return;
+      this.#serve(this.idle.pop(), job);
+    }
+  }
+  #serve(worker, job) {
+    const batch = job.take(64);
+    const number = ++this.orders;
+    this.waiting.set(number, ({ done, results }) => {
+      this.waiting.delete(number);
+      this.idle.push(worker);
+      if (!job.ended) {
+        if (done < batch.places.length) job.putBack(batch.places.slice(done));
+        job.give(batch.places.slice(0, done), results);
+      }
+      this.#feed();
+    });
+    worker.postMessage({ number, cell: job.cell, names: job.names, cells: batch.cells });
+  }
+  // One cell as the file would have it.
+  solve(cell, names, values) {
+    return new Promise((done) => {
+      let waits = true;
+      const job = {
+        cell, names, hasMore: () => waits, putBack: () => (waits = true),
+        take: () => {
+          waits = false;
+          return { places: [0], cells: Float64Array.from(values) };
+        },
+        give: (_, [regime, impacts, period, peak_force_ratio]) => {
+          this.end(job);
+          done({ regime, impacts, period, peak_force_ratio });
+        },
+      };
+      this.begin(job);
+    });
+  }
+}
