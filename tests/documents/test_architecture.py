@@ -5,7 +5,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
 ORDER = ["support", "job", "scene", "motion", "trajectory", "batch", "regime", "parallel", "refine", "output", "study", "trace",
-         "program"]
+         "page", "program"]
 INCLUDE = re.compile(r'^#include "(\w+)/', re.MULTILINE)
 
 

@@ -1,0 +1,217 @@
+"""Cells solved by the engine inside the page: the program's own results, motions, live maps and basins."""
+
+import json
+import re
+import subprocess
+
+import h5py
+import numpy as np
+import pages
+import pytest
+from conftest import SIZE
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
+ANSWER = ("regime", "status", "engine", "impacts", "period", "cycles", "peak_force_ratio", "impact_rate", "chatter",
+          "lyapunov", "sensitivity")
+HANGS_ON_ROUNDING = 20.0  # ln of a perturbation's growth
+
+
+def native(page, cells):
+    """What the page's engine says on this machine, cell by cell: the numbers of src/page/interface.hpp."""
+    text = page.read_text()
+    content = json.loads(re.search(r'id="content">(.*?)</script>', text, re.DOTALL).group(1))
+    names, (columns, rows) = list(content["cell"]), (content["columns"], content["rows"])
+    lines = []
+    for row, column in cells:
+        numbers = content["cell"] | {columns["name"]: columns["values"][column], rows["name"]: rows["values"][row]}
+        lines.append(" ".join("nan" if numbers[name] is None else repr(numbers[name]) for name in names))
+    run = subprocess.run([pages.LIVE_CELLS], input="\n".join(lines), capture_output=True, text=True, timeout=pages.HANGING)
+    assert run.returncode == 0, run.stderr
+    return [dict(zip(ANSWER, map(float, line.split()))) for line in run.stdout.splitlines()]
+
+
+def compare_200_cells(browser, page, size):
+    cells = np.random.default_rng(21).integers(0, size, (200, 2)).tolist()
+    browser.open(page)
+    live = browser.promise(f"Promise.all({cells}.map(([row, column]) => peterka.solve(row, column)))")
+    sure = forces = 0
+    for (row, column), shown, kept in zip(cells, live, native(page, cells)):
+        if kept["sensitivity"] > HANGS_ON_ROUNDING or kept["regime"] in (2, 4):
+            continue
+        sure += 1
+        assert [shown[name] for name in ("regime", "impacts", "period")] == \
+            [kept[name] for name in ("regime", "impacts", "period")], (row, column)
+        if kept["regime"] == 1 and np.isfinite(kept["peak_force_ratio"]):
+            forces += 1
+            assert shown["peak_force_ratio"] == pytest.approx(kept["peak_force_ratio"], rel=1e-12), (row, column)
+    return sure, forces
+
+
+def test_200_random_cells_have_the_native_force(browser, map_page):
+    sure, forces = compare_200_cells(browser, map_page, SIZE)
+    assert sure > 170 and forces > 40
+
+
+def test_a_rigid_stop_runs_too(browser, page_of):
+    page = page_of("rigid_170mm.toml", "axes.frequency_ratio.points=24", "axes.gap_ratio.points=24")
+    sure, _ = compare_200_cells(browser, page, 24)
+    assert sure > 120
+    browser.open(page, "at=1.5,0.5")
+    browser.solved()
+    assert browser.complaints() == []
+
+
+def test_the_native_twin_is_the_program_itself(map_file, map_page, tmp_path):
+    """A trace solves its cell by the same engine: to the last bit, not just to rounding."""
+    with h5py.File(map_file) as data:
+        periodic = np.argwhere(data["regime"][()] == 1)
+    for row, column in periodic[:: len(periodic) // 4].tolist():
+        job = tmp_path / "trace.toml"
+        job.write_text(f'schema = 1\nkind = "trace"\n[trace]\nmap = "{map_file}"\nrow = {row}\ncolumn = {column}\n'
+                       "cycles = 1\nsamples_per_cycle = 100\n")
+        run = subprocess.run([pages.BINARY, "run", job, "--output", tmp_path / "trace.h5", "--quiet", "--fresh"], cwd=tmp_path,
+                             capture_output=True, text=True, timeout=pages.HANGING, stdin=subprocess.DEVNULL)
+        assert run.returncode == 0, run.stderr
+        [twin] = native(map_page, [(row, column)])
+        with h5py.File(tmp_path / "trace.h5") as trace:
+            for name in ("regime", "impacts", "period", "peak_force_ratio"):
+                assert trace["cell"][name][()] == twin[name], (row, column, name)
+
+
+def test_the_engine_needs_no_library_of_the_program():
+    libraries = subprocess.run(["ldd", pages.LIVE_CELLS], capture_output=True, text=True, check=True).stdout
+    assert "libc.so" in libraries
+    assert not re.search(r"mpi|hdf5|sundials|fmt", libraries)
+
+
+def periodic_cell(file, impacts, period):
+    with h5py.File(file) as data:
+        found = np.argwhere((data["impacts"][()] == impacts) & (data["period"][()] == period))
+        row, column = found[len(found) // 2].tolist()
+        return row, column, data["frequency_ratio"][column], data["gap_ratio"][row], data["peak_force_ratio"][row, column]
+
+
+def test_a_click_tells_z_its_proof_and_that_the_file_has_the_same(browser, map_file, map_page):
+    row, column, frequency, gap, force = periodic_cell(map_file, 1, 1)
+    browser.open(map_page)
+    browser.solved()
+    before = browser.text("place")
+    across, down = browser.place(column, row, SIZE, SIZE)
+    size = browser.find("map-top").size
+    ActionChains(browser.driver).move_to_element_with_offset(
+        browser.find("map-top"), round(across - size["width"] / 2), round(down - size["height"] / 2)).click().perform()
+    browser.until(lambda: browser.text("place") != before, "the click solves nothing")
+    browser.solved()
+    assert browser.text("z") == "z = 1/1"
+    assert float(browser.text("newtons").split()[0]) == pytest.approx(force * 0.298 * 9.80665, rel=1e-3)
+    assert "multipliers" in browser.text("proof") and "unit circle" in browser.text("proof")
+    assert browser.data("agreement", "same") == "true"
+    assert f"Ω/ω {frequency:.5g}"[:8] in browser.text("place")
+    for name in ("stage", "chart-displacement", "chart-force", "chart-pulse", "chart-phase", "chart-multipliers"):
+        colours = browser.ask(f"new Set(new Uint32Array((c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.buffer)"
+                              f"(document.getElementById('{name}')))).size")
+        assert colours > 3, f"{name} is empty"
+    assert browser.complaints() == []
+
+
+def test_the_hammer_moves_and_space_stops_it(browser, map_page):
+    browser.open(map_page, "at=1.5,0.5")
+    browser.solved()
+    picture = lambda: browser.ask("document.getElementById('stage').toDataURL()")  # noqa: E731
+    first = picture()
+    browser.until(lambda: picture() != first, "nothing moves")
+    ActionChains(browser.driver).send_keys(Keys.SPACE).perform()
+    browser.settle()
+    assert browser.text("play") == "Play"
+    still = picture()
+    browser.settle()
+    assert picture() == still
+
+
+def test_starts_and_knocks_lead_to_the_motions_of_the_basin(browser, basin_page):
+    """At this place of the 150 mm rig no impact and z = 1/1 live side by side."""
+    browser.open(basin_page, "at=0,-0.8")
+    browser.solved()
+    assert browser.text("z") == "no impact"
+    browser.driver.execute_script("const k = document.getElementById('knock'); k.value = k.max; k.dispatchEvent(new Event('input'))")
+    browser.until(lambda: "knocked by" in browser.text("agreement"), "the knock has no outcome")
+    assert "another motion" in browser.text("agreement")
+    assert browser.text("z") == "z = 1/1"
+    browser.find("basin").click()
+    browser.until(lambda: browser.data("basin-state", "finished") == "true", "the basin is never finished")
+    legend = browser.text("basin-legend")
+    assert "no impact" in legend and "z = 1/1" in legend
+    canvas = browser.find("chart-phase")
+    ActionChains(browser.driver).move_to_element_with_offset(canvas, -40, -60).click().perform()
+    browser.until(lambda: "from the start clicked" in browser.text("agreement"), "a click starts nothing")
+    assert browser.complaints() == []
+
+
+@pytest.mark.parametrize("slider", ["contact_first", "contact_second", "damping_ratio"])
+def test_a_slider_computes_the_map_again(browser, map_page, slider):
+    browser.open(map_page, "at=1.5,0.5")
+    browser.solved()
+    browser.settle()
+    of_the_file = browser.ask("document.getElementById('map').toDataURL()")
+    browser.slide(f"slider-{slider}", 320 if slider == "damping_ratio" else 60)
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "the live map is never finished")
+    browser.settle()
+    assert browser.ask("document.getElementById('map').toDataURL()") != of_the_file
+    assert f"{slider}=" in browser.ask("location.hash")
+    browser.find("as-file").click()
+    browser.settle()
+    assert browser.ask("document.getElementById('map').toDataURL()") == of_the_file
+    assert browser.complaints() == []
+
+
+def test_an_unchanged_live_map_has_the_colours_of_the_file(browser, map_page):
+    """Each cell of the file holds whole cells of the live map of a window of 32 x 32 of them."""
+    step = (4 / 47, 5 / 47)
+    window = [(low + (8 - 0.5) * d, low + (40 - 0.5) * d) for low, d in zip((0.5, 0.0), step)]
+    browser.open(map_page, "x={:.9g},{:.9g}&y={:.9g},{:.9g}".format(*window[0], *window[1]))
+    browser.settle()
+    place = lambda n: browser.place(n[0], n[1], 32, 32)  # noqa: E731
+    places = [(column, row) for column in range(32) for row in range(32)]
+    before = [browser.pixel("map", *place(n)) for n in places[::7]]
+    browser.find("live").click()
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "the live map is never finished")
+    browser.settle()
+    after = [browser.pixel("map", *place(n)) for n in places[::7]]
+    assert np.mean([a == b for a, b in zip(before, after)]) > 0.9  # near edges, a quarter of a cell beside the middle
+
+
+def test_frequency_and_gap_sliders_move_the_cell(browser, map_page):
+    browser.open(map_page, "at=1.5,0.5")
+    browser.solved()
+    browser.slide("slider-frequency_ratio", 100)
+    browser.until(lambda: "Ω/ω 1.5000" in browser.text("place"), "frequency 1.5 is not solved")
+    browser.slide("slider-frequency_ratio", 300)
+    browser.until(lambda: "Ω/ω 3.5000" in browser.text("place"), "the frequency does not follow")
+    browser.slide("slider-gap_ratio", 40)
+    browser.until(lambda: "gap/A₀ 0.5000" in browser.text("place"), "the gap does not follow")
+
+
+def test_a_long_search_is_given_up(browser, page_of):
+    page = page_of("smoke.toml", "axes.frequency_ratio.points=4", "axes.gap_ratio.points=4",
+                   "steady_state.chaos_cycles=100000000", "steady_state.max_cycles=300000000", "axes.frequency_ratio.from=0.9",
+                   "axes.frequency_ratio.to=0.93", "axes.gap_ratio.from=10.0", "axes.gap_ratio.to=20.0")
+    browser.open(page)
+    browser.driver.execute_script("location.hash = 'at=3.05,0.5'")  # chaos
+    browser.until(lambda: "so far" in browser.text("spent"), "nothing tells how long the search lasts")
+    ActionChains(browser.driver).send_keys(Keys.ESCAPE).perform()
+    assert browser.data("cell", "state") == "given-up"
+    browser.driver.execute_script("location.hash = 'at=0.92,10'")
+    browser.solved()
+
+
+def test_a_law_that_the_page_cannot_run_says_so(browser, page_of):
+    small = ("axes.frequency_ratio.points=4", "axes.gap_ratio.points=4")
+    browser.open(page_of("hunt_crossley_170mm.toml", *small), "at=1.5,0.5")
+    assert "Hunt and Crossley" in browser.text("proof")
+    assert "Hunt and Crossley" in browser.promise("peterka.solve(0, 0)")
+    browser.open(page_of("smoke.toml", *small, "hammer.cubic_stiffness_n_per_m3=3e8"), "at=1.5,0.5")
+    browser.solved()
+    assert "too strong" in browser.text("proof")
+    browser.open(page_of("smoke.toml", *small, "solver.engine=arkode"), "at=1.5,0.5")
+    assert "arkode" in browser.text("proof")

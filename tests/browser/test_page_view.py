@@ -1,0 +1,163 @@
+"""The page as a view of the file: it opens from disk without a word in the console, shows the file's own cells, and can
+be walked over by mouse and keyboard."""
+
+import re
+import sys
+
+import h5py
+import numpy as np
+import pages
+import pytest
+from conftest import SIZE
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(pages.ROOT / "postprocess"))
+from peterka_pictures.classes import CLASSES, classify  # noqa: E402
+
+NAMES = ("regime", "impacts", "period", "peak_force_ratio")
+
+
+def stored(file):
+    with h5py.File(file) as data:
+        return {name: data[name][()] for name in (*NAMES, "frequency_ratio", "gap_ratio", "impact_speed", "sensitivity")}
+
+
+def point_at(browser, column, row):
+    across, down = browser.place(column, row, SIZE, SIZE)
+    canvas = browser.find("map-top")
+    size = canvas.size
+    moves = ActionChains(browser.driver, duration=0)
+    moves.move_to_element_with_offset(canvas, round(across - size["width"] / 2), round(down - size["height"] / 2))
+    return moves
+
+
+def view(browser):
+    """{x: [from, to], y: ...} as the address tells it; empty for the whole map."""
+    address = browser.ask("location.hash")
+    return {name: [float(one) for one in text.split(",")] for name, text in re.findall(r"[#&]([xy])=([^&]*)", address)}
+
+
+def test_values_are_those_of_the_file_to_the_last_bit(browser, map_file, map_page):
+    browser.open(map_page)
+    cells = browser.ask(f"Array.from({{length: {SIZE**2}}}, (_, i) => {{"
+                        f"const v = peterka.value(Math.floor(i / {SIZE}), i % {SIZE});"
+                        "return [v.regime, v.impacts, v.period, Number.isNaN(v.peak_force_ratio) ? null : v.peak_force_ratio];})")
+    kept = stored(map_file)
+    for n, name in enumerate(NAMES):
+        shown = np.array([np.nan if cell[n] is None else cell[n] for cell in cells]).reshape(SIZE, SIZE)
+        np.testing.assert_array_equal(shown, kept[name])
+    assert "no cell in row 48" in browser.ask("(() => { try { peterka.value(48, 0) } catch (e) { return e.message } })()")
+
+
+def test_the_canvas_has_the_colours_of_the_pictures(browser, map_file, map_page):
+    browser.open(map_page)
+    browser.settle()
+    kept = stored(map_file)
+    classes = classify(kept["regime"], kept["impacts"], kept["period"])
+    random = np.random.default_rng(1)
+    for row, column in random.integers(0, SIZE, (60, 2)):
+        shown = browser.pixel("map", *browser.place(column, row, SIZE, SIZE))
+        assert shown == CLASSES[classes[row, column]].colour, (row, column)
+
+
+@pytest.mark.parametrize("row, column", [(5, 18), (40, 40), (10, 30), (0, 0), (47, 47)])
+def test_the_read_out_tells_the_cell_under_the_pointer(browser, map_file, map_page, row, column):
+    browser.open(map_page)
+    point_at(browser, column, row).perform()
+    kept = stored(map_file)
+    told = browser.text("readout").replace("−", "-")
+    frequency, hertz, gap, millimetres = map(float, re.search(
+        r"Ω/ω ([\d.]+) · ([\d.]+) Hz   gap/A₀ ([\d.]+) · ([\d.]+) mm", told).groups())
+    assert frequency == pytest.approx(kept["frequency_ratio"][column], rel=1e-4)
+    assert hertz == pytest.approx(4.5 * kept["frequency_ratio"][column], rel=1e-3)
+    assert gap == pytest.approx(kept["gap_ratio"][row], rel=1e-4)
+    assert millimetres == pytest.approx(0.89 * kept["gap_ratio"][row], rel=1e-3)
+    force = kept["peak_force_ratio"][row, column]
+    if kept["regime"][row, column] == 1:
+        assert f"z = {kept['impacts'][row, column]}/{kept['period'][row, column]}" in told
+        newtons, ratio = map(float, re.search(r"([\d.]+) N · ([\d.]+) m g", told).groups())
+        assert newtons == pytest.approx(force * 0.298 * 9.80665, rel=1e-3)
+        assert ratio == pytest.approx(force, rel=1e-3)
+    else:
+        assert ("no impact" if kept["regime"][row, column] == 0 else "chaotic") in told
+
+
+def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_page):
+    browser.open(map_page)
+    with h5py.File(map_file) as data:
+        own = {name for name, item in data.items() if isinstance(item, h5py.Dataset) and item.shape == (SIZE, SIZE)}
+    offered = browser.ask("[...document.getElementById('layer').options].map((one) => one.value)")
+    assert set(offered) == {"z"} | own - {"regime", "impacts", "period"}
+    pictures = set()
+    for name in offered:
+        browser.driver.execute_script("const s = document.getElementById('layer'); s.value = arguments[0];"
+                                      "s.dispatchEvent(new Event('change'))", name)
+        browser.until(lambda: (f"layer={name}" in browser.ask("location.hash")) == (name != "z"), f"{name} is not shown")
+        browser.settle()
+        assert browser.text("legend").strip()
+        pictures.add(browser.ask("document.getElementById('map').toDataURL()"))
+    assert len(pictures) >= len(offered) - 1  # status and chatter may be the same everywhere
+    assert browser.complaints() == []
+
+
+def test_wheel_drag_and_buttons_move_the_view_and_the_address_keeps_it(browser, map_page):
+    browser.open(map_page)
+    assert view(browser) == {}
+    across, down = browser.place(12, 12, SIZE, SIZE)
+    canvas = browser.find("map-top")
+    origin = ScrollOrigin.from_element(canvas, round(across - canvas.size["width"] / 2), round(down - canvas.size["height"] / 2))
+    ActionChains(browser.driver).scroll_from_origin(origin, 0, -300).perform()
+    browser.until(lambda: "x" in view(browser), "the wheel does not zoom")
+    zoomed = view(browser)
+    at = 0.5 + 12 / 47 * 4
+    assert zoomed["x"][0] < at < zoomed["x"][1] and zoomed["x"][1] - zoomed["x"][0] < 3.9
+    point_at(browser, 24, 24).click_and_hold().move_by_offset(-60, 0).release().perform()
+    browser.until(lambda: view(browser)["x"][0] > zoomed["x"][0], "dragging does not move the view")
+    kept, address = view(browser), browser.ask("location.hash.slice(1)")
+    browser.open(map_page, address)
+    assert view(browser) == kept
+    browser.find("whole").click()
+    assert view(browser) == {}
+    assert browser.complaints() == []
+
+
+def test_the_keyboard_walks_zooms_and_solves(browser, map_page):
+    browser.open(map_page, "at=1,0.1")
+    browser.solved()
+    browser.driver.execute_script("document.getElementById('map-top').focus()")
+    keys = lambda *pressed: ActionChains(browser.driver).send_keys(*pressed).perform()  # noqa: E731
+    keys(Keys.ARROW_RIGHT)
+    before = browser.text("readout")
+    keys(Keys.ARROW_LEFT, Keys.ARROW_DOWN, Keys.ARROW_DOWN)
+    after = browser.text("readout")
+    assert re.match(r"Ω/ω [\d.]+", after) and after != before
+    place = browser.text("place")
+    keys(Keys.ENTER)
+    browser.until(lambda: browser.text("place") != place, "Enter does not solve the cell")
+    keys("+")
+    assert "x" in view(browser)
+    keys("0")
+    assert view(browser) == {}
+    keys("l")
+    browser.until(lambda: "layer=" in browser.ask("location.hash"), "l does not show another layer")
+    assert browser.complaints() == []
+
+
+def test_a_hostile_title_is_text(browser, page_of, tmp_path):
+    title = '</script><script>window.hostile = 1</script><img src=x onerror="window.hostile = 2">'
+    job = tmp_path / "job.toml"
+    text = (pages.ROOT / "jobs" / "smoke.toml").read_text()
+    job.write_text(re.sub(r"(?m)^title = .*$", lambda _: f"title = '{title}'", text))
+    page = pages.written(pages.compute(tmp_path, job, "axes.gap_ratio.points=8", "axes.frequency_ratio.points=8"))
+    browser.open(page)
+    assert browser.text("title") == title
+    assert browser.driver.title == title
+    assert browser.ask("window.hostile") is None
+    assert browser.ask("document.images.length") == 0
+
+
+def test_nothing_comes_from_elsewhere(map_page):
+    text = map_page.read_text()
+    assert not re.search(r"""(src|href)\s*=\s*["']|@import|url\(|https?://""", text)
