@@ -11,9 +11,9 @@ read_arguments "-R --rerun-failed" 1 "$@"
 has_option -R || [ ${#words[@]} = 0 ] || refuse "${words[0]} follows no -R"
 cd "$(dirname "$0")/.."
 
-jobs/prepare.sh clang-format clang-tidy \
-    clang-16 lld-16 libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-rt-16-dev-wasm32 wasi-libc \
-    chromium chromium-driver python3-selenium python3-pil
+# The page of explore.py: what builds its engine, and a browser.
+# shellcheck disable=SC2046
+jobs/prepare.sh clang-format clang-tidy $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
 . jobs/mpi_environment.sh
 ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"
 [ $# = 0 ] || exit 0

@@ -128,7 +128,7 @@ class CellPanel {
         v = Math.max(v, Math.abs(samples[i + 3]));
       }
     }
-    return { x: [-1.4 * u, Math.min(1.4 * u, this.cell.gap_ratio + 0.6 * u)], y: [-1.4 * v, 1.4 * v] };
+    return { x: [-1.4 * u, Math.min(1.4 * u, this.cell.gap_ratio + 0.2 * u)], y: [-1.4 * v, 1.4 * v] };
   }
   #setView(view) {
     this.view = view;

@@ -106,7 +106,7 @@ class Plot {
     pen.strokeStyle = ink("grid");
     pen.fillStyle = ink("faint");
     const alongX = ticksBetween(this.x[0] * xFactor, this.x[1] * xFactor, Math.max(2, width / (62 * this.letter)));
-    const alongY = ticksBetween(this.y[0] * yFactor, this.y[1] * yFactor, Math.max(2, height / (32 * this.letter)));
+    const alongY = ticksBetween(this.y[0] * yFactor, this.y[1] * yFactor, Math.min(Math.max(2, height / (24 * this.letter)), 8));
     pen.textAlign = "center";
     pen.textBaseline = "top";
     for (const value of alongX.values) {

@@ -6,6 +6,7 @@ const CYCLES_AT_ONCE = 1000;
 const SAMPLES_PER_CYCLE = 400;
 const PULSE_SAMPLES = 600;
 const MOST_CYCLES_SHOWN = 24;
+const POINTS_OF_CHAOS = 4000; // at forcing phase 0: so many draw its attractor
 let engine = null;
 let newest = 0; // number of the newest order for a single cell
 
@@ -46,7 +47,7 @@ async function solveCell({ number, cell, knocked }) {
     if (newest !== number) return;
   }
   const answer = solver.answer();
-  const points = solver.points();
+  const points = answer.period > 0 ? solver.points() : solver.follow(true, POINTS_OF_CHAOS, 1).points;
   postMessage({ number, answer, points, milliseconds: performance.now() - begun, ...motionsOf(solver, answer, knocked) });
 }
 

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Builds the engine for browsers: WebAssembly by clang, with wasi's C library and nothing of an operating system.
 #   src/page/build_wasm.sh OUTPUT.wasm
-# On Debian 12: apt-get install clang-16 lld-16 libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-rt-16-dev-wasm32 \
-#   wasi-libc libeigen3-dev
+# On Debian 12: apt-get install $(cat src/page/packages.txt)
 # CXX_WASM names another clang. Nothing is fused and no pass may reorder: bits are those of machines without fused
 # multiply-add, but for sin, cos and exp, which are those of another C library.
 set -euo pipefail

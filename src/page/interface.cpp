@@ -133,7 +133,7 @@ void give_multipliers(const scene::Jacobian<double>& jacobian) {
 
 }  // namespace peterka::page
 
-using namespace peterka::page;  // NOLINT(google-build-using-namespace): the same interface, in C
+using namespace peterka::page;
 
 double* peterka_cell() {
     return cell.data();

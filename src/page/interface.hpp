@@ -94,5 +94,5 @@ const double* peterka_impacts();
 const double* peterka_multipliers();
 
 // The samples become those of one impact seen closely.
-void peterka_look_closely(int impact, int samples);
+void peterka_look_closely(int impact, int count);
 }

@@ -10,7 +10,7 @@ struct IntegratedCycleMap::Engine {
 
 IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& scene, Integrator /*integrator*/,
                                        double /*relative_tolerance*/)
-    : engine_(std::make_unique<Engine>(scene)) {}
+    : engine_(std::make_unique<Engine>(Engine{scene})) {}
 
 IntegratedCycleMap::IntegratedCycleMap(IntegratedCycleMap&&) noexcept = default;
 IntegratedCycleMap& IntegratedCycleMap::operator=(IntegratedCycleMap&&) noexcept = default;
