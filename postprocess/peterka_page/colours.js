@@ -17,10 +17,15 @@ function shade(colour, repeat) {
   return `#${parts.map((part) => Math.round((1 - weight) * part + weight * towards).toString(16).padStart(2, "0")).join("")}`;
 }
 
+const PERIODIC_COLOUR = "#0072B2";
+const REGIME_COLOURS = content.classes.map((one) => (one.orbit ? PERIODIC_COLOUR : one.colour));
+REGIME_COLOURS[classIndex["other p/q"]] = PERIODIC_COLOUR; // one colour for all that is periodic
+
 // A layer paints rows of pixels: paint(out, from, firstCell, columnOfPixel, y) where columnOfPixel is -1 outside.
-function classPainter() {
+// Here by the class of each cell.
+function classPainter(of_class = content.classes.map((one) => one.colour)) {
   const { raw } = file.labels;
-  const colours = Uint32Array.from(content.labels.table, ([, , , number]) => CLASS_COLOURS[number]);
+  const colours = Uint32Array.from(content.labels.table, ([, , , number]) => abgr(of_class[number]));
   const missing = content.labels.table.map(([, , , number]) => number === MISSING);
   const some = missing.some((one) => one);
   return (out, from, first, columns, y) => {
@@ -127,6 +132,15 @@ function classEntries() {
   for (let cell = 0; cell < raw.length; ++cell) ++labels[raw[cell]];
   labels.forEach((count, label) => (counts[table[label][3]] += count));
   return content.classes.map((one, number) => ({ number, ...one, share: share(counts[number]) })).filter((one) => one.share > 0);
+}
+
+// The same with all that is periodic as one.
+function regimeEntries() {
+  const entries = classEntries();
+  const periodic = entries.filter(({ number }) => REGIME_COLOURS[number] === PERIODIC_COLOUR);
+  const others = entries.filter((one) => !periodic.includes(one));
+  const part = periodic.reduce((sum, one) => sum + one.share, 0);
+  return part > 0 ? [{ label: "periodic", colour: PERIODIC_COLOUR, share: part }, ...others] : others;
 }
 
 // Neither 0 % nor 100 % unless it is exactly that.

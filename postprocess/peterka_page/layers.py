@@ -34,12 +34,10 @@ def labels(file, every):
 
 
 def datasets(file, asked):
-    """Names of the datasets that become layers."""
-    if asked is not None:
-        return asked
-    if file.shape[0] * file.shape[1] > EXACT_CELLS:
-        return ["peak_force_ratio"]
-    return ["peak_force_ratio", *(name for name in file.data.names() if name not in (*LABELS, "peak_force_ratio"))]
+    """Names of the datasets that become layers: peak force in any case, for scripts ask for it."""
+    if asked is None:
+        asked = file.data.names() if file.shape[0] * file.shape[1] <= EXACT_CELLS else []
+    return ["peak_force_ratio", *(name for name in asked if name not in (*LABELS, "peak_force_ratio"))]
 
 
 def layers_of(file, name, every, room):

@@ -3,6 +3,7 @@
 function drawLegend(parent, layer) {
   parent.replaceChildren();
   if (layer.name === "z") return entriesInto(parent, classEntries());
+  if (layer.name === "regime") return entriesInto(parent, regimeEntries());
   if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
   const bar = Object.assign(document.createElement("div"), { className: "bar" });
   bar.style.background = `linear-gradient(to right, ${content.viridis.filter((_, i) => i % 15 === 0).join(", ")})`;

@@ -99,6 +99,7 @@ function liveMap(workers, cell, view, layer, changed) {
 
 // A live map knows z and peak force.
 function liveColour(layer) {
+  if (layer.name === "regime") return (regime, p, q) => abgr(REGIME_COLOURS[classOf(regime, p, q)]);
   if (layer.name !== "peak_force_ratio") return (regime, p, q) => CLASS_COLOURS[classOf(regime, p, q)];
   const last = SCALE_COLOURS.length - 1;
   return (regime, p, q, force) => {

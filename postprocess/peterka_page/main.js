@@ -2,6 +2,14 @@
 
 const element = (id) => document.getElementById(id);
 const Z_LAYER = { name: "z", title: "z = p/q" };
+const REGIME_LAYER = { name: "regime", title: "regime" };
+const LAYERS = [Z_LAYER, REGIME_LAYER, ...file.layers];
+
+function painterOf(layer) {
+  if (layer === Z_LAYER) return classPainter();
+  if (layer === REGIME_LAYER) return classPainter(REGIME_COLOURS);
+  return isWords(layer) ? wordPainter(layer, wordEntries(layer)) : numberPainter(layer);
+}
 
 class Page {
   async begin() {
@@ -41,18 +49,18 @@ class Page {
   }
   #fillLayers() {
     const select = element("layer");
-    for (const layer of [Z_LAYER, ...file.layers]) {
+    for (const layer of LAYERS) {
       select.append(Object.assign(document.createElement("option"), { value: layer.name, textContent: layer.title }));
     }
     select.addEventListener("change", () => this.showLayer(select.value));
   }
   async showLayer(name) {
-    const layer = [Z_LAYER, ...file.layers].find((one) => one.name === name) ?? Z_LAYER;
+    const layer = LAYERS.find((one) => one.name === name) ?? Z_LAYER;
     this.layer = layer;
     element("layer").value = layer.name;
-    if (layer !== Z_LAYER) await file.loadLayer(layer);
+    if (layer.blob !== undefined) await file.loadLayer(layer);
     if (this.layer !== layer) return; // another one was chosen meanwhile
-    this.map.paint = layer === Z_LAYER ? classPainter() : isWords(layer) ? wordPainter(layer, wordEntries(layer)) : numberPainter(layer);
+    this.map.paint = painterOf(layer);
     drawLegend(element("legend"), layer);
     this.map.draw();
     this.#moved();
@@ -87,7 +95,7 @@ class Page {
     };
     const parts = [axis(file.columns, cell.column), axis(file.rows, cell.row), labelWords(regime, impacts, period)];
     if (force > 0) parts.push(`${content.newtons ? `${digits(force * content.newtons, 4)} N · ` : ""}${digits(force, 4)} m g`);
-    if (this.layer !== Z_LAYER && this.layer.name !== "peak_force_ratio") parts.push(this.#layerValue(cell));
+    if (this.layer.blob !== undefined && this.layer.name !== "peak_force_ratio") parts.push(this.#layerValue(cell));
     out.textContent = parts.join("   ");
   }
   #layerValue({ row, column }) {
@@ -209,7 +217,7 @@ class Page {
     event.preventDefault();
   }
   #nextLayer() {
-    const names = ["z", ...file.layers.map((layer) => layer.name)];
+    const names = LAYERS.map((layer) => layer.name);
     this.showLayer(names[(names.indexOf(this.layer.name) + 1) % names.length]);
   }
   #turnTheme() {

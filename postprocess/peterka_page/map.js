@@ -3,7 +3,7 @@
 
 class MapView {
   constructor(below, above, tell) {
-    this.base = new Plot(below, { left: 52, right: 52, top: 42, bottom: 40 });
+    this.base = new Plot(below, { left: 62, right: 62, top: 42, bottom: 40 });
     this.top = new Plot(above, this.base.margins);
     this.tell = tell; // {hover(cell or null), pick(cell), moved()}
     this.paint = null; // of the layer shown
@@ -101,7 +101,7 @@ class MapView {
     pen.fillText(file.columns.symbol, left + width / 2, top + height + 34 * letter);
     if (file.columns.factor) pen.fillText(`${file.columns.about} (${file.columns.unit})`, left + width / 2, 13 * letter);
     this.base.sideways(file.rows.symbol, 10 * letter, top + height / 2);
-    if (file.rows.factor) this.base.sideways(`${file.rows.about} (${file.rows.unit})`, left + width + 44 * letter, top + height / 2);
+    if (file.rows.factor) this.base.sideways(`${file.rows.about} (${file.rows.unit})`, left + width + 53 * letter, top + height / 2);
   }
   #ticks(axis, factor, count, place) {
     const alongX = axis === file.columns;

@@ -22,6 +22,15 @@ function meaning({ regime, impacts, period }) {
   }[regime];
 }
 
+// By the number of a status; a proof, too, may leave something open.
+const WHY = {
+  1: "the budget ran out before any proof",
+  2: "nothing dissipates, so nothing settles",
+  3: "there were too many contacts in one cycle",
+  4: "the numbers ran out of range",
+  5: "the start lies inside the rigid stop, or an integrator gave up",
+};
+
 // Why the engine says so.
 function proof(answer, multipliers) {
   const { regime, cycles, lyapunov, sensitivity, status } = answer;
@@ -36,8 +45,7 @@ function proof(answer, multipliers) {
     return `A perturbation grew by e^${digits(sensitivity, 3)}, and the largest Lyapunov exponent is ${digits(lyapunov, 3)} ` +
       `a cycle, positive by three standard errors; ${spent}. It may still be a long transient.`;
   }
-  const why = ["", "the budget ran out", "nothing dissipates, so nothing settles", "too many contacts in one cycle",
-    "the numbers ran out of range", "the start lies inside the rigid stop, or an integrator gave up"][status];
+  const why = WHY[status] ?? "the engine gives no reason";
   return `${why[0].toUpperCase()}${why.slice(1)}; ${spent}.`;
 }
 

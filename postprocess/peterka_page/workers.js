@@ -1,6 +1,8 @@
 // Workers that run the engine: one for the cell that is looked at, the others (or the same, where there is only one
 // processor) for lists of cells.
 
+const BATCH = 512; // cells; a worker does as many of them as fit into its turn and hands the others back
+
 class Workers {
   constructor(bytes, source) {
     const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -48,7 +50,7 @@ class Workers {
     }
   }
   #serve(worker, job) {
-    const batch = job.take(64);
+    const batch = job.take(BATCH);
     const number = ++this.orders;
     this.waiting.set(number, ({ done, results }) => {
       this.waiting.delete(number);

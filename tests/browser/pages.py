@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
 LIVE_CELLS = Path(os.environ["LIVE_CELLS"]).resolve()
 HANGING = 120  # seconds after which something is taken to hang
-MARGINS = {"left": 52, "right": 52, "top": 42, "bottom": 40}  # of the map's canvas, in CSS pixels: map.js
+MARGINS = {"left": 62, "right": 62, "top": 42, "bottom": 40}  # of the map's canvas, in CSS pixels: map.js
 
 
 def compute(folder, job, *settings, code=0):

@@ -2,6 +2,7 @@
 be walked over by mouse and keyboard."""
 
 import re
+import shutil
 import sys
 
 import h5py
@@ -89,7 +90,7 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
     with h5py.File(map_file) as data:
         own = {name for name, item in data.items() if isinstance(item, h5py.Dataset) and item.shape == (SIZE, SIZE)}
     offered = browser.ask("[...document.getElementById('layer').options].map((one) => one.value)")
-    assert set(offered) == {"z"} | own - {"regime", "impacts", "period"}
+    assert set(offered) == {"z", "regime"} | own - {"impacts", "period"}
     pictures = set()
     for name in offered:
         browser.driver.execute_script("const s = document.getElementById('layer'); s.value = arguments[0];"
@@ -100,6 +101,18 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
         pictures.add(browser.ask("document.getElementById('map').toDataURL()"))
     assert len(pictures) >= len(offered) - 1  # status and chatter may be the same everywhere
     assert browser.complaints() == []
+
+
+def test_shares_of_several_attractors_are_a_layer_each(browser, map_file, tmp_path):
+    """[attractor][row][column], as maps with several starts have them."""
+    file = tmp_path / "shares.h5"
+    shutil.copy(map_file, file)
+    shares = np.random.default_rng(2).random((2, SIZE, SIZE))
+    with h5py.File(file, "r+") as data:
+        data["basin_share"] = shares
+    browser.open(pages.written(file), "layer=basin_share[1]")
+    point_at(browser, 7, 31).perform()
+    assert f"basin share 1 {shares[1, 31, 7]:.3g}"[:17] in browser.text("readout")
 
 
 def test_wheel_drag_and_buttons_move_the_view_and_the_address_keeps_it(browser, map_page):
