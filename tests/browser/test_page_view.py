@@ -2,7 +2,6 @@
 be walked over by mouse and keyboard."""
 
 import re
-import shutil
 import sys
 
 import h5py
@@ -15,7 +14,9 @@ from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.keys import Keys
 
 sys.path.insert(0, str(pages.ROOT / "postprocess"))
+from peterka_page import page as page_module  # noqa: E402
 from peterka_pictures.classes import CLASSES, classify  # noqa: E402
+from peterka_pictures.pictures import open_file  # noqa: E402
 
 NAMES = ("regime", "impacts", "period", "peak_force_ratio")
 
@@ -103,14 +104,36 @@ def test_every_dataset_of_cells_is_a_layer_with_a_legend(browser, map_file, map_
     assert browser.complaints() == []
 
 
+class WithShares:
+    """The data of an open file, and basin_share[attractor][row][column], as maps with several starts have it."""
+
+    def __init__(self, data, shares):
+        self.data, self.shares = data, shares
+
+    def __getattr__(self, name):
+        return getattr(self.data, name)
+
+    def names(self):
+        return [*self.data.names(), "basin_share"]
+
+    def dataset(self, name, shape, kinds):
+        return self.shares if name == "basin_share" else self.data.dataset(name, shape, kinds)
+
+    def values(self, name, rows):
+        return self.shares[rows] if name == "basin_share" else self.data.values(name, rows)
+
+    def attribute(self, name, of="/"):
+        return None if of == "basin_share" else self.data.attribute(name, of)
+
+
 def test_shares_of_several_attractors_are_a_layer_each(browser, map_file, tmp_path):
-    """[attractor][row][column], as maps with several starts have them."""
-    file = tmp_path / "shares.h5"
-    shutil.copy(map_file, file)
     shares = np.random.default_rng(2).random((2, SIZE, SIZE))
-    with h5py.File(file, "r+") as data:
-        data["basin_share"] = shares
-    browser.open(pages.written(file), "layer=basin_share[1]")
+    with open_file(map_file) as file:
+        file.data = WithShares(file.data, shares)
+        text, _ = page_module.page(file)
+    page = tmp_path / "shares.html"
+    page.write_text(text)
+    browser.open(page, "layer=basin_share[1]")
     point_at(browser, 7, 31).perform()
     assert f"basin share 1 {shares[1, 31, 7]:.3g}"[:17] in browser.text("readout")
 
