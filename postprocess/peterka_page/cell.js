@@ -106,7 +106,8 @@ class CellPanel {
     const { answer, steady, way } = data;
     const steadyView = this.view === "steady";
     const motion = steadyView ? steady : way;
-    if (!this.start || !this.window) this.window = this.#windowOf(data);
+    if (!this.start) this.window = this.#windowOf(data);
+    else if (!this.charts.basin) this.window = this.#widened(this.#windowOf(data));
     this.charts.show({
       motion, gap: cell.gap_ratio, scales: answer, pulse: data.pulse, touch: data.touch, multipliers: data.multipliers,
       points: steadyView ? data.points : way.points, starts: this.starts, window: this.window,
@@ -129,6 +130,10 @@ class CellPanel {
       }
     }
     return { x: [-1.4 * u, Math.min(1.4 * u, this.cell.gap_ratio + 0.2 * u)], y: [-1.4 * v, 1.4 * v] };
+  }
+  #widened({ x, y }) {
+    const both = ([from, to], [low, high]) => [Math.min(from, low), Math.max(to, high)];
+    return { x: both(this.window.x, x), y: both(this.window.y, y) };
   }
   #setView(view) {
     this.view = view;

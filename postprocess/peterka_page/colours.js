@@ -6,13 +6,12 @@ const abgr = (colour) => {
 };
 const CLASS_COLOURS = Uint32Array.from(content.classes, (one) => abgr(one.colour));
 const SCALE_COLOURS = Uint32Array.from(content.viridis, abgr);
-const NO_VALUE_COLOUR = "#F7C6D0";
+const NO_VALUE_COLOUR = content.no_value;
 const MISSING = classIndex["not computed yet"];
 const [HATCH, BARE] = [abgr("#B4B4B4"), abgr("#FFFFFF")];
-const SHADES = [[0, 255], [0.5, 255], [0.4, 0], [0.75, 255], [0.65, 0]]; // weight and brightness mixed into a colour
 
 function shade(colour, repeat) {
-  const [weight, towards] = SHADES[repeat % SHADES.length];
+  const [weight, towards] = content.shades[repeat % content.shades.length]; // brightness mixed into a colour
   const parts = [1, 3, 5].map((from) => parseInt(colour.slice(from, from + 2), 16));
   return `#${parts.map((part) => Math.round((1 - weight) * part + weight * towards).toString(16).padStart(2, "0")).join("")}`;
 }
@@ -39,7 +38,7 @@ function classPainter(of_class = content.classes.map((one) => one.colour)) {
 const hatched = (x, y) => ((x + y) % 9 < 2 ? HATCH : BARE);
 
 // What has no value, or none to speak of, keeps the colour of its class.
-const APART = ["no impact", "sustained contact", "unresolved", "failed", "not computed yet"].map((one) => classIndex[one]);
+const APART = content.apart.map((one) => classIndex[one]);
 
 function numberPainter(layer) {
   const { raw } = file.labels;

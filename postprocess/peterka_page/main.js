@@ -126,9 +126,9 @@ class Page {
     return exact ? { row, column } : null;
   }
   #edge() {
+    if (file.isBasin) this.map.stop = this.rig?.cell.gap_ratio ?? content.place.gap_ratio;
     const zeta = this.rig ? (this.rig.changes.damping_ratio ?? content.damping_ratio) : content.damping_ratio;
-    if (file.isBasin || zeta === null) return;
-    this.map.edge = (ratio) => ratio ** 2 / Math.hypot(1 - ratio ** 2, 2 * zeta * ratio);
+    if (!file.isBasin && zeta !== null) this.map.edge = (ratio) => ratio ** 2 / Math.hypot(1 - ratio ** 2, 2 * zeta * ratio);
     this.map.drawTop();
   }
   #setLive(wanted) {

@@ -9,6 +9,7 @@ class MapView {
     this.paint = null; // of the layer shown
     this.patch = null; // live map: {view, size, canvas}
     this.edge = null; // gap at which a free hammer touches, by frequency ratio
+    this.stop = null; // the gap of a basin
     this.hover = null; // {row, column}
     this.picked = null; // {x, y}: places
     this.reset();
@@ -35,6 +36,7 @@ class MapView {
   drawTop() {
     this.top.frame(this.view.x, this.view.y);
     this.#drawEdge();
+    this.#drawStop();
     if (this.hover) this.#frameCell(this.hover);
     if (this.picked) this.#markPicked();
   }
@@ -127,6 +129,14 @@ class MapView {
     const y = (i) => file.rows.place(this.edge(file.columns.value(x(i))));
     this.top.line(count, x, y, "#FFFFFF", 2.6, [6, 4]);
     this.top.line(count, x, y, "#000000", 1.2, [6, 4]);
+  }
+  // Where the stop is at the start, in a basin.
+  #drawStop() {
+    const gap = this.stop;
+    if (!Number.isFinite(gap)) return;
+    for (const [colour, width] of [["#FFFFFF", 2.6], ["#000000", 1.2]]) {
+      this.top.line(2, () => gap, (i) => this.view.y[i], colour, width, [2, 2]);
+    }
   }
   #frameCell({ row, column }) {
     const pen = this.top.pen;

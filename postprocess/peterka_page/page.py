@@ -7,7 +7,7 @@ import json
 import zlib
 from pathlib import Path
 
-from peterka_pictures import classes
+from peterka_pictures import basin_map, classes, field_map
 
 from . import layers
 from .engine import NoEngine, cell_numbers, module
@@ -35,6 +35,9 @@ def page(file, every=1, asked=None):
     content["layers"] = _layers(file, every, asked, ROOM - len(packed), blobs)
     content["classes"] = [{"label": entry.label, "colour": entry.colour, "orbit": entry.orbit} for entry in classes.CLASSES]
     content["viridis"] = layers.viridis()
+    content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
+    content["no_value"] = field_map.NO_VALUE_COLOUR
+    content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]
     for key, find in (("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(), 9)))):
         try:
             content[key] = find()
