@@ -192,15 +192,31 @@ def test_frequency_and_gap_sliders_move_the_cell(browser, map_page):
     browser.until(lambda: "gap/A₀ 0.5000" in browser.text("place"), "the gap does not follow")
 
 
+COUNTS_MESSAGES = """
+window.stillSolving = 0;
+window.Worker = class extends Worker {
+  constructor(...how) {
+    super(...how);
+    this.addEventListener("message", ({ data }) => (window.stillSolving += data.spent > 0 ? 1 : 0));
+  }
+};
+"""
+
+
 def test_a_long_search_is_given_up(browser, page_of):
     page = page_of("smoke.toml", "axes.frequency_ratio.points=4", "axes.gap_ratio.points=4",
                    "steady_state.chaos_cycles=100000000", "steady_state.max_cycles=300000000", "axes.frequency_ratio.from=0.9",
                    "axes.frequency_ratio.to=0.93", "axes.gap_ratio.from=10.0", "axes.gap_ratio.to=20.0")
+    listen = browser.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": COUNTS_MESSAGES})
     browser.open(page)
+    browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", listen)
     browser.driver.execute_script("location.hash = 'at=3.05,0.5'")  # chaos
     browser.until(lambda: "so far" in browser.text("spent"), "nothing tells how long the search lasts")
     ActionChains(browser.driver).send_keys(Keys.ESCAPE).perform()
     assert browser.data("cell", "state") == "given-up"
+    told = browser.ask("window.stillSolving")
+    browser.promise("Promise.all(Array.from({length: 400}, (_, i) => peterka.solve(i % 4, i % 3)))")  # others take their time
+    assert browser.ask("window.stillSolving") <= told + 1
     browser.driver.execute_script("location.hash = 'at=0.92,10'")
     browser.solved()
 
