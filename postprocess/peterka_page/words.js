@@ -29,11 +29,18 @@ const WHY = {
   3: "there were too many contacts in one cycle",
   4: "the numbers ran out of range",
   5: "the start lies inside the rigid stop, or an integrator gave up",
+  6: "with the last bit of its start moved it ends elsewhere",
+  7: "its peak force may be off by more than the job's tolerance",
+  8: "the budget ran out before chaos could be told from a long transient",
 };
 
 // Why the engine says so.
 function proof(answer, multipliers) {
-  const { regime, cycles, lyapunov, sensitivity, status } = answer;
+  const open = answer.regime < UNRESOLVED && answer.status > 0 ? ` But ${WHY[answer.status]}.` : "";
+  return reason(answer, multipliers) + open;
+}
+
+function reason({ regime, cycles, lyapunov, sensitivity, status }, multipliers) {
   const spent = `${cycles.toLocaleString("en")} cycles`;
   if (regime === PERIODIC) {
     return `Newton's method found the orbit, its multipliers ${multiplierWords(multipliers)} lie inside the unit circle, ` +

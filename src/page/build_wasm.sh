@@ -19,7 +19,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 flags=(--target=wasm32-wasi -std=c++20 -O2 -flto -DNDEBUG -DEIGEN_NO_DEBUG -ffp-contract=off -fno-exceptions -fno-rtti
     -nostdinc++ -isystem "$headers" -isystem "$eigen" -I.)
-{ cat engine_sources.txt; ls page/*.cpp; } |
+# shellcheck disable=SC2046,SC2086
+sources=$(ls $(grep -v '^!' engine_sources.txt) page/*.cpp | grep -v -x -F "$(sed -n 's/^!//p' engine_sources.txt)")
+echo "$sources" |
     xargs -P "$(nproc)" -I{} bash -c 'object=$1/${2//\//_}.o; shift; source=$1; shift; "$@" -c "$source" -o "$object"' \
         build "$work" {} "$compiler" "${flags[@]}"
 mapfile -t exports < <(sed -n 's/^[a-z].*[ *]\(peterka_[a-z_]*\)(.*/-Wl,--export=\1/p' page/interface.hpp)
