@@ -12,8 +12,10 @@ class CellPanel {
     this.view = "steady";
     this.#listen();
   }
-  // cell: all numbers; stored: what the file has of it, null where it is another rig, place or start.
-  show(cell, stored) {
+  // cell: all numbers; inFile: what the file has where it lies; stored: the same, null where it is another rig, place or
+  // start.
+  show(cell, inFile, stored) {
+    this.inFile = inFile;
     this.home = null; // the answer to which knocks are given
     this.starts = [];
     this.#basinOff();
@@ -31,16 +33,18 @@ class CellPanel {
     Object.assign(this, { cell, stored, start });
     const refusal = whyNot(cell);
     this.element("cell").classList.toggle("cannot", refusal !== null);
-    if (refusal) return this.#say("", refusal);
+    if (refusal) return this.#showFile(refusal);
     this.element("cell").dataset.state = "solving";
     this.workers.lookAt(cell, (data) => (data.answer ? this.#take(data) : this.#wait(data.spent)), start !== null);
   }
   #wait(spent) {
     this.element("spent").textContent = `solving: ${spent.toLocaleString("en")} cycles so far`;
   }
-  #say(headline, words) {
-    this.element("z").textContent = headline;
-    this.element("proof").textContent = words;
+  // Of a cell that the engine can't run: what the file has, and why not more.
+  #showFile(refusal) {
+    const { regime, impacts, period, peak_force_ratio: force } = this.inFile;
+    this.#headline({ regime, impacts, period, peak_force_ratio: force, weight_n: content.newtons });
+    this.element("proof").textContent = refusal;
   }
   #take(data) {
     const { answer } = data;

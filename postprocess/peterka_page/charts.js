@@ -95,7 +95,7 @@ class Charts {
     for (let n = 0; n < impacts.length / 5; ++n) top = Math.max(top, 1.1 * height(n));
     const plot = this.force;
     plot.frame(range, [0, top > 0 ? top : 1]);
-    plot.axes({ xLabel, yLabel: rigid ? "impact speed (m/s)" : "force (N)", xFactor, yFactor: newton });
+    plot.axes({ xLabel, yLabel: rigid ? "speed (m/s)" : "force (N)", xFactor, yFactor: newton });
     if (!rigid) plot.line(count, (i) => samples[5 * i], (i) => samples[5 * i + 4], ink("strike"), 1.2);
     for (let n = 0; n < impacts.length / 5; ++n) {
       plot.line(2, () => impacts[5 * n], (i) => i * height(n), ink("strike"), 1.6);

@@ -44,6 +44,7 @@ class Page {
     if (content.cell === null || content.engine === null) return document.body.classList.add("no-engine");
     const bytes = await blobOf(content.engine);
     this.workers = new Workers(bytes, element("worker").textContent);
+    document.body.classList.toggle("cannot-run", whyNot(content.cell) !== null);
     this.rig = new Rig(element("sliders"), (kind) => this.#rigChanged(kind));
     this.panel = new CellPanel(element, this.workers);
   }
@@ -74,9 +75,10 @@ class Page {
     if (!this.panel) return;
     this.rig.setPlace({ [file.columns.name]: x, [file.rows.name]: y });
     element("cell").hidden = false;
-    const stored = cell && !this.rig.differs ? file.value(cell.row, cell.column) : null;
+    const inside = (axis, value) => Math.max(axis.cell(Math.min(Math.max(axis.place(value), axis.edges[0]), axis.edges.at(-1))), 0);
+    const inFile = file.value(inside(file.rows, y), inside(file.columns, x));
     element("place").textContent = this.#placeWords(this.rig.cell);
-    this.panel.show(this.rig.cell, stored);
+    this.panel.show(this.rig.cell, inFile, cell && !this.rig.differs ? inFile : null);
   }
   #placeWords({ frequency_ratio: frequency, gap_ratio: gap, displacement_ratio: x, velocity_ratio: v }) {
     const { hertz, amplitude_m: amplitude } = content;
@@ -96,6 +98,7 @@ class Page {
     const parts = [axis(file.columns, cell.column), axis(file.rows, cell.row), labelWords(regime, impacts, period)];
     if (force > 0) parts.push(`${content.newtons ? `${digits(force * content.newtons, 4)} N · ` : ""}${digits(force, 4)} m g`);
     if (this.layer.blob !== undefined && this.layer.name !== "peak_force_ratio") parts.push(this.#layerValue(cell));
+    if (this.map.patch) parts.unshift("in the file:");
     out.textContent = parts.join("   ");
   }
   #layerValue({ row, column }) {

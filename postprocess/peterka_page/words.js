@@ -41,7 +41,7 @@ function proof(answer, multipliers) {
 }
 
 function reason({ regime, cycles, lyapunov, sensitivity, status }, multipliers) {
-  const spent = `${cycles.toLocaleString("en")} cycles`;
+  const spent = `${cycles.toLocaleString("en")} ${cycles === 1 ? "cycle" : "cycles"}`;
   if (regime === PERIODIC) {
     return `Newton's method found the orbit, its multipliers ${multiplierWords(multipliers)} lie inside the unit circle, ` +
       `and the motion contracts to it; ${spent}.`;

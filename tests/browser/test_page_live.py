@@ -225,6 +225,10 @@ def test_a_law_that_the_page_cannot_run_says_so(browser, page_of):
     small = ("axes.frequency_ratio.points=4", "axes.gap_ratio.points=4")
     browser.open(page_of("hunt_crossley_170mm.toml", *small), "at=1.5,0.5")
     assert "Hunt and Crossley" in browser.text("proof")
+    row, column = 0, 1  # 4 x 4 cells of 0.5 to 4.5 and 0 to 5
+    shown = browser.ask(f"peterka.value({row}, {column})")
+    assert shown["regime"] == 1 and browser.text("z") == f"z = {shown['impacts']}/{shown['period']}"
+    assert not browser.find("live").is_displayed()
     assert "Hunt and Crossley" in browser.promise("peterka.solve(0, 0)")
     browser.open(page_of("smoke.toml", *small, "hammer.cubic_stiffness_n_per_m3=3e8"), "at=1.5,0.5")
     browser.solved()
