@@ -1,6 +1,6 @@
 """Gap 0 against higher gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
 
-from .gap_zero import limits_hz, resonance
+from .gap_zero import at_edge, limits_hz, resonance
 from .record import ALL, SHARE, claim, not_computed, percent
 from .spans import widest
 
@@ -49,8 +49,9 @@ def _robust(gaps, basins, drops):
 
 def _higher(gaps, drops):
     """A narrow band wants tuning, too, but only what is lost at its end is judged."""
-    widths = [high - low for low, high in (limits_hz(gaps, 1, 1, row=row) for row in range(len(gaps.rows)))]
-    listed = "; ".join(f"{_millimetres(gaps, row)}: {percent(drop)}, band {width:.2f} Hz wide"
+    bands = [limits_hz(gaps, 1, 1, row=row) for row in range(len(gaps.rows))]
+    widths = [f"{'at least ' if any(at_edge(gaps, band)) else ''}{band[1] - band[0]:.2f} Hz" for band in bands]
+    listed = "; ".join(f"{_millimetres(gaps, row)}: {percent(drop)}, band {width} wide"
                        for row, (drop, width) in enumerate(zip(drops, widths)))
     smooth = [_millimetres(gaps, row) for row in range(1, len(drops)) if drops[row] <= SHARE]
     return claim("higher_gaps_jump", PLACE, SAYS["higher_gaps_jump"],

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .folder import LARGEST, SMALLEST, NotDrawable
-from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, force_at, limits_hz
+from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, at_edge, force_at, limits_hz
 from .record import SOME, percent
 
 PARAMETERS = {
@@ -89,10 +89,10 @@ def outcomes(plane):
 
 
 def _limit(number, z, inside, end):
-    """Limit 0 or 1 of a band; NaN without the band."""
+    """Limit 0 or 1 of a band; NaN without the band, or where it goes on beyond the map."""
     def value(plane):
         found = limits_hz(plane, *z, inside)
-        return np.nan if found is None else found[end]
+        return np.nan if found is None or at_edge(plane, found)[end] else found[end]
     return (f"{('lower', 'upper')[end]} limit of z = {z[0]}/{z[1]} at gap 0", "Hz", number, value)
 
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .checked_hdf5 import printable
 from .classes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT, class_of
 from .common_plane import CommonPlane
+from .harmless import harmless
 from .opened import NotDrawable
 
 SHARES = (1, 50, 99)  # % of the cells; quantiles of the ratio that are told
@@ -149,7 +149,7 @@ def _flat(table, path=""):
 
 
 def _value(job, key):
-    return printable(str(job[key]))[:LONGEST_VALUE] if key in job else "nothing"
+    return harmless(str(job[key]), LONGEST_VALUE) if key in job else "nothing"
 
 
 def _moves(codes_a, codes_b):

@@ -152,6 +152,8 @@ def _add_object(total, item, path, storage):
     total.update(_text(_kind(item.id.get_type())) + _shape(item.shape))
     for dimension in item.dims:
         scales = dimension.values()
+        if any(scale.name is None for scale in scales):
+            raise Broken("has a coordinate that is in none of its groups")
         total.update(_number(len(scales)) + b"".join(_text(scale.name) for scale in scales))
 
 

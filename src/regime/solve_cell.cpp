@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "regime/cubic_shift.hpp"
 #include "regime/scalar_engine.hpp"
@@ -46,10 +47,10 @@ bool has_lasting_proof(const CellResult& result) {
 // One cell: all searches that it takes.
 class Solution {
   public:
-    Solution(CycleDesk& desk, const job::Job& job, const scene::Cell& cell, Attractors attractors,
+    Solution(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
              SteadyMotion* motion)
         : desk_(desk),
-          cell_(cell),
+          cell_(std::move(cell)),
           solver_(job.solver),
           budget_(budget_of(job.steady_state)),
           attractors_(attractors),
@@ -229,7 +230,7 @@ Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int
 
 Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
                             SteadyMotion* motion) {
-    Solution solution(desk, job, cell, attractors, motion);
+    Solution solution(desk, job, std::move(cell), attractors, motion);
     co_return co_await solution.run();
 }
 

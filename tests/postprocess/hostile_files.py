@@ -5,6 +5,7 @@ import shutil
 import h5py
 import numpy as np
 from picture_samples import PLAIN, write_audit, write_basin, write_map
+from sealing import SealedFile
 from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import write_sweep
 from trace_samples import write_trace
@@ -25,9 +26,9 @@ def full_map(path):
     fields = {name: np.ones((4, 4)) for name in ("impact_speed", "contact_time")}
     write_map(path, fields=fields | {"chatter": np.zeros((4, 4)), "last_impact": np.zeros((4, 4))}, job=JOB)
     write_audit(path, [(0, 0), (1, 1)], [PLAIN[0][0], PLAIN[1][1]], [1e-8, 2e-8], [1, 1])
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["run/tile_seconds"], file["run/ranks"], file["run/solve_seconds"] = np.ones(1), np.int32(1), 1.0
-        file["summary/omitted"] = "cubic spring: left out"
+        file["summary/omitted"] = np.bytes_("cubic spring: left out")
     return path
 
 
@@ -100,7 +101,7 @@ def hostile_files(kind, folder):
 
     def change(what, act):
         shutil.copy(sound, path)
-        with h5py.File(path, "r+") as file:
+        with SealedFile(path, "r+") as file:
             act(file)
         return what, path
 

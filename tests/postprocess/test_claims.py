@@ -10,7 +10,7 @@ import pytest
 from claim_samples import CHAOS, HALF, ONE, QUIET, plane
 from peterka_claims import jumps, page, spans
 from peterka_claims.force_map import _best_turn
-from peterka_claims.gap_zero import label, limits_hz, resonance
+from peterka_claims.gap_zero import at_edge, in_words, label, limits_hz, resonance
 from peterka_claims.html import html
 from peterka_claims.markdown import markdown
 from peterka_claims.record import AGREES, DIFFERS, LIMITS, OPEN, claim, not_computed, off_by
@@ -65,6 +65,14 @@ def test_bands_lie_half_way_to_the_next_point_and_the_widest_counts():
     assert resonance(one, 1, 1) == pytest.approx((4.0, 4.0))
     assert [label(one, hertz) for hertz in (1, 2, 6)] == ["1/1", "no impact", "1/2"]
     assert label(plane([[CHAOS, ONE]]), 1) == "chaotic"
+
+
+def test_a_limit_at_the_edge_of_the_map_is_no_number_to_compare():
+    one = plane([[ONE, ONE, HALF, QUIET, HALF, HALF]])
+    assert at_edge(one, limits_hz(one, 1, 1)) == (True, False)
+    assert at_edge(one, limits_hz(one, 1, 2)) == (False, True)
+    assert in_words(one, limits_hz(one, 1, 2)) == "from 4.50 to beyond 6.00 Hz, where the map ends"
+    assert in_words(one, limits_hz(one, 1, 2, inside_hz=3)) == "from 2.50 to 3.50 Hz"
 
 
 def test_where_the_maximum_turns_to_the_boundary():

@@ -8,6 +8,7 @@ from matplotlib.colors import to_rgb
 from peterka_pictures import comparison, comparison_map
 from peterka_pictures.read import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, PLAIN, Drawn, orbit, write_basin, write_map
+from sealing import SealedFile
 
 FORCES = [[10.0, 10, 10, 10], [10, 10, 10, 10], [10, 0, 0, 0], [0, 0, 0, 0]]
 
@@ -87,7 +88,7 @@ def test_scales_in_hertz_and_millimetres_where_both_rigs_have_them(pair, tmp_pat
 
 def test_keys_that_differ_are_told_and_drawn(pair, tmp_path, run_compare):
     for name, damping in (("a.h5", 1200.0), ("b.h5", 900.0)):
-        with h5py.File(tmp_path / name, "r+") as file:
+        with SealedFile(tmp_path / name, "r+") as file:
             file.attrs["job"] = f'title = "{name}"\n[hammer]\nmass_kg = 0.298\n[contact]\ndamping_ns_per_m = {damping}\n'
     line = "contact.damping_ns_per_m: 1200.0 in A, 900.0 in B"
     assert f"\n{line}\n" in run_compare("a.h5", "b.h5")[1]

@@ -5,13 +5,13 @@ import sys
 from html import unescape
 from html.parser import HTMLParser
 
-import h5py
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from peterka_pictures.harmless import harmless
 from peterka_pictures.measured import MOST_LABELS
 from picture_samples import write_map
+from sealing import SealedFile
 from study_samples import write_labels
 from sweep_samples import write_sweep
 
@@ -50,8 +50,8 @@ def test_titles_are_text_on_the_results_page(tmp_path, run_program):
     pictures.mkdir()
     (pictures / "s_labels.png").write_bytes(b"x")
     path = write_map(tmp_path / "m.h5", title=LIVE)
-    with h5py.File(path, "r+") as file:
-        file["summary/omitted"] = f"{LIVE}\n\x1b[2J{LIVE}"
+    with SealedFile(path, "r+") as file:
+        file["summary/omitted"] = np.bytes_(f"{LIVE}\n\x1b[2J{LIVE}")
     assert run_program("results", study, path, "--page", tmp_path / "p.md", "--pictures", pictures)[0] == 0
     page = (tmp_path / "p.md").read_text(encoding="utf-8")
     tags = Tags()

@@ -147,6 +147,13 @@ def pipe(path):
     return path
 
 
+def unnamed_coordinate(path):
+    """What is attached to it still refers to it."""
+    with h5py.File(path, "r+") as file:
+        del file["attractors/attractor"]
+    return path
+
+
 def plain_hdf5(path):
     with SealedFile(path, "w") as file:
         file["regime"] = np.zeros((4, 4), dtype="i1")
@@ -198,6 +205,7 @@ CASES = {
     "link to another file": (lambda p: link_outside(write_map(p)), "no dataset regime"),
     "data in another file": (lambda p: stored_outside(write_map(p)), "keeps regime in another file"),
     "no attractor table": (lambda p: without(write_basin(p), "attractors"), "no dataset attractors/count"),
+    "coordinate without a name": (lambda p: unnamed_coordinate(write_basin(p)), "a coordinate that is in none of its groups"),
     "attractor not in the table": (lambda p: replaced(write_basin(p), "attractor", np.full((4, 4), 3)), "an attractor"),
     "too many attractors": (lambda p: replaced(write_basin(p), "attractors/count", np.int32(257)), "257 attractors"),
     "fewer than no attractors": (lambda p: replaced(write_basin(p), "attractors/count", np.int32(-1)), "-1 attractors"),

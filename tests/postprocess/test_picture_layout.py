@@ -14,6 +14,7 @@ from picture_samples import (
     ALL_CLASSES, CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, orbit, write_audit, write_basin, write_map,
 )
 from picture_texts import drawn_texts, faults_of_layout
+from sealing import SealedFile
 from study_samples import write_labels, write_stability, write_work_precision
 from sweep_samples import FREQUENCY, write_sweep
 from trace_samples import write_trace
@@ -103,7 +104,7 @@ def test_basins(tmp_path, monkeypatch, title, size):
 def scaled_sweep(path, factor, gaps, **attributes):
     """x/A0 down to -12.5 and forces of this size; between two gaps whose numbers are long."""
     write_sweep(path, gaps, **attributes)
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["peak_force_ratio"][...] *= factor
         for name, scale in (("stroboscopic_displacement", 12.5 / 6), ("impact_displacement", 1.0)):
             file[name][...] *= scale * factor
@@ -119,7 +120,7 @@ def test_sweeps(tmp_path, monkeypatch, title, size, gaps):
 
 def test_a_sweep_with_measured_points_and_many_jumps(tmp_path, monkeypatch):
     path = scaled_sweep(tmp_path / "a.h5", 1.0, (0.0, 1.5), title="Sample")
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["jump"][2, [2, 3, 4, 5, 6, 12]] = 1
     points = [Point(FREQUENCY[3], 25.0, -4.0, 0.0, "measured at 9 Hz"), Point(FREQUENCY[-1], 30.0, -2.0, 1.5, "the last one"),
               Point(FREQUENCY[0], 10.0, -3.0, 1.5, "the first one"), Point(1.1, None, None, None, "an edge")]
@@ -131,7 +132,7 @@ def test_a_sweep_with_measured_points_and_many_jumps(tmp_path, monkeypatch):
 def test_traces(tmp_path, monkeypatch, title, size, impacts):
     path = write_trace(tmp_path / "a.h5", impacts=impacts, title=TITLES[title], gap_ratio=0.25)
     factor = SIZES[size]
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         groups = [file, file["spectrum"]] + ([file["impact"], file["impacts"], file["impact_spectrum"]] if impacts else [])
         for group in groups:
             for name, data in group.items():
@@ -163,7 +164,7 @@ def test_comparisons(tmp_path, monkeypatch, title, size):
 @pytest.mark.parametrize("title", TITLES)
 def test_scalings(tmp_path, monkeypatch, title):
     path = write_map(tmp_path / "a.h5", np.zeros((64, 64, 3), int).tolist(), title=TITLES[title])
-    with h5py.File(path, "r+") as file:
+    with SealedFile(path, "r+") as file:
         file["run/tile_seconds"] = np.full(16, 1e-3)
         file["run/ranks"], file["run/solve_seconds"] = np.int32(1), 1.0
     record, machine = read_record(path), Machine(3e-6, 2e-6, 5e-4)

@@ -5,7 +5,7 @@ import pytest
 from peterka_pictures import axes, peterka_map
 from peterka_pictures.classes import CLASSES, classify
 from peterka_pictures.read import PeterkaFile
-from picture_samples import ALL_CLASSES, MISSING, PLAIN, Drawn, colour_named, write_map
+from picture_samples import ALL_CLASSES, CHAOTIC, MISSING, PLAIN, Drawn, colour_named, write_map
 
 
 def labels_of(cells):
@@ -28,6 +28,20 @@ def test_legend_has_the_classes_that_occur_and_their_shares(tmp_path):
     assert drawn.legend_texts() == [
         "1/1 (31.2 %)", "2/2 (6.2 %)", "1/2 (12.5 %)", "no impact (43.8 %)", "chaotic (6.2 %)",
     ]
+
+
+@pytest.mark.parametrize("cycles, label", [
+    ({(0, 0): 9, (1, 2): 1500, (2, 0): 20000}, "chaotic for 1,500–20,000 cycles (12.5 %)"),
+    ({(1, 2): 1500, (2, 0): 1500}, "chaotic for 1,500 cycles (12.5 %)"),
+    ({(1, 2): 1500, (2, 0): 0}, "chaotic for 1,500 cycles (12.5 %)"),  # a filled cell was not followed
+    ({(0, 0): 9}, "chaotic (12.5 %)"),
+])
+def test_legend_says_for_how_many_cycles_chaos_was_observed(tmp_path, cycles, label):
+    cells = [PLAIN[0], PLAIN[1], [CHAOTIC, *PLAIN[2][1:]], PLAIN[3]]  # chaos at (1, 2) and (2, 0)
+    observed = [[cycles.get((row, column), 0) for column in range(4)] for row in range(4)]
+    with PeterkaFile(write_map(tmp_path / "a.h5", cells, fields={"observed_cycles": observed})) as file:
+        drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")
+    assert [text for text in drawn.legend_texts() if text.startswith("chaotic")] == [label]
 
 
 def test_legend_of_a_map_with_every_class(tmp_path):

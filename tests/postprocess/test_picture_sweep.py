@@ -9,8 +9,8 @@ from peterka_pictures.measured import Measurements, Point
 from peterka_pictures.opened import NotDrawable
 from peterka_pictures.sweep import SweepFile
 from peterka_pictures.sweep_panels import LOOKS, MEASURED
-from sweep_samples import WEIGHT, write_sweep
 from sealing import SealedFile
+from sweep_samples import WEIGHT, write_sweep
 
 NOTHING = Measurements([], [])
 
@@ -81,7 +81,7 @@ def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):
         figure = response.draw(file, NOTHING)
     assert legend_texts(figure)[4:6] == ["impact resonance ($z = 1/1$)", "largest of $z = 1/1$, cut off"]
     cut = write_sweep(tmp_path / "b.h5", gaps=(0.0,))
-    with h5py.File(cut, "r+") as file:
+    with SealedFile(cut, "r+") as file:
         file["peak_force_ratio"][0] = np.linspace(20, 40, 13)  # it rises to the end of the sweep
         file["impacts"][1, 9] = 2  # 2/1 next to the largest
     with SweepFile(cut) as file:
