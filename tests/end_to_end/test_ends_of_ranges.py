@@ -98,8 +98,11 @@ def test_no_value_that_is_accepted_ends_in_an_internal_error(tmp_path, name):
 
     def run(setting):
         output = tmp_path / f"{next(numbers)}.h5"
-        finished = launch.run("run", "job.toml", "--quiet", "--max-wall", "0.3", "--output", output, "--set", setting,
-                              cwd=tmp_path)
+        for _ in range(3):  # of some thousand starts side by side, MPI itself fails in one now and then
+            finished = launch.run("run", "job.toml", "--quiet", "--max-wall", "0.3", "--output", output, "--set", setting,
+                                  cwd=tmp_path)
+            if finished.returncode != 1 or "before MPI_INIT completed" not in finished.stderr:
+                break
         output.unlink(missing_ok=True)
         return setting, finished.returncode, finished.stderr
 
