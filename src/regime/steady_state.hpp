@@ -4,9 +4,9 @@
 // - sustained contact: the decaying rest of the contact can't make the force vanish, or a proved orbit never
 //   separates
 // - periodic: a near-recurrence led Newton's method to a stable orbit, and the trajectory contracts to it
-// - chaotic: after chaos_cycles (see below) the largest Lyapunov exponent is positive by three standard errors,
-// and a
-//   perturbation grew by e^20; never where the hammer came to rest on a rigid stop twice, as the motion then
+// - chaotic: for long enough (see below) the largest Lyapunov exponent is positive by three standard errors,
+// and
+//   a perturbation grew by e^20; never where the hammer came to rest on a rigid stop twice, as the motion then
 //   repeats, be it after more than max_period cycles
 // - unresolved: the budget ran out, or nothing in the scene dissipates
 //
@@ -14,10 +14,10 @@
 // leads there, and takes the attractor's values.
 //
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
-// the gap, or a contact that lasts), it may be a long transient. Where not, 0.3 of chaos_cycles are enough: of
-// 760 chaotic cells among 200 x 200 of the 170 mm rig 8 then turned out periodic within 20,000 cycles (the
-// benchmark counts them).
-// Peak force and impact rate of chaotic and unresolved cells are those of the cycles after the first
+// the gap, or a contact that lasts), it may be a long transient, and chaos_cycles are asked for. Where not, 0.3
+// of them. Either way more in a scene that loses little in a cycle, for transients live as long as areas take
+// to shrink; and, where impacts go on for ever, more where Newton's method finds a stable orbit near by. Peak
+// force and impact rate of chaotic and unresolved cells are those of the cycles after the first
 // Growth::settling_cycles (after half the budget, if that is shorter).
 #pragma once
 
