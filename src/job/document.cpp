@@ -17,7 +17,8 @@ namespace {
 // Gives every value its place in the file, or the place of the override that all of them come from.
 class Converter {
   public:
-    explicit Converter(std::optional<Location> fixed) : fixed_(fixed) {}
+    explicit Converter(std::uint32_t file) : file_(file) {}
+    explicit Converter(const Location& fixed) : fixed_(fixed) {}
 
     Value convert(const toml::node& node) const { return {place(node.source()), content(node)}; }
 
@@ -25,7 +26,7 @@ class Converter {
     Location place(const toml::source_region& source) const {
         if (fixed_) return *fixed_;
         // The root table of a file has no place of its own.
-        return {0, std::max(source.begin.line, 1U), std::max(source.begin.column, 1U)};
+        return {0, std::max(source.begin.line, 1U), std::max(source.begin.column, 1U), file_};
     }
 
     decltype(Value::content) content(const toml::node& node) const {
@@ -54,6 +55,7 @@ class Converter {
         return converted;
     }
 
+    std::uint32_t file_ = 0;
     std::optional<Location> fixed_;
 };
 
@@ -120,9 +122,9 @@ std::string_view Value::type_in_words() const {
     return words[content.index()];
 }
 
-Value parse_document(std::string_view text, const std::string& file) {
+Value parse_document(std::string_view text, const std::string& file, std::uint32_t number) {
     try {
-        return Converter(std::nullopt).convert(toml::parse(text));
+        return Converter(number).convert(toml::parse(text));
     } catch (const toml::parse_error& error) {
         const auto& place = error.source().begin;
         throw JobFaults(file, {Fault{{0, place.line, place.column}, complaint(error)}});

@@ -54,8 +54,9 @@ struct Entry {
 // Longer lines are no job, and deeply nested ones would exhaust the stack of a recursive parser.
 inline constexpr std::size_t longest_line = 4096;
 
-// Throws JobFaults with the one fault of the syntax: nothing behind it can be read.
-[[nodiscard]] Value parse_document(std::string_view text, const std::string& file);
+// Throws JobFaults with the one fault of the syntax: nothing behind it can be read. `number` is the file's
+// Location::file.
+[[nodiscard]] Value parse_document(std::string_view text, const std::string& file, std::uint32_t number = 0);
 
 // The right-hand side of an override; a text that is no TOML value becomes a BareWord. Throws
 // std::invalid_argument with the complaint where it is neither.

@@ -7,18 +7,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/errors.hpp"
 
 namespace peterka::job {
 
-// A place in the job file, or the override that gave the value. Ordered as a reader meets them.
+// A place in the job file or a rig file of it, or the override that gave the value. Ordered as a reader meets
+// them.
 struct Location {
-    std::size_t override_number = 0;  // 0: the file itself
+    std::size_t override_number = 0;  // 0: a file
     std::uint32_t line = 1;           // from 1, of the file
     std::uint32_t column = 1;         // from 1, in characters
-    friend auto operator<=>(const Location&, const Location&) = default;
+    std::uint32_t file = 0;           // 0: the job itself; others by their place in a list of files
+    friend bool operator==(const Location&, const Location&) = default;
+    friend auto operator<=>(const Location& a, const Location& b) {
+        return std::tie(a.override_number, a.file, a.line, a.column) <=>
+               std::tie(b.override_number, b.file, b.line, b.column);
+    }
 };
 
 struct Fault {
@@ -30,6 +37,8 @@ class JobFaults : public Failure {
   public:
     // `file` as the user named it. The message lists the faults one per line, in the order of their places.
     JobFaults(const std::string& file, const std::vector<Fault>& faults);
+    // The same of a job that is made of several files, counted by Location::file.
+    JobFaults(const std::vector<std::string>& files, const std::vector<Fault>& faults);
     // The file as a whole cannot be read as a job.
     JobFaults(const std::string& file, const std::string& text);
 

@@ -58,6 +58,7 @@ void describe(Walker& file, Job& job) {
         file.choice({"kind", "kind of the job: map, basin, sweep, study or trace", "\"map\""}, job.kind);
     file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
     file.rule({"title"}, [&] { return rule_of_title(job.title); });
+    file.skip({"rig"});  // followed before anything is read (rig_files.hpp)
 
     if (kind_is_known && job.kind == Kind::trace) return describe_trace(file, job);
     describe_rig(file, job);

@@ -66,6 +66,9 @@ void describe_trace_of_map(Walker& file, Job& job) {
     constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
     job.operating_point = {not_given, not_given};
     job.start = {not_given, not_given};
+    file.refuse("rig",
+                "is that of the job in the file that trace.map names; a cell is followed as it was computed; "
+                "remove this key");
     for (const auto* name : {"hammer", "cart", "contact", "solver", "steady_state"}) {
         file.refuse(
             name,

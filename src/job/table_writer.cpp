@@ -20,8 +20,16 @@ void TableWriter::line(const Key& key, const std::string& value) {
     if (!is_written(key)) return;
     header();
     const std::string assignment = fmt::format("{} = {}", key.name, value);
-    text_ +=
-        style_ == Style::for_people ? fmt::format("{:<39} # {}\n", assignment, key.meaning) : assignment + "\n";
+    text_ += style_ == Style::for_people
+                 ? fmt::format("{:<39} # {}{}\n", assignment, key.meaning, origin_of(key))
+                 : assignment + "\n";
+}
+
+std::string TableWriter::origin_of(const Key& key) const {
+    if (origins_ == nullptr) return "";
+    const auto origin =
+        origins_->find(path_.empty() ? std::string(key.name) : fmt::format("{}.{}", path_, key.name));
+    return fmt::format(" ({})", origin == origins_->end() ? "default" : origin->second);
 }
 
 }  // namespace peterka::job

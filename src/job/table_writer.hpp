@@ -11,6 +11,7 @@
 
 #include "job/key.hpp"
 #include "job/names.hpp"
+#include "job/origins.hpp"
 #include "job/range.hpp"
 #include "job/toml_text.hpp"
 
@@ -20,7 +21,9 @@ enum class Style { for_people, for_identity };
 
 class TableWriter {
   public:
-    TableWriter(std::string& text, Style style) : TableWriter(text, style, "", "") {}
+    // With origins each value tells, for people, where it came from.
+    TableWriter(std::string& text, Style style, const Origins* origins = nullptr)
+        : TableWriter(text, style, origins, "", "") {}
 
     void number(const Key& key, double value, const Range<double>&) { line(key, toml_text(value)); }
     void integer(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
@@ -50,7 +53,7 @@ class TableWriter {
     template <typename Write>
     void table(const Key& key, Write write) {
         if (!is_written(key)) return;
-        TableWriter inner(text_, style_,
+        TableWriter inner(text_, style_, origins_,
                           path_.empty() ? std::string(key.name) : path_ + "." + std::string(key.name),
                           key.meaning);
         write(inner);
@@ -68,8 +71,14 @@ class TableWriter {
     void skip(std::initializer_list<std::string_view>) {}
 
   private:
-    TableWriter(std::string& text, Style style, std::string path, std::string_view meaning)
-        : text_(text), style_(style), path_(std::move(path)), meaning_(meaning), has_header_(path_.empty()) {}
+    TableWriter(std::string& text, Style style, const Origins* origins, std::string path,
+                std::string_view meaning)
+        : text_(text),
+          style_(style),
+          origins_(origins),
+          path_(std::move(path)),
+          meaning_(meaning),
+          has_header_(path_.empty()) {}
 
     [[nodiscard]] bool is_written(const Key& key) const {
         return style_ == Style::for_people || key.is_identity;
@@ -81,10 +90,12 @@ class TableWriter {
         line(key, "[" + text + "]");
     }
     void line(const Key& key, const std::string& value);
+    [[nodiscard]] std::string origin_of(const Key& key) const;
     void header();  // before the first key: a table of tables alone needs none
 
     std::string& text_;
     Style style_;
+    const Origins* origins_;
     std::string path_;
     std::string_view meaning_;
     bool has_header_;

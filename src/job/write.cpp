@@ -6,9 +6,9 @@
 namespace peterka::job {
 namespace {
 
-std::string written(Job job, Style style) {
+std::string written(Job job, Style style, const Origins* origins = nullptr) {
     std::string text;
-    TableWriter writer(text, style);
+    TableWriter writer(text, style, origins);
     describe(writer, job);
     return text;
 }
@@ -17,6 +17,20 @@ std::string written(Job job, Style style) {
 
 std::string resolved_text(const Job& job) {
     return written(job, Style::for_people);
+}
+
+std::string resolved_text(const Job& job, const Origins& origins) {
+    return written(job, Style::for_people, &origins);
+}
+
+void take_from(const std::string& map_file, const Job& job, Origins& origins) {
+    for (const auto& [key, origin] : origins_of(parse_document(resolved_text(job), map_file), {map_file})) {
+        const std::string_view table = std::string_view(key).substr(0, key.find('.'));
+        for (const auto* taken :
+             {"hammer", "cart", "contact", "operating_point", "start", "solver", "steady_state"}) {
+            if (table == taken) origins[key] = map_file;
+        }
+    }
 }
 
 std::string identity_text(const Job& job) {

@@ -102,17 +102,17 @@ std::string starts_text(const job::Job& job) {
     return inside.empty() ? "" : fmt::format("#   starts   {}\n", inside);
 }
 
-std::string check_study(const Request& request, const job::Job& job) {
+std::string check_study(const Request& request, const job::Job& job, const job::Origins& origins) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   runs     {}, dealt to the ranks\n"
                "#   file     {} ({})\n\n",
                request.job_file.string(), readable_count(study::count_tasks(job)),
                map_file_of(request).string(), free_space_text(map_file_of(request))) +
-           job::resolved_text(job);
+           job::resolved_text(job, origins);
 }
 
-std::string check_trace(const Request& request, const TracedCell& traced) {
+std::string check_trace(const Request& request, const TracedCell& traced, const job::Origins& origins) {
     const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}", traced.map->row,
                                                       traced.map->column, traced.map->file.string())
                                         : std::string("of this job");
@@ -123,16 +123,18 @@ std::string check_trace(const Request& request, const TracedCell& traced) {
                "#   file     {} ({})\n\n",
                request.job_file.string(), cell, starts_text(traced.job), map_file_of(request).string(),
                free_space_text(map_file_of(request))) +
-           job::resolved_text(traced.job);
+           job::resolved_text(traced.job, origins);
 }
 
 }  // namespace
 
 std::string check_job(const Request& request) {
-    const TracedCell traced = find_traced_cell(job::read_job_file(request.job_file, request.overrides));
+    auto [read, origins] = job::read_job_with_origins(request.job_file, request.overrides);
+    const TracedCell traced = find_traced_cell(read);
     const job::Job& job = traced.job;
-    if (job.kind == job::Kind::study) return check_study(request, job);
-    if (job.kind == job::Kind::trace) return check_trace(request, traced);
+    if (traced.map) job::take_from(traced.map->file.string(), job, origins);
+    if (job.kind == job::Kind::study) return check_study(request, job, origins);
+    if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job.kind);
     const parallel::Tiling tiling = output::tiling(job);
@@ -150,7 +152,7 @@ std::string check_job(const Request& request) {
                tiling.largest_tile().columns,
                readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job)),
                file.string(), readable_bytes(output::predicted_bytes(job)), free_space_text(file)) +
-           job::resolved_text(job);
+           job::resolved_text(job, origins);
 }
 
 }  // namespace peterka

@@ -44,10 +44,10 @@ TEST(Override, TheLaterOneCounts) {
 }
 
 TEST(Override, MakesATableThatTheFileDoesNotHave) {
-    const std::string text = examples::content_of(examples::source_folder() / "jobs/smoke.toml");
-    ASSERT_EQ(text.find("[start]"), std::string::npos);
+    const auto file = examples::source_folder() / "jobs/smoke.toml";
+    ASSERT_EQ(examples::content_of(file).find("[start]"), std::string::npos);
     const std::vector<std::string> overrides{"start.velocity_ratio=2"};
-    EXPECT_EQ(read_job_text(text, "smoke", overrides).start, (Start{0, 2}));
+    EXPECT_EQ(read_job_file(file, overrides).start, (Start{0, 2}));
 }
 
 TEST(Override, ReplacesATableGivenWhole) {
@@ -56,11 +56,11 @@ TEST(Override, ReplacesATableGivenWhole) {
 
 // A file with a [start] stays a map: an override gives values and removes nothing.
 TEST(Override, MakesAMapWithoutAStartABasin) {
-    const std::string text = examples::content_of(examples::source_folder() / "jobs/smoke.toml");
+    const auto file = examples::source_folder() / "jobs/smoke.toml";
     const std::vector<std::string> overrides{
         "kind=basin", "operating_point={frequency_ratio=1.8, gap_ratio=1.6}",
         "axes={displacement_ratio={from=-6, to=6, points=4}, velocity_ratio={from=-5, to=5, points=6}}"};
-    const Job basin = read_job_text(text, "smoke", overrides);
+    const Job basin = read_job_file(file, overrides);
     EXPECT_EQ(basin.kind, Kind::basin);
     EXPECT_EQ(basin.rows, (Axis{-5, 5, 6}));
     EXPECT_EQ(basin.operating_point, (OperatingPoint{1.8, 1.6}));

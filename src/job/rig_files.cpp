@@ -1,0 +1,206 @@
+#include "job/rig_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "job/choose.hpp"
+#include "job/job_source.hpp"
+#include "job/nearest.hpp"
+#include "job/toml_text.hpp"
+#include "support/harmless.hpp"
+
+namespace peterka::job {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> rig_tables{"hammer", "cart", "contact"};
+
+// Of which a hammer has one.
+constexpr std::pair<std::string_view, std::string_view> alternatives[] = {
+    {"natural_frequency_hz", "stiffness_n_per_m"}, {"damping_ns_per_m", "damping_ratio"}};
+
+bool has_alternative_of(const Table& table, std::string_view key) {
+    return std::ranges::any_of(alternatives, [&](const auto& pair) {
+        return (key == pair.first && table.find(pair.second) != nullptr) ||
+               (key == pair.second && table.find(pair.first) != nullptr);
+    });
+}
+
+std::optional<std::string> law_in(const Table& contact) {
+    const Value* law = contact.find("law");
+    return law == nullptr ? std::nullopt : word_of(*law);
+}
+
+// What the rig's table has and the job's hasn't.
+void complete(Table& own, const Table& rig, bool is_hammer) {
+    const Table given = own;
+    for (const Entry& entry : rig.entries) {
+        if (given.find(entry.name) != nullptr) continue;
+        if (is_hammer && has_alternative_of(given, entry.name)) continue;
+        own.entries.push_back(entry);
+    }
+}
+
+void complete(Table& document, const Table& rig) {
+    for (const std::string_view name : rig_tables) {
+        const Value* brought = rig.find(name);
+        if (brought == nullptr) continue;
+        Value& own = document.entry(name, brought->where).value;
+        auto* table = std::get_if<Table>(&own.content);
+        const bool is_new = table != nullptr && table->entries.empty() && own.where == brought->where;
+        const Table* more = brought->as<Table>();
+        if (is_new) {
+            own = *brought;
+        } else if (table != nullptr && more != nullptr) {
+            const auto law = law_in(*table);
+            if (name == "contact" && law && law != law_in(*more)) continue;
+            complete(*table, *more, name == "hammer");
+        }
+    }
+}
+
+// Names that begin like the one that was meant, from its folder.
+std::string did_you_mean(const fs::path& file, const fs::path& as_named) {
+    std::vector<std::string> names;
+    std::error_code unreadable;
+    for (const auto& entry : fs::directory_iterator(file.parent_path(), unreadable)) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    const std::string name = file.filename().string();
+    const std::string_view meant = nearest(name, {names.begin(), names.end()});
+    if (meant.empty()) return "check the path";
+    return fmt::format("did you mean {}?", toml_text((as_named.parent_path() / meant).string()));
+}
+
+class Rigs {
+  public:
+    Rigs(std::vector<std::string>& files, std::vector<Fault>& faults) : files_(files), faults_(faults) {}
+
+    // What `document`, read from `file`, takes from the rig that it names.
+    void bring_into(Value& document, const fs::path& file) {
+        const Value* rig = std::get<Table>(document.content).find("rig");
+        if (rig == nullptr) return;
+        const Value named = *rig;
+        const std::optional<Value> brought = read(named, file);
+        if (brought) complete(std::get<Table>(document.content), *brought->as<Table>());
+    }
+
+    void begin_with(const fs::path& job_file) { chain_.push_back(job_file.lexically_normal()); }
+
+  private:
+    std::nullopt_t fault(const Value& named, const std::string& text) {
+        faults_.push_back({named.where, fmt::format("rig = {} {}", named.text(), text)});
+        return std::nullopt;
+    }
+
+    std::optional<Value> read(const Value& named, const fs::path& from) {
+        const auto word = word_of(named);
+        if (!word) {
+            return fault(named, fmt::format("is {}; it must be text (the file of a rig, relative to this one); "
+                                            "write it like rig = \"rigs/170mm.toml\"",
+                                            named.type_in_words()));
+        }
+        if (word->empty() || harmless(*word, word->size()) != *word) {
+            return fault(named,
+                         "is no name of a file; it is looked for from the folder of the file that names "
+                         "it; write it like rig = \"rigs/170mm.toml\"");
+        }
+        const fs::path path = (from.parent_path() / *word).lexically_normal();
+        std::error_code unknown;
+        if (!fs::exists(path, unknown)) {
+            return fault(named,
+                         fmt::format("names a file that isn't there; it is looked for from the folder of "
+                                     "the file that names it, as {}; {}",
+                                     path.string(), did_you_mean(path, *word)));
+        }
+        for (std::size_t i = 0; i < chain_.size(); ++i) {
+            if (fs::equivalent(chain_[i], path, unknown)) return cycle(named, i);
+        }
+        return read_rig(named, path);
+    }
+
+    std::nullopt_t cycle(const Value& named, std::size_t first) {
+        std::string way;
+        for (std::size_t i = first; i < chain_.size(); ++i) way += chain_[i].string() + " -> ";
+        return fault(named, fmt::format("leads back to where it came from ({}{}); a rig may begin from another "
+                                        "one, but not from itself; remove one of these lines",
+                                        way, chain_[first].string()));
+    }
+
+    std::optional<Value> read_rig(const Value& named, const fs::path& path) {
+        const auto number = static_cast<std::uint32_t>(files_.size());
+        std::optional<Value> rig;
+        try {
+            const std::string text = read_text(path);
+            if (!text.empty()) refuse_what_is_no_text(text, path.string());
+            rig = parse_document(text, path.string(), number);
+        } catch (const JobFaults& unreadable) {
+            return fault(named, fmt::format("can't be read as a rig; {}", unreadable.what()));
+        }
+        files_.push_back(path.string());
+        if (const std::string why = why_no_rig(*rig->as<Table>()); !why.empty()) return fault(named, why);
+        chain_.push_back(path);
+        bring_into(*rig, path);
+        chain_.pop_back();
+        return rig;
+    }
+
+    static std::string why_no_rig(const Table& table) {
+        const auto is_of_rig = [](const Entry& entry) {
+            return entry.name == "rig" || std::ranges::find(rig_tables, entry.name) != rig_tables.end();
+        };
+        std::vector<std::string> others;
+        for (const Entry& entry : table.entries) {
+            if (!is_of_rig(entry)) others.push_back(toml_key(entry.name));
+        }
+        constexpr auto what =
+            "a rig file has [hammer], [cart] and [contact] or some of them, may name another "
+            "rig, and has nothing else";
+        if (!others.empty()) {
+            return fmt::format(
+                "names no rig: that file has {}, too; {}; name the file of a rig, or move these "
+                "tables of that file into one",
+                fmt::join(others, ", "), what);
+        }
+        if (table.entries.empty())
+            return fmt::format("names no rig: that file has no table; {}; name the file of a rig", what);
+        return "";
+    }
+
+    std::vector<std::string>& files_;
+    std::vector<Fault>& faults_;
+    std::vector<fs::path> chain_;  // from the job to the rig that is read
+};
+
+// A trace of a cell of a map has the rig of that map; its tables are refused, and so is this key.
+bool takes_rig_from_a_map(const Table& document) {
+    for (const auto* name : {"trace", "basin"}) {
+        const Value* table = document.find(name);
+        if (table != nullptr && table->as<Table>() != nullptr && table->as<Table>()->find("map") != nullptr)
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool bring_in_rigs(Value& document, const fs::path& job_file, std::vector<std::string>& files,
+                   std::vector<Fault>& faults) {
+    if (takes_rig_from_a_map(std::get<Table>(document.content))) return true;
+    const std::size_t faults_before = faults.size();
+    Rigs rigs(files, faults);
+    rigs.begin_with(job_file);
+    rigs.bring_into(document, job_file);
+    return faults.size() == faults_before;
+}
+
+}  // namespace peterka::job
