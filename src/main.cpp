@@ -1,19 +1,19 @@
 // peterka: maps of a hammer that strikes a stop inside a vibrating cart. See README.md.
 #include <optional>
 
-#include "output/checked.hpp"
+#include "hdf5/checked.hpp"
 #include "parallel/session.hpp"
-#include "program/check_job.hpp"
-#include "program/command_line.hpp"
-#include "program/run_plan.hpp"
-#include "run_job.hpp"
-#include "run_study.hpp"
-#include "run_trace.hpp"
+#include "run/check_job.hpp"
+#include "run/command_line.hpp"
+#include "run/run_job.hpp"
+#include "run/run_plan.hpp"
+#include "run/run_study.hpp"
+#include "run/run_trace.hpp"
 #include "support/print.hpp"
 
 int main(int argc, char** argv) {
     using namespace peterka;
-    output::leave_open_files_alone();
+    hdf5::leave_open_files_alone();
     return parallel::run_in_session(argc, argv, [&](const parallel::Session& session) {
         std::optional<RunPlan> plan;
         parallel::on_root(session, [&] {

@@ -1,6 +1,6 @@
 """Whether a file is still what was written: the checksums of its tiles, and its seal over all the rest.
 
-The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src/output/seal.hpp describes. A file that is
+The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src/map_file/seal.hpp describes. A file that is
 not finished has none; then /summary/frame vouches for its attributes and coordinates.
 """
 

@@ -1,6 +1,6 @@
 // Where SUNDIALS is out of reach, its engines are, too: each cycle that a search orders of them fails, so that
 // the cell is `failed` and its `engine` tells why.
-#include "trajectory/integrated_cycle_map.hpp"
+#include "integrators/integrated_cycle_map.hpp"
 
 namespace peterka::trajectory {
 

@@ -3,11 +3,11 @@
 
 #include <variant>
 
+#include "integrators/integrated_cycle_map.hpp"
 #include "job/job.hpp"
 #include "regime/cell_result.hpp"
 #include "scene/oscillator.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
 
 namespace peterka::regime {

@@ -85,10 +85,10 @@ Labels::Shares Labels::shares(std::span<const Result> results) const {
 }
 
 std::vector<Table> Labels::tables(std::span<const Result> results) const {
-    using output::Number;
-    using output::Variable;
+    using hdf5::Number;
+    using hdf5::Variable;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const output::Dimension trial{"trial", std::ssize(runs_)};
+    const map_file::Dimension trial{"trial", std::ssize(runs_)};
     const Shares of_runs = shares(results);
     std::vector<double> numbers;
     std::vector<double> methods;

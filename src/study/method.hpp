@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "integrators/integrated_cycle_map.hpp"
+#include "study/rk4_cycle_map.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
-#include "trajectory/rk4_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
 
 namespace peterka::study {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "regime/steady_state.hpp"
+#include "study/taylor_cycle_map.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/taylor_cycle_map.hpp"
 
 namespace peterka::study {
 

@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "output/table.hpp"
+#include "map_file/table.hpp"
 
 namespace peterka::study {
 
-using output::Table;
+using map_file::Table;
 
 // A topic is a list of tasks, each a pure function of the job and its number but for measured times. Results
 // travel between ranks as bytes.

@@ -148,10 +148,10 @@ Result WorkPrecision::solve(std::int64_t task) const {
 }
 
 std::vector<Table> WorkPrecision::tables(std::span<const Result> results) const {
-    using output::Number;
-    using output::Variable;
-    const output::Dimension cell{"cell", std::ssize(cells_)};
-    const output::Dimension trial{"trial", std::ssize(runs_)};
+    using hdf5::Number;
+    using hdf5::Variable;
+    const map_file::Dimension cell{"cell", std::ssize(cells_)};
+    const map_file::Dimension trial{"trial", std::ssize(runs_)};
     const auto of_cells = [&](auto value) {
         std::vector<double> values;
         for (std::size_t n = 0; n < cells_.size(); ++n) values.push_back(static_cast<double>(value(n)));

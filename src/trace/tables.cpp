@@ -11,10 +11,10 @@ namespace peterka::trace {
 
 namespace {
 
-using output::Dimension;
-using output::Number;
-using output::Table;
-using output::Variable;
+using hdf5::Number;
+using hdf5::Variable;
+using map_file::Dimension;
+using map_file::Table;
 using scene::Scales;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -180,9 +180,9 @@ job::Job with_proofs(job::Job job) {
     return job;
 }
 
-std::vector<Table> cell_tables(const char* group, const output::StoredCell& cell, const job::Job& job) {
+std::vector<Table> cell_tables(const char* group, const quantities::StoredCell& cell, const job::Job& job) {
     std::vector<Table> tables;
-    for (const output::Field& field : output::stored_fields(job)) {
+    for (const quantities::Field& field : quantities::stored_fields(job)) {
         tables.push_back({{group, field.variable, {}}, {field.member.load(cell)}});
     }
     return tables;

@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "job/job.hpp"
-#include "output/fields.hpp"
-#include "output/table.hpp"
+#include "map_file/table.hpp"
+#include "quantities/fields.hpp"
 #include "scene/scales.hpp"
 #include "trace/trace.hpp"
 
 namespace peterka::trace {
 
-[[nodiscard]] std::vector<output::Table> tables_of(const Trace& trace, const scene::Scales& scales);
+[[nodiscard]] std::vector<map_file::Table> tables_of(const Trace& trace, const scene::Scales& scales);
 
 // A cell as scalars of a group: what a map of this job stores, in the units of its file.
-[[nodiscard]] std::vector<output::Table> cell_tables(const char* group, const output::StoredCell& cell,
-                                                     const job::Job& job);
+[[nodiscard]] std::vector<map_file::Table> cell_tables(const char* group, const quantities::StoredCell& cell,
+                                                       const job::Job& job);
 
 // The job of a map that stores all that proves the regime of a traced cell.
 [[nodiscard]] job::Job with_proofs(job::Job job);

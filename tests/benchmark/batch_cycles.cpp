@@ -22,8 +22,8 @@
 
 #include "../unit/batch_cases.hpp"
 #include "batch/cycle_kernel.hpp"
+#include "integrators/integrated_cycle_map.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
 #include "trajectory/recorder.hpp"
 #include "trajectory/split_cycle_map.hpp"
 

@@ -4,8 +4,8 @@ import re
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
-ORDER = ["support", "job", "scene", "motion", "trajectory", "batch", "regime", "parallel", "refine", "output", "study", "trace",
-         "page", "program"]
+ORDER = ["support", "job", "scene", "motion", "trajectory", "integrators", "batch", "regime", "parallel", "refine", "hdf5",
+         "quantities", "findings", "map_file", "study", "trace", "page", "report", "run"]
 INCLUDE = re.compile(r'^#include "(\w+)/', re.MULTILINE)
 
 
@@ -29,5 +29,5 @@ def test_data_flows_one_way():
 
 def test_an_upward_include_would_be_seen(tmp_path):
     (tmp_path / "motion").mkdir()
-    (tmp_path / "motion" / "wrong.hpp").write_text('#include "scene/scene.hpp"\n#include "output/map_file.hpp"\n')
-    assert upward_includes(tmp_path) == ["motion/wrong.hpp includes output/"]
+    (tmp_path / "motion" / "wrong.hpp").write_text('#include "scene/scene.hpp"\n#include "map_file/map_file.hpp"\n')
+    assert upward_includes(tmp_path) == ["motion/wrong.hpp includes map_file/"]

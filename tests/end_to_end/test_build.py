@@ -17,6 +17,6 @@ def test_a_folder_may_have_a_space_in_its_name(tmp_path):
     assert configured.returncode == 0, configured.stderr
     # a source that includes HDF5 and MPI, and the header that is made for each build
     built = subprocess.run(["cmake", "--build", "a build", "--target", "peterka_commit",
-                            "CMakeFiles/peterka_core.dir/src/output/provenance.cpp.o"], cwd=source,
+                            "CMakeFiles/peterka_core.dir/src/map_file/provenance.cpp.o"], cwd=source,
                            capture_output=True, text=True)
     assert built.returncode == 0, built.stdout + built.stderr

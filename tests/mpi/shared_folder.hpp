@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "../unit/output_examples.hpp"
+#include "../unit/map_examples.hpp"
 
-namespace peterka::output::examples {
+namespace peterka::map_file::examples {
 
 class SharedFolder {
   public:
@@ -32,4 +32,4 @@ class SharedFolder {
     std::filesystem::path path_;
 };
 
-}  // namespace peterka::output::examples
+}  // namespace peterka::map_file::examples

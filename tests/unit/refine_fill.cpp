@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "output_examples.hpp"
+#include "map_examples.hpp"
 #include "refine/lattice.hpp"
 
 namespace peterka::refine {

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "output/fields.hpp"
-#include "output/tile_bytes.hpp"
-#include "output_examples.hpp"
+#include "map_examples.hpp"
+#include "map_file/tile_bytes.hpp"
+#include "quantities/fields.hpp"
 #include "refine/regions.hpp"
 
 namespace peterka::refine {
@@ -21,7 +21,7 @@ using regime::Regime;
 using CellAt = std::function<CellResult(std::int64_t, std::int64_t)>;
 
 job::Job refined(std::int64_t rows, std::int64_t columns, std::int64_t levels) {
-    job::Job job = output::examples::small_map(rows, columns);
+    job::Job job = map_file::examples::small_map(rows, columns);
     job.refine.levels = levels;
     return job;
 }
@@ -120,8 +120,8 @@ TEST(RefineRegion, EdgesOfARegimeAreExact) {
 
 TEST(RefineRegion, NoCutOfTheMapShows) {
     const job::Job job = refined(97, 91, 3);
-    const auto fields = output::stored_fields(job);
-    const auto expected = output::encode(fields, refine_all(job, patchwork));
+    const auto fields = quantities::stored_fields(job);
+    const auto expected = map_file::encode(fields, refine_all(job, patchwork));
     for (const std::int64_t side : {16, 32, 64}) {
         const parallel::Tiling regions({97, 91}, {side, side});
         std::vector<CellResult> cells(97 * 91);
@@ -135,7 +135,7 @@ TEST(RefineRegion, NoCutOfTheMapShows) {
                 cells[static_cast<std::size_t>(row * 91 + column)] = own[static_cast<std::size_t>(i)];
             }
         }
-        EXPECT_EQ(output::encode(fields, cells), expected) << side;
+        EXPECT_EQ(map_file::encode(fields, cells), expected) << side;
     }
 }
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "integrators/integrated_cycle_map.hpp"
 #include "reference_cells.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
 #include "trajectory/recorder.hpp"
 #include "trajectory/split_cycle_map.hpp"
 

@@ -14,7 +14,7 @@
 #include "regime/scalar_engine.hpp"
 #include "rig.hpp"
 #include "scene/in_precision.hpp"
-#include "trajectory/taylor_cycle_map.hpp"
+#include "study/taylor_cycle_map.hpp"
 
 namespace peterka::regime {
 namespace {

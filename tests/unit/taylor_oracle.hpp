@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "scene/in_precision.hpp"
-#include "trajectory/taylor_cycle_map.hpp"
+#include "study/taylor_cycle_map.hpp"
 
 namespace peterka::testing {
 

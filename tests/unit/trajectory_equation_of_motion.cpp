@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trajectory/sundials_search.hpp"
+#include "integrators/search.hpp"
 
 namespace peterka::trajectory {
 namespace {

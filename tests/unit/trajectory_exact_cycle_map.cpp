@@ -6,9 +6,9 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "integrators/integrated_cycle_map.hpp"
 #include "observed.hpp"
 #include "rig.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
 
 namespace peterka::trajectory {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "extrapolation_oracle.hpp"
+#include "integrators/integrated_cycle_map.hpp"
 #include "regime/steady_state.hpp"
 #include "rig.hpp"
 #include "trajectory/equation_of_motion.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
 #include "trajectory/recorder.hpp"
 
 namespace peterka::trajectory {

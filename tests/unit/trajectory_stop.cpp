@@ -3,14 +3,14 @@
 
 #include <csignal>
 
+#include "integrators/integrated_cycle_map.hpp"
 #include "rig.hpp"
 #include "scene/in_precision.hpp"
+#include "study/rk4_cycle_map.hpp"
+#include "study/taylor_cycle_map.hpp"
 #include "support/stop_request.hpp"
 #include "trajectory/exact_cycle_map.hpp"
-#include "trajectory/integrated_cycle_map.hpp"
-#include "trajectory/rk4_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
-#include "trajectory/taylor_cycle_map.hpp"
 
 namespace peterka::trajectory {
 namespace {

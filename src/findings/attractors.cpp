@@ -1,0 +1,63 @@
+#include "findings/attractors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace peterka::findings {
+
+namespace {
+
+using regime::Regime;
+
+// Newton leaves 1e-11 on an orbit's point, while coexisting orbits lie far apart: anything between would do.
+constexpr double orbit_tolerance = 1e-6;
+
+bool close(double a, double b) {
+    return std::abs(a - b) <= orbit_tolerance * (1 + std::max(std::abs(a), std::abs(b)));
+}
+
+auto canonical_key(const Attractor& attractor) {
+    const quantities::StoredCell& cell = attractor.cell;
+    return std::tuple(cell.regime, cell.period, cell.impacts, cell.peak_force, cell.orbit_displacement,
+                      cell.orbit_velocity);
+}
+
+}  // namespace
+
+bool has_attractor(const quantities::StoredCell& cell) {
+    switch (cell.regime) {
+        case Regime::no_impact:
+        case Regime::chaotic:
+        case Regime::sustained_contact:
+            return true;
+        case Regime::periodic:
+            return std::isfinite(cell.orbit_displacement) && std::isfinite(cell.orbit_velocity) &&
+                   std::isfinite(cell.peak_force);
+        case Regime::unresolved:
+        case Regime::failed:
+            break;
+    }
+    return false;
+}
+
+bool same_attractor(const quantities::StoredCell& a, const quantities::StoredCell& b) {
+    if (a.regime != b.regime) return false;
+    if (a.regime != Regime::periodic) return true;
+    return a.period == b.period && a.impacts == b.impacts &&
+           close(a.orbit_displacement, b.orbit_displacement) && close(a.orbit_velocity, b.orbit_velocity);
+}
+
+std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell) {
+    if (!has_attractor(cell)) return no_attractor;
+    const auto row =
+        std::ranges::find_if(table, [&](const Attractor& known) { return same_attractor(known.cell, cell); });
+    return row == table.end() ? no_attractor : static_cast<std::int32_t>(row - table.begin());
+}
+
+void sort_canonically(std::vector<Attractor>& table) {
+    // Only periodic rows share a regime, and all their numbers are finite (has_attractor), so `<` orders them.
+    std::ranges::sort(table, {}, canonical_key);
+}
+
+}  // namespace peterka::findings

@@ -1,0 +1,87 @@
+// What a map holds, for the summary at its end: counts and extremes over all cells that are there.
+//
+// Taken from cells in any grouping and merged, the result is the same: counts are sums, and of equal extremes
+// the one with the lowest cell wins. Forces are over the hammer's weight, F/(m g0).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "findings/transients.hpp"
+#include "parallel/tiles.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka::findings {
+
+// The largest peak force among some cells, and where.
+struct LargestForce {
+    double peak_force_ratio = -std::numeric_limits<double>::infinity();
+    std::int64_t row = -1;
+    std::int64_t column = -1;
+
+    [[nodiscard]] bool found() const { return row >= 0; }
+    void take(const LargestForce& other);
+};
+
+// z = p/q; ordered by q, then p.
+struct ImpactClass {
+    std::int32_t period = 0;
+    std::int32_t impacts = 0;
+    friend auto operator<=>(const ImpactClass&, const ImpactClass&) = default;
+};
+
+struct Counts {
+    std::array<std::int64_t, quantities::regime_names.size()> by_regime{};
+    std::array<std::int64_t, quantities::status_names.size()> unresolved_by_status{};
+    std::array<std::int64_t, quantities::status_names.size()> failed_by_status{};
+    std::array<std::int64_t, quantities::status_names.size()> open_by_status{};  // of what proofs leave open
+    std::array<std::int64_t, quantities::engine_names.size()> by_engine{};
+    std::int64_t cells = 0;   // that the map holds so far
+    std::int64_t filled = 0;  // of these, from cells around them
+    std::int64_t cycles = 0;  // forcing cycles spent on them
+
+    void add(const Counts& other);
+};
+
+struct Extremes {
+    LargestForce any_regime;
+    LargestForce periodic;
+    LargestForce one_to_one;  // z = 1/1
+
+    void take(const Extremes& other);
+};
+
+// For how many cycles chaotic motions were followed.
+struct Observed {
+    std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
+    std::int64_t most = 0;
+
+    void take(const Observed& other);
+};
+
+struct Statistics {
+    Counts counts;
+    Observed chaos;
+    Extremes largest;
+    std::map<ImpactClass, std::int64_t> periodic_cells;  // per class
+    Transients transients;                               // of cells that store their last impact
+    double tile_seconds = 0;                             // computing time of all tiles of the file [s]
+
+    [[nodiscard]] std::int64_t cells_of(regime::Regime regime) const {
+        return counts.by_regime[static_cast<std::size_t>(regime)];
+    }
+};
+
+// Adds the cells of one tile, row by row; cells not computed yet count nowhere.
+void add_tile(Statistics& statistics, const parallel::Tile& tile,
+              std::span<const quantities::StoredCell> cells);
+
+// One line per reason for which cells have no result, e.g. "3 cells failed: not_finite"; "" if all have one.
+[[nodiscard]] std::string failure_text(const Counts& counts);
+
+}  // namespace peterka::findings

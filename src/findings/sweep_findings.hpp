@@ -1,0 +1,73 @@
+// What the branches of a sweep show: strongest impacts, bands of one kind of motion, jumps, and hysteresis.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "findings/statistics.hpp"
+#include "job/job.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka {
+
+// What a cell is called: its regime, and z = p/q where it is periodic.
+struct MotionClass {
+    regime::Regime regime = regime::Regime::failed;
+    findings::ImpactClass z;  // 0/0 unless periodic
+    friend auto operator<=>(const MotionClass&, const MotionClass&) = default;
+};
+
+// Neighbouring points of one class, both ends included, as columns of the branch.
+struct Band {
+    MotionClass motion;
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+    [[nodiscard]] std::int64_t points() const { return last - first + 1; }
+};
+
+// From the last point before it to the first one after it, in the branch's direction.
+struct Jump {
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+};
+
+// Columns first to last.
+struct Stretch {
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+};
+
+// What lies next to a point, seen along the frequencies. With both sides its own band, a largest force is a
+// maximum inside it: a resonance. Elsewhere the force may only be cut off.
+enum class Side { own_band, other_band, jump, end_of_sweep };
+struct Surroundings {
+    Side below = Side::own_band;
+    Side above = Side::own_band;
+    [[nodiscard]] bool inside() const { return below == Side::own_band && above == Side::own_band; }
+};
+
+struct BranchFindings {
+    job::Branch branch;
+    std::vector<quantities::StoredCell> cells = {};  // along the frequencies
+    // columns of the largest peak force among z = 1/1 and among all
+    std::optional<std::int64_t> one_to_one = {};
+    std::optional<std::int64_t> largest = {};
+    Surroundings around_one_to_one = {};                            // of the former
+    std::vector<Jump> jumps = {};                                   // in the branch's direction
+    std::vector<Band> bands = {};                                   // along the frequencies
+    std::vector<std::pair<MotionClass, std::int64_t>> points = {};  // of each class, most frequent first
+};
+
+[[nodiscard]] MotionClass motion_class(const quantities::StoredCell& cell);
+[[nodiscard]] BranchFindings find_in_branch(const job::Branch& branch,
+                                            std::vector<quantities::StoredCell> cells);
+
+// The longest stretch in which sweeping up and down lead to different steady motions: another class, or a peak
+// force that differs by more than a hundredth. Points without a period on either side don't count,
+// and a single point is no stretch.
+[[nodiscard]] std::optional<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down);
+
+}  // namespace peterka

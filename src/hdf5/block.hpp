@@ -1,0 +1,48 @@
+// Raw numbers to and from a block of a dataset through HDF5, by this rank alone.
+//
+// A map that is being computed is written and read through stored.hpp, which vouches for it.
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hdf5/checked.hpp"
+#include "hdf5/variable.hpp"
+#include "parallel/tiles.hpp"
+
+namespace peterka::hdf5 {
+
+// A rectangle of cells, a box on it, or a run of entries of a list.
+class Block {
+  public:
+    explicit Block(const parallel::Tile& tile);
+    Block(const parallel::Tile& tile, std::int64_t depth);  // with so many values for each cell
+    Block(std::int64_t first, std::int64_t count);
+
+    // Cut out of the dataset's own space.
+    [[nodiscard]] const hsize_t* offset() const { return offset_.data(); }
+    [[nodiscard]] const hsize_t* count() const { return count_.data(); }
+    [[nodiscard]] int rank() const { return rank_; }
+
+  private:
+    int rank_;
+    std::array<hsize_t, 3> offset_{};
+    std::array<hsize_t, 3> count_{};
+};
+
+void write_block(const Checked& check, hid_t dataset, Number number, const Block& block, const void* values);
+void read_block(const Checked& check, hid_t dataset, Number number, const Block& block, void* values);
+
+// A text as it lies in a file: cut to its room, the rest zeros.
+[[nodiscard]] std::array<char, text_capacity> padded_text(const std::string& text);
+
+// Scalars and texts by path.
+void write_number(const Checked& check, hid_t file, const char* path, double value);
+[[nodiscard]] double read_number(const Checked& check, hid_t file, const char* path);
+void write_text(const Checked& check, hid_t file, const char* path, const std::string& text);
+
+}  // namespace peterka::hdf5

@@ -1,0 +1,51 @@
+// Where in a file the numbers of a dataset lie: in one piece, tile after tile where it is chunked.
+//
+// All storage of a map is allocated when it is made, without filters, so that the place of each number follows
+// from one address. A dataset that is stored in any other way has none of this kind.
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "hdf5/block.hpp"
+#include "hdf5/checked.hpp"
+
+namespace peterka::hdf5 {
+
+class Storage {
+  public:
+    // Nothing for a dataset that is virtual, external, filtered, compact, not allocated or chunked with an
+    // index that could lead anywhere.
+    [[nodiscard]] static std::optional<Storage> of(const Checked& check, hid_t dataset);
+
+    [[nodiscard]] std::uint64_t begin() const { return address_; }
+    [[nodiscard]] std::uint64_t end() const { return address_ + bytes_; }
+    [[nodiscard]] bool is_chunked() const { return is_chunked_; }
+    [[nodiscard]] bool is_scalar() const { return rank_ == 0; }
+    [[nodiscard]] std::size_t bytes_per_value() const { return bytes_per_value_; }
+
+    // Pieces of the file that hold a block, in the block's order.
+    using Use = std::function<void(std::uint64_t offset, std::size_t bytes)>;
+    void each_piece(const Block& block, const Use& use) const;
+    // All of it, tile by tile where it is chunked.
+    void each_piece(const Use& use) const;
+
+  private:
+    [[nodiscard]] bool find_storage(hid_t dataset, hid_t properties);
+
+    bool is_chunked_ = false;
+    std::uint64_t address_ = 0;
+    std::uint64_t bytes_ = 0;  // in the file; chunks at the edge take the room of a whole one
+    std::size_t bytes_per_value_ = 1;
+    int rank_ = 0;
+    // rows, columns, values per cell; a list is one row
+    std::array<std::uint64_t, 3> size_{1, 1, 1};
+    std::array<std::uint64_t, 3> chunk_{1, 1, 1};
+};
+
+}  // namespace peterka::hdf5

@@ -1,0 +1,229 @@
+// A cycle as a chain of integrated legs, for either integrator of trajectory/sundials_steppers.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "integrators/events.hpp"
+#include "integrators/steppers.hpp"
+#include "support/stop_request.hpp"
+#include "trajectory/recorder.hpp"
+#include "trajectory/rigid_course.hpp"
+
+namespace peterka::trajectory {
+
+template <class Stepper>
+class CycleIntegration {
+  public:
+    CycleIntegration(const Oscillator<double>& scene, typename Stepper::Method method, double local_tolerance)
+        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, local_tolerance})),
+          stepper_(std::make_unique<Stepper>(*leg_, method)),
+          events_(*leg_, *stepper_) {
+        if (std::holds_alternative<scene::Restitution<double>>(scene.contact)) {
+            course_.emplace(scene, RigidStop<double>(scene));
+        }
+    }
+
+    [[nodiscard]] const Oscillator<double>& scene() const { return leg_->scene; }
+    [[nodiscard]] Cycle<double> cycle(const State<double>& x, Recorder<double>* recorder);
+
+  private:
+    using Outcome = typename Cycle<double>::Outcome;
+
+    struct LegEnd {
+        enum class Kind { event, cycle, failure };
+        Kind kind = Kind::failure;
+        Phase next = Phase::flight;
+        LegPoint point{};
+    };
+
+    LegEnd integrate_leg(const State<double>& x, double length, Recorder<double>* recorder);
+    using Integrals = typename StepEvents<Stepper>::Integrals;
+    void record_step(const LegPoint& end, Integrals& integrals, Recorder<double>& recorder);
+    void record_leg(const State<double>& start, const LegPoint& end, const Integrals& integrals,
+                    Recorder<double>& recorder) const;
+    // Against a stop that gives way, and against a rigid one.
+    Cycle<double> pressing_cycle(const State<double>& x, Recorder<double>* recorder);
+    Cycle<double> striking_cycle(const State<double>& x, Recorder<double>* recorder);
+    // A hammer that leaves its rest on the stop can't be back before something presses again, or before its
+    // spring swings back.
+    [[nodiscard]] double time_away(double theta) const {
+        const double stiffening = 3 * std::abs(leg_->scene.cubic) * (1 + leg_->scene.gap * leg_->scene.gap);
+        return std::min(1 / std::sqrt(1 + stiffening),
+                        course_->stop().ahead_to_pressing(theta) / leg_->scene.frequency);
+    }
+    bool fly(Journey<double>& journey, double end_time, Recorder<double>* recorder);
+    void enter(Phase from, Phase next, double time, Cycle<double>& cycle, Recorder<double>* recorder) const;
+
+    std::unique_ptr<SundialsLeg> leg_;
+    std::unique_ptr<Stepper> stepper_;
+    StepEvents<Stepper> events_;
+    std::optional<RigidCourse<double>> course_;  // of a rigid stop
+    int steps_ = 0;                              // in this cycle
+    double leg_start_ = 0;                       // tau of the cycle
+};
+
+template <class Stepper>
+auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double length, Recorder<double>* recorder)
+    -> LegEnd {
+    constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
+    constexpr double longest_step =
+        0.5;  // in radians of the spring and of the forcing: events are looked for in it
+    const double instant = 1e-14 * leg_->scene.period();  // too short for an integrator
+    if (length <= instant) return {LegEnd::Kind::cycle, leg_->phase, extrapolated(*leg_, {.state = x}, length)};
+    Integrals integrals;
+    stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
+    while (++steps_ <= most_steps && stepper_->step()) {
+        stop_if_asked();
+        if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
+        const auto event = events_.first_event();
+        const LegPoint end = event ? event->point : stepper_->now();
+        if (recorder != nullptr) record_step(end, integrals, *recorder);
+        if (events_.failed()) break;
+        if (!event && end.time < length) continue;
+        if (recorder != nullptr) record_leg(x, end, integrals, *recorder);
+        if (event) return {LegEnd::Kind::event, event->next, end};
+        return {LegEnd::Kind::cycle, leg_->phase, end};
+    }
+    return {};
+}
+
+template <class Stepper>
+void CycleIntegration<Stepper>::record_step(const LegPoint& end, Integrals& integrals,
+                                            Recorder<double>& recorder) {
+    const auto& totals = recorder.totals();
+    const bool presses = leg_->phase == Phase::contact;
+    if (presses) recorder.force(events_.largest_force(end, recorder.force_to_beat()));
+    recorder.displacement_bound(events_.displacement_bound(end, totals.displacement_bound));
+    if (auto* observer = recorder.observer(); observer != nullptr) {
+        const double before = stepper_->before().time;
+        observer->stretch(leg_->phase, leg_start_ + before, end.time - before,
+                          [&](double t) { return events_.state_at(before + t); });
+    }
+    if (!recorder.records_contacts()) return;
+    recorder.displacement(events_.largest_displacement(end, totals.largest_displacement));
+    if (presses || recorder.records_energy()) events_.add_integrals(end, integrals);
+}
+
+// What the stop did follows from the balances of momentum and energy: as exact as the integration, and free of
+// the force itself, which is noise in a stiff contact.
+template <class Stepper>
+void CycleIntegration<Stepper>::record_leg(const State<double>& start, const LegPoint& end,
+                                           const Integrals& integrals, Recorder<double>& recorder) const {
+    if (recorder.records_energy()) recorder.energy(integrals.drive_work, integrals.damper_work);
+    if (!recorder.records_contacts() || leg_->phase != Phase::contact) return;
+    const double slowing = start[1] - end.state[1];
+    const double mean = (start[1] + end.state[1]) / 2;
+    recorder.press(
+        {.impulse = slowing + integrals.push, .time = end.time, .work = slowing * mean + integrals.push_work});
+}
+
+// Puts the state exactly on the surface of the event that leads into a phase, and counts it.
+template <class Stepper>
+void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle<double>& cycle,
+                                      Recorder<double>* recorder) const {
+    const auto& scene = leg_->scene;
+    if (next == Phase::flight) {
+        cycle.end[0] = 0;
+        if (recorder != nullptr) recorder->leave();
+    }
+    if (next == Phase::contact) {
+        const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
+        if (resumes) {
+            cycle.end = at_release(scene, cycle.end);
+        } else {
+            ++cycle.impacts;
+            cycle.last_touch = time;
+            if (recorder != nullptr) recorder->touch({scene.frequency * time, cycle.end[1]});
+            cycle.end[0] = 0;
+            // saltation: the force jumps by this times the speed
+            cycle.jacobian.row(1) -= contact_response(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
+        }
+    }
+    // the end of a contact is one token, wherever the stop lets go
+    if (from == Phase::contact) cycle.pattern = append(cycle.pattern, pattern_of(Phase::unloaded));
+    if (next == Phase::contact) cycle.pattern = append(cycle.pattern, pattern_of(Phase::contact));
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<double>* recorder) {
+    events_.forget_failure();
+    steps_ = 0;
+    if (!x.allFinite() || !std::isfinite(leg_->scene.period()))
+        return {.outcome = Outcome::not_finite, .end = x};
+    return course_ ? striking_cycle(x, recorder) : pressing_cycle(x, recorder);
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, Recorder<double>* recorder) {
+    constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
+    const auto& scene = leg_->scene;
+    const double period = scene.period();
+    Cycle<double> cycle;
+    cycle.end = x;
+    Phase phase = phase_of(scene, x);
+    cycle.pattern = pattern_of(phase);
+    double time = 0;
+    for (int legs = 0; legs < most_legs; ++legs) {
+        leg_->phase = phase;
+        leg_->start_angle = scene.frequency * time;
+        leg_start_ = time;
+        cycle.touched |= phase == Phase::contact;
+        cycle.separated |= phase == Phase::flight;
+        const LegEnd end = integrate_leg(cycle.end, period - time, recorder);
+        if (end.kind == LegEnd::Kind::failure) {
+            cycle.outcome = Outcome::solver_failed;
+            return cycle;
+        }
+        cycle.end = end.point.state;
+        cycle.jacobian = (end.point.flow * cycle.jacobian).eval();
+        if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
+            cycle.outcome = Outcome::not_finite;
+            return cycle;
+        }
+        if (end.kind == LegEnd::Kind::cycle) return cycle;
+        time += end.point.time;
+        enter(phase, end.next, time, cycle, recorder);
+        phase = end.next;
+    }
+    cycle.outcome = Outcome::too_many_events;
+    return cycle;
+}
+
+template <class Stepper>
+Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, Recorder<double>* recorder) {
+    Journey<double> journey = course_->depart(x);
+    const auto flight = [&](Journey<double>& flying, double end_time) {
+        return fly(flying, end_time, recorder);
+    };
+    if (course_->run(journey, leg_->scene.period(), recorder, flight)) course_->arrive(journey, recorder);
+    return journey.cycle;
+}
+
+template <class Stepper>
+bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, Recorder<double>* recorder) {
+    constexpr double low = 1e-3;  // of the response's size: the floor of the error weights
+    const auto& scene = leg_->scene;
+    Cycle<double>& cycle = journey.cycle;
+    const double speed = -cycle.end[1];
+    leg_->start_angle = scene.frequency * journey.time;
+    leg_start_ = journey.time;
+    leg_->hop_speed = cycle.end[0] == 0 && speed > 0 && speed < low * response_length(scene) ? speed : 0;
+    const bool from_rest = cycle.end[0] == 0 && speed == 0;
+    events_.trust_after(from_rest ? time_away(leg_->start_angle) : 0);
+    cycle.separated = true;
+
+    const LegEnd end = integrate_leg(cycle.end, end_time - journey.time, recorder);
+    if (end.kind == LegEnd::Kind::failure) return journey.stop(Outcome::solver_failed);
+    const bool hits = end.kind == LegEnd::Kind::event;
+    cycle.end = end.point.state;
+    cycle.jacobian = (end.point.flow * cycle.jacobian).eval();
+    if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) return journey.stop(Outcome::not_finite);
+    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than the integration tells
+    journey.time = hits ? journey.time + end.point.time : end_time;
+    return true;
+}
+
+}  // namespace peterka::trajectory

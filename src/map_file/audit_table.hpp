@@ -1,0 +1,69 @@
+// Group /audit of a map file: a sample of cells, each solved again by an independent engine with every term.
+//
+// The sample is chosen and judged by the caller; a row's `agrees` is written last, so that a row that has one
+// is whole.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hdf5/stored.hpp"
+#include "job/job.hpp"
+#include "map_file/layout.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka::map_file {
+
+struct AuditRow {
+    std::int64_t cell = 0;  // row by row from 0
+    std::int64_t row = 0;
+    std::int64_t column = 0;
+    quantities::StoredCell again;  // the independent result
+    double force_error =
+        regime::unknown;  // of the map against it, relative; NaN where there is nothing to compare
+    double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
+                                           // in either run
+    bool agrees = false;                   // same regime, and the same p/q where it is periodic
+    double seconds = 0;                    // spent on solving it again
+};
+
+// What the sample says of the whole map.
+struct AuditReport {
+    std::int64_t cells = 0;
+    std::int64_t agreeing = 0;
+    std::int64_t decided_by_rounding = 0;         // of those that don't
+    std::int64_t compared = 0;                    // cells with a force_error
+    double median_force_error = regime::unknown;  // of these, relative; so the next two
+    double force_error_99_percent = regime::unknown;
+    double largest_force_error = regime::unknown;
+    double seconds_per_cell = 0;  // of the independent engine
+};
+[[nodiscard]] AuditReport report(std::span<const AuditRow> rows);
+
+// Rows of the table: audit.cells of the job, or all cells of a smaller map.
+[[nodiscard]] std::int64_t audit_rows(const job::Job& job);
+
+// Its datasets, for the layout; none where the job wants no audit.
+[[nodiscard]] std::vector<DatasetPlan> audit_plans(const job::Job& job);
+[[nodiscard]] std::vector<DatasetPlan> audit_run_plans(const job::Job& job);  // those in group /run
+
+// The table in an open file. Every call is this rank's own.
+class AuditTable {
+  public:
+    explicit AuditTable(const hdf5::OpenMap& map) : map_(map) {}
+
+    [[nodiscard]] bool has(std::int64_t index) const;
+    void write(std::int64_t index, const AuditRow& row) const;
+    // What a report needs of each of the first `count` rows.
+    [[nodiscard]] std::vector<AuditRow> read(std::int64_t count) const;
+    void write(const AuditReport& report) const;
+
+  private:
+    template <class Value>
+    void put(const char* name, std::int64_t index, Value value) const;
+
+    hdf5::OpenMap map_;
+};
+
+}  // namespace peterka::map_file

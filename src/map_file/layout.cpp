@@ -1,0 +1,163 @@
+#include "map_file/layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "map_file/audit_table.hpp"
+#include "map_file/samples.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka::map_file {
+
+namespace {
+
+// In the order of job::Direction.
+constexpr std::array<const char*, 3> direction_names{"up", "down", "independent"};
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// clang-format off
+constexpr hdf5::Variable frequency_ratio{"frequency_ratio", hdf5::Number::float64, nan, "1", "excitation frequency over natural frequency, Omega/omega"};
+constexpr hdf5::Variable gap_ratio{"gap_ratio", hdf5::Number::float64, nan, "1", "gap over cart amplitude, gap/A0"};
+constexpr hdf5::Variable displacement_ratio{"displacement_ratio", hdf5::Number::float64, nan, "1", "hammer displacement at the start over cart amplitude, x(0)/A0"};
+constexpr hdf5::Variable velocity_ratio{"velocity_ratio", hdf5::Number::float64, nan, "1", "hammer velocity at the start over A0 omega, x'(0)/(A0 omega)"};
+constexpr hdf5::Variable branch{"branch", hdf5::Number::int32, -1, "1", "branch: a gap and a direction of the sweep"};
+constexpr hdf5::Variable sample{"sample", hdf5::Number::int32, -1, "1", "sample of the steady motion"};
+constexpr hdf5::Variable direction{"direction", hdf5::Number::int8, regime::regime_not_computed, "", "order of the frequencies: each point starts from the last one's motion, or all alike", direction_names};
+constexpr hdf5::Variable attractor_of_cell{"attractor", hdf5::Number::int32, -1, "1", "row of the table in group attractors; -1 for none"};
+
+constexpr hdf5::Variable tile{"tile", hdf5::Number::int64, 0, "1", "tile number, row by row"};
+constexpr hdf5::Variable tile_variables[] = {
+    {"done", hdf5::Number::int8, 0, "1", "1 once the tile and its checksum are written"},
+    {"checksum", hdf5::Number::uint64, 0, "", "XXH3 (64 bits) of the tile: field after field, row by row"},
+};
+constexpr hdf5::Variable run_tile_variables[] = {
+    {"tile_seconds", hdf5::Number::float64, nan, "s", "computing time of the tile"},
+    {"tile_rank", hdf5::Number::int32, -1, "1", "rank that computed the tile"},
+};
+constexpr hdf5::Variable run_variables[] = {
+    {"ranks", hdf5::Number::int32, 0, "1", "ranks of the last run"},
+    {"compute_seconds", hdf5::Number::float64, 0, "s", "wall time of all runs of this file"},
+    {"solve_seconds", hdf5::Number::float64, 0, "s", "of these, solving and storing cells, without starting up"},
+    {"hosts", hdf5::Number::text, 0, "", "hosts of the last run"},
+};
+constexpr hdf5::Variable summary_variables[] = {
+    {"omitted", hdf5::Number::text, 0, "", "what the program left out of the scene and why"},
+    {"failures", hdf5::Number::text, 0, "", "cells without a result and why"},
+    {"frame", hdf5::Number::uint64, 0, "", "XXH3 (64 bits) of what the file has from the beginning"},
+    checksum_of_file,
+    {"finished", hdf5::Number::int8, 0, "1", "1 once everything in the file is final"},
+};
+constexpr hdf5::Variable attractor_row{"attractor", hdf5::Number::int32, -1, "1", "row of this table"};
+constexpr hdf5::Variable attractor_cells{"cells", hdf5::Number::int64, 0, "1", "cells that lead to the attractor"};
+constexpr hdf5::Variable attractor_count{"count", hdf5::Number::int32, 0, "1", "rows in use"};
+// clang-format on
+
+parallel::Extent largest_tile(const job::Job& job) {
+    return job.kind == job::Kind::sweep ? parallel::Extent{1, job.columns.points} : parallel::tile_extent;
+}
+
+// On the plane of cells, and of so many samples in each.
+DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::vector<Dimension> dimensions) {
+    const parallel::Extent largest = largest_tile(job);
+    std::vector<std::int64_t> chunk{std::min(largest.rows, dimensions[0].size),
+                                    std::min(largest.columns, dimensions[1].size)};
+    if (dimensions.size() > 2) chunk.push_back(dimensions[2].size);
+    return {"/", variable, std::move(dimensions), std::move(chunk)};
+}
+
+void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const Dimension branches{branch.name, job.row_count()};
+    const Dimension frequencies{frequency_ratio.name, job.columns.points};
+    const Dimension samples{sample.name, job.sweep.samples};
+    plans.push_back({"/", branch, {branches}});
+    plans.push_back({"/", frequency_ratio, {frequencies}});
+    plans.push_back({"/", sample, {samples}});
+    plans.push_back({"/", gap_ratio, {branches}});
+    plans.push_back({"/", direction, {branches}});
+    for (const quantities::Field& field : quantities::stored_fields(job)) {
+        plans.push_back(on_cells(job, field.variable, {branches, frequencies}));
+    }
+    for (const hdf5::Variable& variable : sample_variables) {
+        plans.push_back(on_cells(job, variable, {branches, frequencies, samples}));
+    }
+}
+
+void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const bool is_map = job.kind == job::Kind::map;
+    const hdf5::Variable& columns = is_map ? frequency_ratio : displacement_ratio;
+    const hdf5::Variable& rows = is_map ? gap_ratio : velocity_ratio;
+    const Dimension column_dimension{columns.name, job.columns.points};
+    const Dimension row_dimension{rows.name, job.rows.points};
+    plans.push_back({"/", columns, {column_dimension}});
+    plans.push_back({"/", rows, {row_dimension}});
+    for (const quantities::Field& field : quantities::stored_fields(job)) {
+        plans.push_back(on_cells(job, field.variable, {row_dimension, column_dimension}));
+    }
+    if (!is_map) plans.push_back(on_cells(job, attractor_of_cell, {row_dimension, column_dimension}));
+}
+
+void add_attractors(std::vector<DatasetPlan>& plans) {
+    const Dimension dimension{attractor_row.name, attractor_capacity};
+    plans.push_back({"/attractors", attractor_row, {dimension}});
+    for (const quantities::Field& field : quantities::attractor_fields())
+        plans.push_back({"/attractors", field.variable, {dimension}});
+    plans.push_back({"/attractors", attractor_cells, {dimension}});
+    plans.push_back({"/attractors", attractor_count, {}});
+}
+
+void add_tiles_and_run(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const Dimension dimension{tile.name, tiling(job).count()};
+    plans.push_back({"/tiles", tile, {dimension}});
+    for (const hdf5::Variable& variable : tile_variables) plans.push_back({"/tiles", variable, {dimension}});
+    plans.push_back({"/run", tile, {dimension}});
+    for (const hdf5::Variable& variable : run_tile_variables) plans.push_back({"/run", variable, {dimension}});
+    for (const hdf5::Variable& variable : run_variables) plans.push_back({"/run", variable, {}});
+    std::ranges::move(audit_run_plans(job), std::back_inserter(plans));
+}
+
+std::int64_t capped_product(std::int64_t a, std::int64_t b) {
+    std::int64_t product = 0;
+    return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<std::int64_t>::max() : product;
+}
+
+}  // namespace
+
+std::string DatasetPlan::path() const {
+    return (group == "/" ? "" : group) + "/" + variable.name;
+}
+
+bool DatasetPlan::is_scale() const {
+    return dimensions.size() == 1 && dimensions[0].name == variable.name;
+}
+
+std::int64_t DatasetPlan::bytes() const {
+    auto size = static_cast<std::int64_t>(hdf5::bytes_of(variable.number));
+    if (is_tiled()) {
+        const parallel::Tiling tiles({dimensions[0].size, dimensions[1].size}, {chunk[0], chunk[1]});
+        // tiles at the edge take the room of a whole one
+        for (const std::int64_t side : chunk) size = capped_product(size, side);
+        return capped_product(size, tiles.count());
+    }
+    for (const Dimension& dimension : dimensions) size = capped_product(size, dimension.size);
+    return size;
+}
+
+std::vector<DatasetPlan> layout(const job::Job& job) {
+    std::vector<DatasetPlan> plans;
+    job.kind == job::Kind::sweep ? add_branches(plans, job) : add_plane(plans, job);
+    if (job.kind == job::Kind::basin) add_attractors(plans);
+    add_tiles_and_run(plans, job);
+    std::ranges::move(audit_plans(job), std::back_inserter(plans));
+    for (const hdf5::Variable& variable : summary_variables) plans.push_back({"/summary", variable, {}});
+    return plans;
+}
+
+parallel::Tiling tiling(const job::Job& job) {
+    return parallel::Tiling({job.row_count(), job.columns.points}, largest_tile(job));
+}
+
+}  // namespace peterka::map_file

@@ -1,0 +1,70 @@
+// Every dataset of a map file: where it lies, what it holds and how large it is.
+//
+// Creating, sizing and inspecting a file all follow this one list. Dimensions are HDF5 dimension scales in the
+// group of the datasets they belong to, as netCDF-4 readers want them. "same bytes" holds for all groups but
+// /run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hdf5/variable.hpp"
+#include "job/job.hpp"
+#include "parallel/tiles.hpp"
+
+namespace peterka::map_file {
+
+// Files of version 1 have no checksum over what lies outside the tiles.
+inline constexpr int layout_version = 2;
+inline constexpr std::int64_t attractor_capacity = 256;
+
+// The seal (seal.hpp).
+inline constexpr hdf5::Variable checksum_of_file{
+    "checksum", hdf5::Number::uint64, 0, "", "XXH3 (64 bits) of all that is final in the file; written last"};
+
+struct Dimension {
+    std::string name;  // of the scale, in the same group
+    std::int64_t size = 0;
+};
+
+struct DatasetPlan {
+    std::string group;  // "/", "/tiles", ...
+    hdf5::Variable variable;
+    std::vector<Dimension> dimensions;  // none for a scalar
+    std::vector<std::int64_t> chunk =
+        {};  // on the plane of cells: what one tile has, or the whole of a smaller plane
+
+    [[nodiscard]] std::string path() const;
+    [[nodiscard]] bool is_scale() const;  // a dimension's own dataset: its coordinates
+    [[nodiscard]] bool is_tiled() const { return !chunk.empty(); }
+    [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest number there is where it does not fit
+};
+
+// Scales come before the datasets that they belong to.
+[[nodiscard]] std::vector<DatasetPlan> layout(const job::Job& job);
+
+// A branch of a sweep is one tile.
+[[nodiscard]] parallel::Tiling tiling(const job::Job& job);
+
+// Paths that the program itself reads or writes by name.
+namespace path {
+inline constexpr const char* done = "/tiles/done";
+inline constexpr const char* checksum = "/tiles/checksum";
+inline constexpr const char* tile_seconds = "/run/tile_seconds";
+inline constexpr const char* tile_rank = "/run/tile_rank";
+inline constexpr const char* ranks = "/run/ranks";
+inline constexpr const char* compute_seconds = "/run/compute_seconds";
+inline constexpr const char* solve_seconds = "/run/solve_seconds";
+inline constexpr const char* hosts = "/run/hosts";
+inline constexpr const char* omitted = "/summary/omitted";
+inline constexpr const char* failures = "/summary/failures";
+inline constexpr const char* sum_of_file = "/summary/checksum";
+inline constexpr const char* sum_of_frame = "/summary/frame";
+inline constexpr const char* finished = "/summary/finished";
+inline constexpr const char* attractor = "/attractor";
+inline constexpr const char* attractor_count = "/attractors/count";
+inline constexpr const char* attractor_cells = "/attractors/cells";
+}  // namespace path
+
+}  // namespace peterka::map_file

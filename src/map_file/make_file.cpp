@@ -1,0 +1,161 @@
+#include "map_file/make_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "hdf5/checked.hpp"
+#include "hdf5/disk_file.hpp"
+#include "map_file/inspect.hpp"
+#include "map_file/layout.hpp"
+#include "map_file/make_layout.hpp"
+#include "map_file/map_size.hpp"
+#include "map_file/root_attributes.hpp"
+#include "map_file/seal.hpp"
+#include "support/errors.hpp"
+#include "support/readable.hpp"
+
+namespace peterka::map_file {
+
+namespace {
+
+std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix) {
+    return path += suffix;
+}
+
+// Gives the file all the room it will need, so that a full disk, a quota or a limit says so here and by the
+// system's own words. HDF5 1.10 cannot close a file that it had no room to write: the program would crash at
+// its end.
+void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int error = descriptor < 0 ? errno : ::posix_fallocate(descriptor, 0, bytes);
+    if (descriptor >= 0) ::close(descriptor);
+    if (error == 0 || error == EINVAL || error == EOPNOTSUPP) return;  // the latter: not every file system can
+    std::error_code ignored;
+    std::filesystem::resize_file(path, 0, ignored);
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: no room for {} ({} bytes): {}. Nothing was created; choose another folder with "
+                    "--output, or fewer points or fields.",
+                    path.string(), readable_bytes(bytes), bytes, std::generic_category().message(error)));
+}
+
+void write_whole(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
+                 std::int64_t bytes) {
+    const hdf5::Checked check(path);
+    hdf5::FileId file(
+        check(H5Fcreate(path.c_str(), H5F_ACC_EXCL, file_creation(check).id(), file_access(check).id()),
+              "H5Fcreate"));
+    reserve_room(path, bytes);
+    const std::vector<DatasetPlan> plans = layout(job);
+    write_root_attributes(check, file.id(), job, provenance);
+    make_datasets(check, file.id(), plans);
+    write_coordinates(check, file.id(), plans, job);
+    write_seal(check, file.id(), Sealed::frame);
+    check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");
+    check(H5Fclose(file.release()), "H5Fclose");
+}
+
+// Not through a link.
+bool is_plain_file(const std::filesystem::path& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1;
+}
+
+bool is_complete_map(const std::filesystem::path& path) {
+    try {
+        return is_plain_file(path) && holds_complete_map(path);
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+// Whether a file begins as one that HDF5 has made or was about to: empty, zeros, or its signature.
+bool begins_as_ours(const std::filesystem::path& path) {
+    constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+    std::string begin(signature.size(), '\0');
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const ssize_t length = ::pread(descriptor, begin.data(), begin.size(), 0);
+    ::close(descriptor);
+    return length >= 0 && (begin == signature || begin.find_first_not_of('\0') == std::string::npos);
+}
+
+void require_room_for_previous(const std::filesystem::path& path) {
+    struct stat status {};
+    const std::filesystem::path previous = previous_name(path);
+    if (::lstat(previous.c_str(), &status) != 0 || is_complete_map(previous)) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: is no map of peterka, and the map to be replaced would be kept "
+                              "under that name. Move it away.",
+                              previous.string()));
+}
+
+void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (!error) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: cannot be renamed to {}: {}", from.string(), to.string(), error.message()));
+}
+
+}  // namespace
+
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+    return with_suffix(path, ".peterka-creating");
+}
+
+std::filesystem::path previous_name(const std::filesystem::path& path) {
+    return with_suffix(path, ".peterka-previous");
+}
+
+void clear_temporary(const std::filesystem::path& temporary) {
+    struct stat status {};
+    if (::lstat(temporary.c_str(), &status) != 0) return;
+    if (!is_plain_file(temporary) || !begins_as_ours(temporary)) {
+        throw Failure(ExitCode::output,
+                      fmt::format("{}: is in the way, and no run of peterka has left it. Move it "
+                                  "away, or choose another name with --output.",
+                                  temporary.string()));
+    }
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+}
+
+void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+    hdf5::DiskFile(temporary).settle();
+    move_file(temporary, path);
+}
+
+void remove_previous(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (is_complete_map(previous_name(path))) std::filesystem::remove(previous_name(path), ignored);
+}
+
+void make_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance) {
+    const bool keep = holds_complete_map(path);
+    if (keep) require_room_for_previous(path);
+    const std::filesystem::path temporary = temporary_name(path);
+    clear_temporary(temporary);
+    const std::int64_t bytes = predicted_bytes(job, provenance);
+    require_space(path, bytes);
+    try {
+        write_whole(temporary, job, provenance, bytes);
+        if (keep) move_file(path, previous_name(path));
+        put_in_place(temporary, path);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+}
+
+}  // namespace peterka::map_file

@@ -1,0 +1,92 @@
+#include "map_file/map_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "hdf5/attributes.hpp"
+#include "job/faults.hpp"
+#include "job/read.hpp"
+#include "map_file/layout.hpp"
+#include "map_file/make_layout.hpp"
+#include "map_file/matches_plan.hpp"
+#include "map_file/root_attributes.hpp"
+#include "map_file/tile_store.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::map_file {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+    throw Failure(ExitCode::bad_job,
+                  fmt::format("trace.map = \"{}\" {}; give a file that peterka made of a map or basin",
+                              path.string(), why));
+}
+
+hdf5::FileId open_to_read(const hdf5::Checked& check) {
+    const std::filesystem::path& path = check.path();
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown))
+        refuse(path, "does not exist (looked for from the current folder)");
+    if (!std::filesystem::is_regular_file(path, unknown)) refuse(path, "is not a regular file");
+    if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "is not an HDF5 file, or may not be read");
+    const hdf5::PropertiesId access = file_access(check);
+    hdf5::FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
+    if (file.id() < 0) refuse(path, "is damaged: " + hdf5::hdf5_reason());
+    return file;
+}
+
+job::Job job_in(const std::filesystem::path& path, const hdf5::FileId& file) {
+    const auto version = hdf5::read_integer(file.id(), attribute::layout);
+    const auto text = hdf5::read_text(file.id(), attribute::job);
+    if (!version || !text) refuse(path, "was not made by peterka: it has no layout version or no job");
+    if (*version != layout_version) {
+        refuse(path,
+               fmt::format("has layout version {}, this program reads version {}", *version, layout_version));
+    }
+    try {
+        return job::read_job_text(*text, path.string());
+    } catch (const job::JobFaults&) {
+        refuse(path, "holds a job that this version can't read");
+    }
+}
+
+}  // namespace
+
+job::Job read_map_job(const std::filesystem::path& path) {
+    const hdf5::Checked check(path);
+    const hdf5::FileId file = open_to_read(check);
+    job::Job job = job_in(path, file);
+    if (job.kind == job::Kind::map || job.kind == job::Kind::basin) return job;
+    refuse(path, fmt::format("is of kind \"{}\", which has no plane of cells", job::name(job.kind)));
+}
+
+MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, std::int64_t row,
+                      std::int64_t column) {
+    const hdf5::Checked check(path);
+    const hdf5::FileId file = open_to_read(check);
+    if (const auto fault = layout_fault(check, file.id(), job)) refuse(path, "is damaged: " + *fault);
+    const hdf5::DiskFile disk(path);
+    const TileStore tiles({check, file.id(), disk}, job);
+    const parallel::Tile tile = tiles.tiling().tile(tiles.tiling().index_at({row, column}));
+    const auto in_words = [&](const char* what) {
+        return fmt::format("{} the cell in row {}, column {}", what, row, column);
+    };
+    try {
+        switch (tiles.state(tile)) {
+            case TileState::missing:
+                refuse(path, in_words("has not computed yet"));
+            case TileState::damaged:
+                refuse(path, in_words("is damaged (wrong checksum) at"));
+            case TileState::whole:
+                break;
+        }
+        return {path, row, column, job, tiles.read_cell({row, column})};
+    } catch (const Failure& failure) {
+        if (failure.code() == ExitCode::bad_job) throw;
+        refuse(path, "can't be read: " + std::string(failure.what()));
+    }
+}
+
+}  // namespace peterka::map_file

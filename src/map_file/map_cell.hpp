@@ -1,0 +1,32 @@
+// One cell of a finished or unfinished map or basin file, as the file stores it, with the job that made it.
+//
+// Serial. Nothing is believed that doesn't fit the layout of the job in the file, and the cell's tile must have
+// its checksum. Throws Failure(ExitCode::bad_job) that names the file, what is wrong with it, and what to do.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "job/job.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka::map_file {
+
+struct MapCell {
+    std::filesystem::path file;
+    std::int64_t row = 0;
+    std::int64_t column = 0;
+    job::Job job;                     // of the map
+    quantities::StoredCell stored{};  // in the units of the file
+};
+
+// The job that a map or basin file stores.
+[[nodiscard]] job::Job read_map_job(const std::filesystem::path& path);
+
+// A cell of that job's plane.
+[[nodiscard]] MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, std::int64_t row,
+                                    std::int64_t column);
+
+}  // namespace peterka::map_file

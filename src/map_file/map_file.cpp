@@ -1,0 +1,181 @@
+#include "map_file/map_file.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <utility>
+
+#include "findings/attractors.hpp"
+#include "hdf5/block.hpp"
+#include "hdf5/stored.hpp"
+#include "map_file/layout.hpp"
+#include "map_file/make_layout.hpp"
+#include "map_file/number_attractors.hpp"
+#include "map_file/samples.hpp"
+#include "map_file/seal.hpp"
+#include "map_file/survey.hpp"
+#include "parallel/collective.hpp"
+#include "support/readable.hpp"
+
+namespace peterka::map_file {
+
+namespace {
+
+std::string in_lines(std::span<const std::string> sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + "\n";
+    return text;
+}
+
+std::string table_full_text(std::int64_t left_over) {
+    if (left_over == 0) return "";
+    return fmt::format("{} cells lead to attractors beyond the {} that the table holds: attractor {}\n",
+                       readable_count(left_over), attractor_capacity, findings::no_attractor);
+}
+
+void write_facts(const hdf5::OpenMap& map, const RunFacts& facts) {
+    const auto add = [&](const char* name, double seconds) {
+        hdf5::put_number(map, name, hdf5::Number::float64,
+                         hdf5::get_number(map, name, hdf5::Number::float64) + seconds);
+    };
+    add(path::compute_seconds, facts.compute_seconds);
+    add(path::solve_seconds, facts.solve_seconds);
+    hdf5::put_number(map, path::ranks, hdf5::Number::int32, facts.ranks);
+    hdf5::put_text(map, path::hosts, facts.hosts);
+}
+
+}  // namespace
+
+MapFile::MapFile(hdf5::Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
+                 Access access)
+    : check_(std::move(check)),
+      job_(job),
+      audit_rows_(audit_rows(job)),
+      scales_(scales),
+      communicator_(communicator),
+      rank_(parallel::rank_in(communicator)),
+      file_(check_, communicator, access),
+      disk_(check_.path()),
+      tiles_(open_map(), job) {}
+
+MapFile MapFile::create(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
+                        const scene::Scales& scales, MPI_Comm communicator) {
+    parallel::on_first_rank(communicator, [&] { make_file(path, job, provenance); });
+    return open(path, job, scales, communicator);
+}
+
+MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, const scene::Scales& scales,
+                      MPI_Comm communicator, Access access) {
+    return {hdf5::Checked(path), job, scales, communicator, access};
+}
+
+void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells,
+                         double seconds) {
+    std::vector<quantities::StoredCell> stored;
+    for (const regime::CellResult& cell : cells) stored.push_back(quantities::in_file_units(cell, scales_));
+    tiles_.write(tile, stored, {seconds, rank_});
+}
+
+void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
+                           double seconds) {
+    std::vector<quantities::StoredCell> stored;
+    for (const regime::BranchPoint& point : points)
+        stored.push_back(quantities::in_file_units(point.cell, scales_));
+    tiles_.write(tile, stored, {seconds, rank_},
+                 sample_values(points, job_.sweep.branch(tile.row).gap_ratio, job_.sweep.samples));
+}
+
+RemainingTiles MapFile::remaining_tiles() {
+    const parallel::Share share = parallel::share_of(tiling().count(), communicator_);
+    RemainingTiles remaining{.tiles = parallel::TileSet(tiling().count())};
+    parallel::together(communicator_, [&] {
+        for (std::int64_t index = share.first; index < share.end; ++index) {
+            const TileState state = tiles_.state(tiling().tile(index));
+            if (state != TileState::whole) remaining.tiles.add(index);
+            if (state == TileState::damaged) ++remaining.damaged;
+        }
+    });
+    parallel::unite(remaining.tiles, communicator_);
+    const auto damaged = parallel::gather<std::int64_t>(std::span(&remaining.damaged, 1), communicator_);
+    remaining.damaged = std::accumulate(damaged.begin(), damaged.end(), std::int64_t{0});
+    return remaining;
+}
+
+quantities::StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column) const {
+    return tiles_.read_cell({row, column});
+}
+
+std::vector<quantities::StoredCell> MapFile::read_tile(std::int64_t index) const {
+    return tiles_.read(tiling().tile(index));
+}
+
+std::optional<AuditReport> MapFile::audit_report() {
+    if (audit_rows_ == 0) return std::nullopt;
+    settle();
+    std::vector<AuditRow> rows;
+    parallel::together(communicator_, [&] { rows = audit().read(audit_rows_); });
+    return report(rows);
+}
+
+void MapFile::settle() {
+    file_.settle();
+    parallel::together(communicator_, [&] { disk_.settle(); });
+}
+
+findings::Statistics MapFile::statistics() {
+    settle();
+    return survey(tiles_, communicator_);
+}
+
+void MapFile::record(const RunFacts& facts) {
+    parallel::on_first_rank(communicator_, [&] {
+        require_presence();
+        write_facts(open_map(), facts);
+    });
+}
+
+void MapFile::finish(const findings::Statistics& statistics, std::span<const std::string> omitted,
+                     const RunFacts& facts) {
+    std::string failures = findings::failure_text(statistics.counts);
+    if (job_.kind == job::Kind::basin) {
+        failures += table_full_text(number_attractors(open_map(), tiles_, communicator_));
+    }
+    const std::optional<AuditReport> audited = audit_report();
+    parallel::on_first_rank(communicator_, [&] {
+        if (audited) audit().write(*audited);
+        write_facts(open_map(), facts);
+        hdf5::put_text(open_map(), path::omitted, in_lines(omitted));
+        hdf5::put_text(open_map(), path::failures, failures);
+    });
+    settle();
+    parallel::on_first_rank(communicator_, [&] {
+        require_presence();
+        seal();
+        hdf5::put_number(open_map(), path::finished, hdf5::Number::int8, 1);
+    });
+    settle();
+    parallel::on_first_rank(communicator_, [&] { remove_previous(check_.path()); });
+}
+
+// Looked at once more, from the disk: a seal that was made of something misread must not stay.
+void MapFile::seal() {
+    const auto look = [&](const auto& use) {
+        const hdf5::PropertiesId access = file_access(check_);
+        const hdf5::FileId file(check_(H5Fopen(check_.path().c_str(), H5F_ACC_RDONLY, access.id()), "H5Fopen"));
+        return use(file.id());
+    };
+    const std::uint64_t sum = look([&](hid_t file) { return seal_of(check_, file, &disk_); });
+    hdf5::Stored(open_map(), path::sum_of_file, hdf5::Number::uint64).write(hdf5::Block(0, 1), &sum);
+    if (look([&](hid_t file) { return is_sealed(check_, file); })) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: can't be read twice alike; its disk may be failing. Run the same "
+                              "command again.",
+                              check_.path().string()));
+}
+
+void MapFile::close() {
+    { const TileStore closing = std::move(tiles_); }  // HDF5 refuses to close a file with datasets open
+    file_.close();
+}
+
+}  // namespace peterka::map_file

@@ -1,0 +1,118 @@
+// The map file: one parallel HDF5 file into which every rank writes its finished tiles (layout.hpp).
+//
+// Rank 0 makes the file, with all its space and all its metadata, before any rank opens it (make_file.hpp).
+// After that only plain numbers are written, so a kill at any moment leaves a readable file in which each tile
+// marked done is whole. "Collective" functions are called by all ranks of the communicator in the same order,
+// and a problem that one rank meets is thrown on all. All throw Failure(ExitCode::output). The communicator
+// must outlive the MapFile.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "findings/statistics.hpp"
+#include "hdf5/checked.hpp"
+#include "hdf5/disk_file.hpp"
+#include "job/job.hpp"
+#include "map_file/audit_table.hpp"
+#include "map_file/inspect.hpp"
+#include "map_file/make_file.hpp"
+#include "map_file/map_size.hpp"
+#include "map_file/parallel_file.hpp"
+#include "map_file/provenance.hpp"
+#include "map_file/run_facts.hpp"
+#include "map_file/tile_store.hpp"
+#include "parallel/tile_set.hpp"
+#include "parallel/tiles.hpp"
+#include "regime/branch.hpp"
+#include "regime/cell_result.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::map_file {
+
+// Tiles that still have to be computed, the same on every rank.
+struct RemainingTiles {
+    parallel::TileSet tiles;
+    std::int64_t damaged = 0;  // of these tiles, how many are marked done but fail their checksum
+};
+
+class MapFile {
+  public:
+    MapFile(MapFile&&) = delete;  // what is open inside knows where it lies
+    MapFile& operator=(MapFile&&) = delete;
+    ~MapFile() = default;
+
+    // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
+    // previous_name(path) until finish(). `scales` take a CellResult to the units of the file.
+    [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
+                                        const Provenance& provenance, const scene::Scales& scales,
+                                        MPI_Comm communicator);
+
+    // Collective. Opens a file that inspect() has found to be this job's.
+    [[nodiscard]] static MapFile open(const std::filesystem::path& path, const job::Job& job,
+                                      const scene::Scales& scales, MPI_Comm communicator,
+                                      Access access = Access::write);
+
+    [[nodiscard]] const parallel::Tiling& tiling() const { return tiles_.tiling(); }
+
+    // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
+    void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
+    // The same for a branch of a sweep.
+    void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
+
+    // Independent. Throws if the file's name is gone or leads to another file.
+    void require_presence() const { disk_.require_presence(); }
+
+    // Collective. Checks the tiles marked done against their checksums, each rank a share of them.
+    [[nodiscard]] RemainingTiles remaining_tiles();
+
+    // Collective. After it each rank may read what the others wrote.
+    void settle();
+
+    // Independent, for cells that are there; those of other ranks after settle().
+    [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
+    [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
+    [[nodiscard]] AuditTable audit() const { return AuditTable(open_map()); }
+
+    // Collective. What the audit says, on every rank; nothing where the job wants none.
+    [[nodiscard]] std::optional<AuditReport> audit_report();
+
+    // Collective. Counts and extremes of what the file holds, the same at any number of ranks.
+    [[nodiscard]] findings::Statistics statistics();
+
+    // Collective. Adds the facts of this run to those in the file; for a run that stops early.
+    void record(const RunFacts& facts);
+
+    // Collective, once all tiles are written and audited: numbers a basin's attractors, stores texts and facts,
+    // seals the file, marks it finished and removes previous_name(path). `statistics` are those of
+    // statistics(), `omitted` sentences.
+    void finish(const findings::Statistics& statistics, std::span<const std::string> omitted,
+                const RunFacts& facts);
+
+    // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
+    void close();
+
+  private:
+    MapFile(hdf5::Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
+            Access access);
+    void seal();
+    [[nodiscard]] hdf5::OpenMap open_map() const { return {check_, file_.id(), disk_}; }
+
+    hdf5::Checked check_;
+    job::Job job_;
+    std::int64_t audit_rows_;
+    scene::Scales scales_;
+    MPI_Comm communicator_;
+    int rank_;
+    ParallelFile file_;
+    hdf5::DiskFile disk_;
+    TileStore tiles_;
+};
+
+}  // namespace peterka::map_file

@@ -1,0 +1,20 @@
+// An HDF5 file that lives in memory until it is closed, and then is its bytes.
+//
+// HDF5 meets no disk that could fail it: 1.10 can't close a file that it couldn't write, and takes the program
+// down with it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "hdf5/checked.hpp"
+#include "hdf5/hdf5.hpp"
+
+namespace peterka::map_file {
+
+// The bytes of the file that `fill` fills.
+[[nodiscard]] std::vector<std::byte> bytes_of_file(const hdf5::Checked& check,
+                                                   const std::function<void(hid_t)>& fill);
+
+}  // namespace peterka::map_file

@@ -1,0 +1,23 @@
+// What a map file says of itself at its root: format, job, scales for drawing in SI units, and what made it.
+#pragma once
+
+#include <hdf5.h>
+
+#include "hdf5/checked.hpp"
+#include "job/job.hpp"
+#include "map_file/provenance.hpp"
+
+namespace peterka::map_file {
+
+namespace attribute {
+inline constexpr const char* layout = "peterka_layout";
+inline constexpr const char* kind = "peterka_kind";
+inline constexpr const char* job = "job";
+inline constexpr const char* job_identity = "job_identity";
+inline constexpr const char* arithmetic = "arithmetic";
+}  // namespace attribute
+
+void write_root_attributes(const hdf5::Checked& check, hid_t file, const job::Job& job,
+                           const Provenance& provenance);
+
+}  // namespace peterka::map_file

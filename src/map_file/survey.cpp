@@ -1,0 +1,62 @@
+#include "map_file/survey.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "parallel/collective.hpp"
+
+namespace peterka::map_file {
+
+namespace {
+
+// The parts of Statistics that travel as plain bytes.
+struct Totals {
+    findings::Counts counts;
+    findings::Observed chaos;
+    findings::Extremes largest;
+    findings::Transients transients;
+    double tile_seconds = 0;
+};
+
+struct ClassCount {
+    findings::ImpactClass impact_class;
+    std::int64_t cells = 0;
+};
+
+findings::Statistics survey_share(const TileStore& tiles, parallel::Share share) {
+    findings::Statistics mine;
+    for (std::int64_t index = share.first; index < share.end; ++index) {
+        const parallel::Tile tile = tiles.tiling().tile(index);
+        findings::add_tile(mine, tile, tiles.read(tile));
+        const double seconds = tiles.seconds(tile);
+        if (!std::isnan(seconds)) mine.tile_seconds += seconds;
+    }
+    return mine;
+}
+
+}  // namespace
+
+findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
+    findings::Statistics mine;
+    parallel::together(communicator, [&] {
+        mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
+    });
+    const Totals totals{mine.counts, mine.chaos, mine.largest, mine.transients, mine.tile_seconds};
+    std::vector<ClassCount> classes;
+    for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
+
+    findings::Statistics all;
+    for (const Totals& share : parallel::gather<Totals>(std::span(&totals, 1), communicator)) {
+        all.counts.add(share.counts);
+        all.chaos.take(share.chaos);
+        all.largest.take(share.largest);
+        all.transients.add(share.transients);
+        all.tile_seconds += share.tile_seconds;
+    }
+    for (const ClassCount& share : parallel::gather<ClassCount>(classes, communicator)) {
+        all.periodic_cells[share.impact_class] += share.cells;
+    }
+    return all;
+}
+
+}  // namespace peterka::map_file

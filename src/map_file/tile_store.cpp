@@ -1,0 +1,126 @@
+#include "map_file/tile_store.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "hdf5/block.hpp"
+#include "map_file/layout.hpp"
+#include "map_file/samples.hpp"
+#include "map_file/tile_bytes.hpp"
+#include "support/errors.hpp"
+
+namespace peterka::map_file {
+
+TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
+    : map_(map),
+      tiling_(map_file::tiling(job)),
+      fields_(quantities::stored_fields(job)),
+      samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
+      checksum_(map, path::checksum, hdf5::Number::uint64),
+      done_(map, path::done, hdf5::Number::int8),
+      seconds_(map, path::tile_seconds, hdf5::Number::float64),
+      rank_(map, path::tile_rank, hdf5::Number::int32) {
+    for (const quantities::Field& field : fields_) {
+        datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
+    }
+    if (samples_ == 0) return;
+    for (const hdf5::Variable& variable : sample_variables) {
+        datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
+    }
+}
+
+std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < datasets_.size(); ++i) {
+        const hdf5::Block block = i >= fields_.size() ? hdf5::Block(tile, samples_) : hdf5::Block(tile);
+        parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
+    }
+    return parts;
+}
+
+void TileStore::write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+                      const TileOrigin& origin, std::span<const double> samples) {
+    std::vector<std::byte> bytes = encode(fields_, cells);
+    const auto sampled = std::as_bytes(samples);
+    bytes.insert(bytes.end(), sampled.begin(), sampled.end());
+    try {
+        write_whole(tile, bytes, origin);
+    } catch (const Failure& failure) {
+        throw Failure(failure.code(), fmt::format("{} Finished tiles are kept: run the same command again when "
+                                                  "the file can be written.",
+                                                  failure.what()));
+    }
+}
+
+void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byte> bytes,
+                            const TileOrigin& origin) {
+    const std::byte* next = bytes.data();
+    for (const Part& part : parts(tile)) {
+        part.stored.write(part.block, next);
+        next += part.bytes;
+    }
+    const hdf5::Block entry(tile.index, 1);
+    seconds_.write(entry, &origin.seconds);
+    rank_.write(entry, &origin.rank);
+    const std::uint64_t sum = checksum(bytes);
+    const std::int8_t done = 1;
+    checksum_.write(entry, &sum);
+    done_.write(entry, &done);
+}
+
+std::vector<quantities::StoredCell> TileStore::read(const parallel::Tile& tile) const {
+    const std::vector<std::byte> bytes = read_bytes(tile);
+    if (is_done(tile) && !fits(tile, bytes)) {
+        throw Failure(
+            ExitCode::output,
+            fmt::format("{}: the tile at row {}, column {} is not what was written there (wrong checksum). "
+                        "Run the same command again: it computes this tile anew.",
+                        map_.check.path().string(), tile.row, tile.column));
+    }
+    return decode(fields_, bytes, static_cast<std::size_t>(tile.size()));
+}
+
+quantities::StoredCell TileStore::read_cell(const parallel::Place& cell) const {
+    const parallel::Tile tile = tiling_.tile(tiling_.index_at(cell));
+    const std::int64_t inside = (cell.row - tile.row) * tile.extent.columns + cell.column - tile.column;
+    return read(tile)[static_cast<std::size_t>(inside)];
+}
+
+TileState TileStore::state(const parallel::Tile& tile) const {
+    if (!is_done(tile)) return TileState::missing;
+    return fits(tile, read_bytes(tile)) ? TileState::whole : TileState::damaged;
+}
+
+bool TileStore::is_done(const parallel::Tile& tile) const {
+    std::int8_t done = 0;
+    done_.read(hdf5::Block(tile.index, 1), &done);
+    return done == 1;
+}
+
+bool TileStore::fits(const parallel::Tile& tile, std::span<const std::byte> bytes) const {
+    std::uint64_t sum = 0;
+    checksum_.read(hdf5::Block(tile.index, 1), &sum);
+    return checksum(bytes) == sum;
+}
+
+double TileStore::seconds(const parallel::Tile& tile) const {
+    double seconds = 0;
+    seconds_.read(hdf5::Block(tile.index, 1), &seconds);
+    return seconds;
+}
+
+std::vector<std::byte> TileStore::read_bytes(const parallel::Tile& tile) const {
+    const std::vector<Part> parts = this->parts(tile);
+    std::size_t size = 0;
+    for (const Part& part : parts) size += part.bytes;
+    std::vector<std::byte> bytes(size);
+    std::byte* next = bytes.data();
+    for (const Part& part : parts) {
+        part.stored.read(part.block, next);
+        next += part.bytes;
+    }
+    return bytes;
+}
+
+}  // namespace peterka::map_file

@@ -1,0 +1,73 @@
+// The tiles inside an open map file: writing, reading back and vouching for them. Every call is this rank's
+// own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hdf5/block.hpp"
+#include "hdf5/stored.hpp"
+#include "job/job.hpp"
+#include "parallel/tiles.hpp"
+#include "quantities/fields.hpp"
+
+namespace peterka::map_file {
+
+enum class TileState {
+    missing,  // not marked done
+    whole,    // marked done, and its bytes have the checksum stored with them
+    damaged,  // marked done, but the checksum differs
+};
+
+// Who computed a tile, in what time.
+struct TileOrigin {
+    double seconds = 0;
+    std::int32_t rank = 0;
+};
+
+class TileStore {
+  public:
+    TileStore(const hdf5::OpenMap& map, const job::Job& job);
+
+    // Of a sweep with its samples (samples.hpp). First the cells, then their checksum, then the done mark: a
+    // kill in between leaves no mark that lies.
+    void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+               const TileOrigin& origin, std::span<const double> samples = {});
+    // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as
+    // they are.
+    [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;
+    // One cell, with its whole tile's checksum.
+    [[nodiscard]] quantities::StoredCell read_cell(const parallel::Place& cell) const;
+    [[nodiscard]] TileState state(const parallel::Tile& tile) const;
+    [[nodiscard]] double seconds(const parallel::Tile& tile) const;  // NaN for a tile that was never written
+
+    [[nodiscard]] const parallel::Tiling& tiling() const { return tiling_; }
+
+  private:
+    void write_whole(const parallel::Tile& tile, std::span<const std::byte> bytes, const TileOrigin& origin);
+    // A part of a tile's bytes, and the dataset and block in which it lies.
+    struct Part {
+        const hdf5::Stored& stored;
+        hdf5::Block block;
+        std::size_t bytes;
+    };
+    [[nodiscard]] std::vector<Part> parts(const parallel::Tile& tile) const;
+    [[nodiscard]] std::vector<std::byte> read_bytes(const parallel::Tile& tile) const;
+    [[nodiscard]] bool is_done(const parallel::Tile& tile) const;
+    // Whether a tile's bytes have the checksum stored with it.
+    [[nodiscard]] bool fits(const parallel::Tile& tile, std::span<const std::byte> bytes) const;
+
+    hdf5::OpenMap map_;
+    parallel::Tiling tiling_;
+    std::vector<quantities::Field> fields_;
+    std::int64_t samples_;                // of a sweep, per cell and variable
+    std::vector<hdf5::Stored> datasets_;  // one per field and one per variable that is sampled
+    hdf5::Stored checksum_;
+    hdf5::Stored done_;
+    hdf5::Stored seconds_;
+    hdf5::Stored rank_;
+};
+
+}  // namespace peterka::map_file

@@ -1,0 +1,60 @@
+#include "report/omitted.hpp"
+
+#include <fmt/format.h>
+
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+using regime::Engine;
+
+std::int64_t cells_of(const findings::Statistics& statistics, Engine engine) {
+    return statistics.counts.by_engine[static_cast<std::size_t>(engine)];
+}
+
+// Whose cells keep the cubic spring, e.g. ", kept in 12 cells (split) and 3 (cvode)".
+std::string kept_in_words(const findings::Statistics& statistics) {
+    std::string text;
+    for (const Engine engine : {Engine::split, Engine::cvode, Engine::arkode}) {
+        if (cells_of(statistics, engine) == 0) continue;
+        text += fmt::format("{} {} ({})", text.empty() ? "; kept in" : " and in",
+                            readable_count(cells_of(statistics, engine)),
+                            quantities::engine_names[static_cast<std::size_t>(engine)]);
+    }
+    return text;
+}
+
+std::string cubic_in_words(const job::Job& job, const findings::Statistics& statistics) {
+    if (job.hammer.cubic_stiffness_n_per_m3 == 0) return "cubic spring: the job has none (k3 = 0)";
+    return fmt::format(
+        "cubic spring: in {} cells, where it changes no label and the peak force by less than omit_tolerance = "
+        "{:g}, or "
+        "where chaos or rounding decides{}",
+        readable_count(cells_of(statistics, Engine::exact)), job.solver.omit_tolerance,
+        kept_in_words(statistics));
+}
+
+}  // namespace
+
+std::vector<std::string> omitted_in_words(const job::Job& job, const findings::Statistics& statistics) {
+    std::vector<std::string> sentences;
+    const std::int64_t exact = cells_of(statistics, Engine::exact);
+    if (exact > 0 || job.hammer.cubic_stiffness_n_per_m3 == 0)
+        sentences.push_back(cubic_in_words(job, statistics));
+    if (cells_of(statistics, Engine::cvode) + cells_of(statistics, Engine::arkode) == 0) {
+        sentences.emplace_back(
+            "numerical integration: linear phases are solved in closed form, SUNDIALS is not called");
+    }
+    if (statistics.counts.filled > 0) {
+        sentences.push_back(fmt::format(
+            "{} cells: filled from computed ones of the same regime and z around them, see computed",
+            readable_count(statistics.counts.filled)));
+    }
+    sentences.emplace_back("the rest of each trajectory once its regime is proved");
+    sentences.emplace_back(
+        "force maxima of transients: force is searched on proved orbits and in chaotic windows only");
+    return sentences;
+}
+
+}  // namespace peterka

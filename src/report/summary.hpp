@@ -1,0 +1,40 @@
+// What came out of a run, on one screen, for a reader who meets such a map for the first time.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "findings/statistics.hpp"
+#include "findings/sweep_findings.hpp"
+#include "job/job.hpp"
+#include "map_file/audit_table.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka {
+
+// This run, as against all the runs that filled the file.
+struct RunEffort {
+    int ranks = 1;
+    double wall_seconds = 0;
+};
+
+struct Findings {
+    const findings::Statistics& statistics;
+    std::optional<map_file::AuditReport> audit;
+    std::span<const std::string> omitted;       // sentences: what was left out, and why
+    std::vector<BranchFindings> branches = {};  // of a sweep
+};
+
+struct SummaryInput {
+    const scene::Scene& scene;
+    const Findings& findings;
+    std::filesystem::path file;
+    RunEffort effort;
+};
+
+[[nodiscard]] std::string summary_text(const SummaryInput& input);
+
+}  // namespace peterka

@@ -1,0 +1,201 @@
+#include "report/sweep_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "job/axis.hpp"
+#include "job/names.hpp"
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+using quantities::StoredCell;
+
+const std::string next_line = "\n" + std::string(32, ' ');
+constexpr std::size_t most_listed = 5;  // jumps, bands and classes of a branch
+
+std::string name(const MotionClass& motion) {
+    switch (motion.regime) {
+        case regime::Regime::no_impact:
+            return "no impact";
+        case regime::Regime::periodic:
+            return fmt::format("{}/{}", motion.z.impacts, motion.z.period);
+        case regime::Regime::sustained_contact:
+            return "sustained contact";
+        case regime::Regime::chaotic:
+            return "chaotic";
+        case regime::Regime::unresolved:
+            return "unresolved";
+        case regime::Regime::failed:
+            break;
+    }
+    return "failed";
+}
+
+class Words {
+  public:
+    Words(const job::Job& job, const scene::Scales& scales) : job_(job), scales_(scales) {}
+
+    [[nodiscard]] std::string gap(double gap_ratio) const {
+        return fmt::format("\nGap/A0 {:.4g} ({:.3g} mm)\n", gap_ratio, gap_ratio * scales_.length_m * 1e3);
+    }
+
+    [[nodiscard]] std::string branch(const BranchFindings& found) const {
+        const std::string direction(job::name(found.branch.direction));
+        return line(direction, is_resonance(found) ? "impact resonance" : "largest 1/1 force",
+                    one_to_one(found)) +
+               line("", "largest force", largest(found)) + line("", "jumps", jumps(found)) +
+               line("", "bands", bands(found)) + line("", "shares", shares(found));
+    }
+
+    [[nodiscard]] std::string hysteresis(const BranchFindings& up, const BranchFindings& down) const {
+        const auto stretch = find_hysteresis(up, down);
+        if (!stretch) return line("both", "hysteresis", "none");
+        const std::int64_t middle = (stretch->first + stretch->last) / 2;
+        const double width = value(stretch->last) - value(stretch->first);
+        return line(
+            "both", "hysteresis",
+            fmt::format("{} to {}, width {:.3g} ({:.3g} Hz): up {}, down {}", frequency(value(stretch->first)),
+                        frequency(value(stretch->last)), width, width * natural_hz(),
+                        name(motion_class(at(up, middle))), name(motion_class(at(down, middle)))));
+    }
+
+  private:
+    static std::string line(const std::string& branch, const char* what, const std::string& text) {
+        return text.empty() ? "" : fmt::format("  {:<12}{:<18}{}\n", branch, what, text);
+    }
+    [[nodiscard]] double natural_hz() const { return scales_.frequency_rad_per_s / (2 * std::numbers::pi); }
+    [[nodiscard]] double value(std::int64_t column) const { return job::axis_value(job_.columns, column); }
+    [[nodiscard]] std::string frequency(double ratio) const {
+        return fmt::format("{:.4g} ({:.4g} Hz)", ratio, ratio * natural_hz());
+    }
+    [[nodiscard]] std::string force(const StoredCell& cell) const {
+        return fmt::format("{:.4g} weights = {}", cell.peak_force,
+                           readable_amount(cell.peak_force * scales_.weight_n, "N"));
+    }
+
+    static bool is_resonance(const BranchFindings& found) {
+        return found.one_to_one && found.around_one_to_one.inside();
+    }
+    [[nodiscard]] std::string one_to_one(const BranchFindings& found) const {
+        if (!found.one_to_one) return "no impacts with z = 1/1 have a force";
+        return fmt::format("{} at Omega/omega {}, {}", force(at(found, *found.one_to_one)),
+                           frequency(value(*found.one_to_one)),
+                           is_resonance(found) ? "the largest of z = 1/1" : no_maximum(found));
+    }
+    // Why the largest force is no resonance. A branch comes to a band from one side and leaves it at the other.
+    static std::string no_maximum(const BranchFindings& found) {
+        const auto& [below, above] = found.around_one_to_one;
+        const bool down = found.branch.direction == job::Direction::down;
+        const Side before = down ? above : below;
+        const bool begins = before != Side::own_band;
+        const char* verb = begins ? "begins" : "ends";
+        switch (begins ? before : (down ? below : above)) {
+            case Side::jump:
+                return fmt::format("where z = 1/1 {} with a jump: no resonance", verb);
+            case Side::end_of_sweep:
+                return "at the end of the sweep: it may be larger beyond";
+            case Side::other_band:
+            case Side::own_band:
+                break;
+        }
+        return fmt::format("where z = 1/1 {}: no resonance", verb);
+    }
+
+    [[nodiscard]] std::string largest(const BranchFindings& found) const {
+        if (!found.largest || found.largest == found.one_to_one) return "";
+        const StoredCell& cell = at(found, *found.largest);
+        const bool at_end = found.largest == 0 || *found.largest + 1 == std::ssize(found.cells);
+        return fmt::format("{} at Omega/omega {}, {}{}", force(cell), frequency(value(*found.largest)),
+                           name(motion_class(cell)),
+                           at_end ? ", at the end of the sweep: it may be larger beyond" : "");
+    }
+
+    // The largest ones, in the branch's direction.
+    [[nodiscard]] std::string jumps(const BranchFindings& found) const {
+        const auto has_no_force = [](const StoredCell& cell) { return std::isnan(cell.peak_force); };
+        if (std::ranges::all_of(found.cells, has_no_force)) return "not looked for: no motion has a force";
+        std::vector<Jump> largest = found.jumps;
+        const auto size = [&](const Jump& jump) {
+            return std::abs(at(found, jump.to).peak_force - at(found, jump.from).peak_force);
+        };
+        std::ranges::stable_sort(largest, std::ranges::greater{}, size);
+        largest.resize(std::min(largest.size(), most_listed));
+        const bool down = found.branch.direction == job::Direction::down;
+        std::ranges::sort(largest,
+                          [&](const Jump& a, const Jump& b) { return down ? a.to > b.to : a.to < b.to; });
+        std::string text;
+        for (const Jump& jump : largest) text += (text.empty() ? "" : next_line) + in_words(found, jump);
+        if (found.jumps.size() > largest.size()) {
+            text += fmt::format("{}and {} smaller ones", next_line, found.jumps.size() - largest.size());
+        }
+        return text.empty() ? "none" : text;
+    }
+
+    [[nodiscard]] std::string in_words(const BranchFindings& found, const Jump& jump) const {
+        const StoredCell& before = at(found, jump.from);
+        const StoredCell& after = at(found, jump.to);
+        return fmt::format("{} from {} ({:.3g} weights) to {} ({:.3g} weights)",
+                           frequency((value(jump.from) + value(jump.to)) / 2), name(motion_class(before)),
+                           before.peak_force, name(motion_class(after)), after.peak_force);
+    }
+
+    static const StoredCell& at(const BranchFindings& found, std::int64_t column) {
+        return found.cells[static_cast<std::size_t>(column)];
+    }
+
+    // The widest ones.
+    [[nodiscard]] std::string bands(const BranchFindings& found) const {
+        std::vector<Band> widest = found.bands;
+        std::ranges::stable_sort(widest, std::ranges::greater{}, &Band::points);
+        widest.resize(std::min(widest.size(), most_listed));
+        std::ranges::sort(widest, {}, &Band::first);
+        std::string text;
+        for (const Band& band : widest) {
+            text += fmt::format("{}{} {:.4g} to {:.4g}", text.empty() ? "" : ", ", name(band.motion),
+                                value(band.first), value(band.last));
+        }
+        if (found.bands.size() > widest.size()) {
+            text += fmt::format(" and {} narrower ones", found.bands.size() - widest.size());
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string shares(const BranchFindings& found) const {
+        std::string text;
+        for (std::size_t i = 0; i < std::min(found.points.size(), most_listed); ++i) {
+            const auto& [motion, points] = found.points[i];
+            text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name(motion),
+                                readable_share(points, std::ssize(found.cells)));
+        }
+        if (found.points.size() > most_listed)
+            text += fmt::format(" and {} more", found.points.size() - most_listed);
+        return text;
+    }
+
+    const job::Job& job_;
+    const scene::Scales& scales_;
+};
+
+}  // namespace
+
+std::string sweep_text(const job::Job& job, const scene::Scales& scales,
+                       std::span<const BranchFindings> branches) {
+    const Words words(job, scales);
+    const bool both = job.sweep.direction == job::Direction::both;
+    std::string text;
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        if (!both || i % 2 == 0) text += words.gap(branches[i].branch.gap_ratio);
+        text += words.branch(branches[i]);
+        if (both && i % 2 == 1) text += words.hysteresis(branches[i - 1], branches[i]);
+    }
+    return text;
+}
+
+}  // namespace peterka

@@ -1,0 +1,17 @@
+// What the branches of a sweep show, gap by gap, as lines of a summary.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "findings/sweep_findings.hpp"
+#include "job/job.hpp"
+#include "scene/scales.hpp"
+
+namespace peterka {
+
+// `branches` in the order of the sweep.
+[[nodiscard]] std::string sweep_text(const job::Job& job, const scene::Scales& scales,
+                                     std::span<const BranchFindings> branches);
+
+}  // namespace peterka

@@ -1,0 +1,128 @@
+#include "report/trace_words.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "job/axis.hpp"
+#include "job/names.hpp"
+#include "quantities/fields.hpp"
+#include "report/starts_inside.hpp"
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+using quantities::StoredCell;
+using regime::Regime;
+using scene::Scales;
+
+std::string regime_in_words(const StoredCell& cell) {
+    std::string text = quantities::regime_names[static_cast<std::size_t>(cell.regime)];
+    if (cell.regime == Regime::periodic) text += fmt::format(", z = {}/{}", cell.impacts, cell.period);
+    if (cell.status != regime::Status::proved) {
+        text += fmt::format(" ({})", quantities::status_names[static_cast<std::size_t>(cell.status)]);
+    }
+    return text;
+}
+
+std::string proof_in_words(const StoredCell& cell) {
+    if (!std::isnan(cell.multiplier)) return fmt::format(", largest |multiplier| {:.4g}", cell.multiplier);
+    if (!std::isnan(cell.lyapunov)) return fmt::format(", Lyapunov exponent {:.3g} per cycle", cell.lyapunov);
+    return "";
+}
+
+// F/(m g0)
+std::string force_in_words(double ratio, const scene::Scene& scene) {
+    const bool rigid = std::holds_alternative<job::Restitution>(scene.job().contact);
+    if (std::isnan(ratio)) return rigid ? "none (the stop is rigid)" : "not known";
+    const Scales& scales = scene.scales();
+    return fmt::format("{}, {:.6g} weights", readable_amount(ratio * scales.weight_n, "N", 6), ratio);
+}
+
+std::string place_in_words(const scene::Scene& scene, const trace::Course& course) {
+    const job::OperatingPoint& place = scene.job().operating_point;
+    const double hertz = scene.scales().frequency_rad_per_s / (2 * std::numbers::pi);
+    const double seconds = course.length / scene.scales().frequency_rad_per_s;
+    std::string text = place.frequency_ratio > 0
+                           ? fmt::format("at Omega/omega {:.6g} ({:.6g} Hz)", place.frequency_ratio,
+                                         place.frequency_ratio * hertz)
+                           : std::string("with the cart at rest");
+    text += fmt::format(", gap/A0 {:.6g} ({:.4g} mm), ", place.gap_ratio,
+                        1000 * place.gap_ratio * scene.scales().length_m);
+    if (place.frequency_ratio == 0) return text + fmt::format("{:.4g} s from the start", seconds);
+    const std::string from = course.period > 0    ? "the steady state"
+                             : course.skipped > 0 ? fmt::format("cycle {} on", course.skipped)
+                                                  : "the start";
+    return text + fmt::format("{} cycles ({:.4g} s) from {}", scene.job().trace.cycles, seconds, from);
+}
+
+std::string cell_in_words(const StoredCell& cell, const scene::Scene& scene) {
+    return fmt::format(
+        "  regime           {}{}\n"
+        "  peak force       {}\n"
+        "  decided in       {} forcing cycles, engine {}\n",
+        regime_in_words(cell), proof_in_words(cell), force_in_words(cell.peak_force, scene), cell.cycles,
+        quantities::engine_names[static_cast<std::size_t>(cell.engine)]);
+}
+
+std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
+    if (!trace.hardest) return "  impacts          none in the time shown\n";
+    const auto& scene = trace.course.scene;
+    const trace::Impact& impact = trace.impacts[trace.hardest->index];
+    const double per_omega = 1 / scales.frequency_rad_per_s;
+    const double newton = scales.force_n;
+    std::string text =
+        fmt::format("  impacts          {} in the time shown; the hardest at {:.6g} s, with {:.4g} m/s\n",
+                    trace.impacts.size(), impact.time * per_omega,
+                    impact.speed * scales.length_m * scales.frequency_rad_per_s);
+    if (std::isnan(impact.record.peak_force)) return text;
+    text += fmt::format(
+        "                   jump at touch {}, peak {} {:.4g} ms later, pressed for {:.4g} ms, "
+        "impulse "
+        "{:.4g} Ns\n",
+        readable_amount(trace::force_at_touch(scene, impact.speed) * newton, "N"),
+        readable_amount(impact.record.peak_force * newton, "N", 6),
+        1000 * (trace.hardest->peak.time - impact.time) * per_omega,
+        1000 * impact.record.contact_time * per_omega, impact.record.impulse * newton * per_omega);
+    return text;
+}
+
+std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, const scene::Scene& scene) {
+    const auto names = job::axis_names(map.job.kind);
+    const StoredCell& stored = map.stored;
+    std::string text = fmt::format(
+        "\n{} {}, row {} ({} = {:.6g}), column {} ({} = {:.6g})\n"
+        "  stores           {}, {}\n",
+        map.job.kind == job::Kind::basin ? "Basin" : "Map", map.file.string(), map.row, names.rows,
+        job::axis_value(map.job.rows, map.row), map.column, names.columns,
+        job::axis_value(map.job.columns, map.column), regime_in_words(stored),
+        force_in_words(stored.peak_force, scene));
+    if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
+    if (!regime::same_label(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
+    const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);
+    return text + fmt::format("  this trace       agrees in regime and z{}\n",
+                              std::isfinite(off) ? fmt::format(", peak force off by {:.1e}", off) : "");
+}
+
+}  // namespace
+
+std::string trace_in_words(const scene::Scene& scene, const trace::Trace& trace,
+                           const std::optional<map_file::MapCell>& map) {
+    const Scales& scales = scene.scales();
+    const std::string& title = scene.job().title;
+    std::string text = fmt::format("\n{}\n\nTrace {}\n", title.empty() ? "(no title)" : title,
+                                   place_in_words(scene, trace.course));
+    const StoredCell cell = quantities::in_file_units(trace.course.cell.value_or(StoredCell{}), scales);
+    if (const std::string inside = starts_inside(scene); !inside.empty()) {
+        text += fmt::format("  start            {}\n", inside);
+    }
+    if (trace.course.cell) text += cell_in_words(cell, scene);
+    text += impacts_in_words(trace, scales);
+    if (map) text += map_in_words(*map, cell, scene);
+    return text;
+}
+
+}  // namespace peterka

@@ -1,0 +1,117 @@
+#include "run/audit_map.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "parallel/dealing.hpp"
+#include "regime/solve_cell.hpp"
+#include "run/audit_sample.hpp"
+#include "run/progress_style.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka {
+namespace {
+
+using map_file::AuditRow;
+using quantities::StoredCell;
+using regime::Regime;
+
+// The largest force of a motion without a period hangs on the window in which it was observed.
+double force_error(const StoredCell& cell, const StoredCell& again) {
+    const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
+    if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;
+    return std::abs(cell.peak_force / again.peak_force - 1);
+}
+
+// Of the map's own run and of the one that solved the cell again.
+double largest_sensitivity(const scene::Scene& scene, std::int64_t row, std::int64_t column,
+                           const StoredCell& again) {
+    return std::fmax(regime::solve_cell(scene, row, column).sensitivity, again.sensitivity);
+}
+
+// How weak a cell's claim may be: a label next to another one may lie closer to its edge than what was left out
+// moves it, and the smaller a force, the more of it may have changed. Smaller is weaker.
+double strength_of(const StoredCell& cell, const StoredCell& neighbour) {
+    if (cell.regime == Regime::failed || !cell.computed) return std::numeric_limits<double>::infinity();
+    const double force = cell.regime == Regime::periodic && cell.peak_force > 0 ? cell.peak_force : 1e300;
+    return regime::same_label(cell, neighbour) ? force : force * 1e-200;
+}
+
+// Every second sample is the weakest of some drawn from its stretch: cells at random alone would hardly ever
+// meet one in two hundred.
+std::int64_t sampled_cell(const scene::Scene& scene, std::int64_t index, std::int64_t samples,
+                          const map_file::MapFile& file) {
+    constexpr std::int64_t draws = 8;
+    std::int64_t weakest = audited_cell(index, samples, scene.job().cells());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::int64_t draw = 0; index % 2 == 1 && draw < draws; ++draw) {
+        const std::int64_t cell = audited_cell(index, samples, scene.job().cells(), draw);
+        const std::int64_t row = cell / scene.columns();
+        const std::int64_t column = cell % scene.columns();
+        const std::int64_t beside = column > 0 ? column - 1 : column + 1;
+        const double strength = strength_of(file.read_cell(row, column), file.read_cell(row, beside));
+        if (!(strength < least)) continue;
+        least = strength;
+        weakest = cell;
+    }
+    return weakest;
+}
+
+AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file::MapFile& file) {
+    const Stopwatch stopwatch;
+    std::int64_t row = cell / scene.columns();
+    std::int64_t column = cell % scene.columns();
+    StoredCell first = file.read_cell(row, column);
+    if (!first
+             .computed) {  // the cell of the coarsest lattice before it stands for it, which is always computed
+        const std::int64_t stride = std::int64_t{1} << scene.job().refine.levels;
+        row -= row % stride;
+        column -= column % stride;
+        first = file.read_cell(row, column);
+    }
+    const StoredCell again =
+        quantities::in_file_units(regime::solve_again(scene, row, column, first.engine), scene.scales());
+    const bool agrees = regime::same_label(first, again);
+    return {.cell = row * scene.columns() + column,
+            .row = row,
+            .column = column,
+            .again = again,
+            .force_error = force_error(first, again),
+            .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
+            .agrees = agrees,
+            .seconds = stopwatch.seconds()};
+}
+
+}  // namespace
+
+bool audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+               const StopRequest& stop, map_file::MapFile& file) {
+    const std::int64_t samples = map_file::audit_rows(plan.job);
+    if (samples == 0) return true;
+    file.settle();
+    const map_file::AuditTable table = file.audit();
+    const parallel::Tiling tiling({samples, 1});
+    parallel::TileSet missing(tiling.count());
+    for (std::int64_t tile = 0; session.is_root() && tile < tiling.count(); ++tile) {
+        const std::int64_t first = tiling.tile(tile).row;
+        bool whole = true;
+        for (std::int64_t i = first; i < first + tiling.tile(tile).size(); ++i) whole &= table.has(i);
+        if (!whole) missing.add(tile);
+    }
+    Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
+                      "audit");
+    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+        for (std::int64_t index = tile.row; index < tile.row + tile.size(); ++index) {
+            if (!carry_on()) return false;
+            table.write(index, audit_cell(scene, sampled_cell(scene, index, samples, file), file));
+        }
+        return true;
+    };
+    return parallel::deal_tiles(session, tiling, std::move(missing),
+                                {.solve = parallel::one_by_one(solve_tile),
+                                 .stop_requested = [&] { return stop.requested(); },
+                                 .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
+}
+
+}  // namespace peterka

@@ -1,0 +1,20 @@
+// The audit of a finished map: a sample of its cells is solved again by an independent engine with every term.
+#pragma once
+
+#include <string>
+
+#include "map_file/audit_table.hpp"
+#include "map_file/map_file.hpp"
+#include "parallel/session.hpp"
+#include "run/run_plan.hpp"
+#include "scene/scene.hpp"
+#include "support/stop_request.hpp"
+
+namespace peterka {
+
+// Collective, inside failing_ends_all, once all tiles are there. Returns false, on every rank, if somebody
+// asked to stop before the end; the audited cells are kept.
+[[nodiscard]] bool audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+                             const StopRequest& stop, map_file::MapFile& file);
+
+}  // namespace peterka

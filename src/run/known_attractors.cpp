@@ -1,0 +1,86 @@
+#include "run/known_attractors.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "parallel/broadcast.hpp"
+#include "parallel/collective.hpp"
+#include "parallel/dealing.hpp"
+#include "regime/cell_pool.hpp"
+#include "run/solve_tiles.hpp"
+
+namespace peterka {
+namespace {
+
+// One pilot for 8 by 8 cells costs little, and 16 by 16 of them find every attractor that takes a percent of
+// the plane; what they miss is found by each start of its own.
+constexpr std::int64_t cells_along_per_pilot = 8;
+constexpr std::int64_t most_pilots_along = 16;
+
+job::Job pilot_job(job::Job job) {
+    for (job::Axis* axis : {&job.rows, &job.columns}) {
+        axis->points = std::clamp<std::int64_t>(axis->points / cells_along_per_pilot, 1, most_pilots_along);
+    }
+    return job;
+}
+
+struct Found {
+    std::int64_t pilot;
+    regime::FoundAttractor attractor;
+};
+
+// This rank's share of the pilots, side by side.
+void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, parallel::TileSource& source,
+                  std::vector<Found>& found) {
+    const regime::AttractorTable nothing_known;
+    regime::CellPool pool(
+        pilots, nothing_known,
+        [&](const regime::CellPool::Solved& pilot) {
+            for (const regime::FoundAttractor& attractor : pilot.found) {
+                found.push_back({pilot.number, attractor});
+            }
+            source.solved(tiling.tile(pilot.number));
+        },
+        regime::CellPool::Findings::handed_on);
+    keep_solving(pool, source, [&] {
+        const auto pilot = source.next();
+        if (pilot) pool.add(pilot->row, pilot->column, pilot->index);
+        return pilot.has_value();
+    });
+}
+
+}  // namespace
+
+std::optional<regime::AttractorTable> find_known_attractors(const parallel::Session& session,
+                                                            const scene::Scene& scene,
+                                                            const StopRequest& stop) {
+    if (scene.job().kind != job::Kind::basin) return regime::AttractorTable();
+    const scene::Scene pilots(pilot_job(scene.job()));
+    const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
+    std::vector<Found> mine;
+    const bool solved =
+        parallel::deal_tiles(session, tiling, parallel::TileSet::all(tiling.count()),
+                             {.solve = [&](auto& source) { solve_pilots(pilots, tiling, source, mine); },
+                              .stop_requested = [&] { return stop.requested(); },
+                              .on_progress = [](std::int64_t) {}});
+    if (!solved) return std::nullopt;
+
+    std::vector<Found> all = parallel::gather<Found>(mine, session.communicator());
+    std::ranges::stable_sort(all, {}, &Found::pilot);
+    std::vector<regime::FoundAttractor> found;
+    found.reserve(all.size());
+    for (const Found& each : all) found.push_back(each.attractor);
+    const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(tiling.count());
+    std::optional<regime::AttractorTable> table;
+    try {
+        table.emplace(scene.cell(0, 0).oscillator, found, cells_each);
+    } catch (const Stopped&) {
+        table.reset();
+    }
+    if (parallel::any_rank(session, !table)) return std::nullopt;
+    return table;
+}
+
+}  // namespace peterka

@@ -1,0 +1,16 @@
+// Who shows progress, and how: rank 0 alone, a bar where somebody watches.
+#pragma once
+
+#include "parallel/session.hpp"
+#include "run/run_plan.hpp"
+#include "support/progress.hpp"
+#include "support/terminal.hpp"
+
+namespace peterka {
+
+inline ProgressStyle progress_style(const parallel::Session& session, const RunPlan& plan) {
+    if (!session.is_root() || plan.quiet) return ProgressStyle::silent;
+    return stderr_is_watched() ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+}  // namespace peterka

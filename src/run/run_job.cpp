@@ -1,0 +1,127 @@
+#include "run/run_job.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "map_file/make_file.hpp"
+#include "map_file/map_file.hpp"
+#include "map_file/output_lock.hpp"
+#include "map_file/provenance.hpp"
+#include "report/omitted.hpp"
+#include "report/summary.hpp"
+#include "run/audit_map.hpp"
+#include "run/solve_missing.hpp"
+#include "run/words.hpp"
+#include "scene/scene.hpp"
+#include "support/stop_request.hpp"
+#include "support/stopwatch.hpp"
+#include "support/tell.hpp"
+
+namespace peterka {
+namespace {
+
+using map_file::Existing;
+using map_file::MapFile;
+using parallel::Session;
+
+MapFile open_or_create(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+                       std::optional<map_file::FileLock>& lock) {
+    if (plan.existing == Existing::absent) {
+        parallel::on_root(session, [&] {
+            map_file::make_file(plan.file, plan.job, map_file::collect_provenance());
+            lock.emplace(plan.file);
+        });
+    }
+    const auto access = plan.existing == Existing::complete ? map_file::Access::read : map_file::Access::write;
+    return MapFile::open(plan.file, plan.job, scene.scales(), session.communicator(), access);
+}
+
+// Rank 0 alone, once every rank's branches are in the file.
+std::vector<BranchFindings> find_in_branches(const Session& session, const RunPlan& plan, const MapFile& file) {
+    std::vector<BranchFindings> found;
+    if (plan.job.kind != job::Kind::sweep || plan.quiet || !session.is_root()) return found;
+    for (std::int64_t i = 0; i < plan.job.sweep.branches(); ++i) {
+        found.push_back(find_in_branch(plan.job.sweep.branch(i), file.read_tile(i)));
+    }
+    return found;
+}
+
+// A finished map is shown as it is, so it must be what was computed.
+void refuse_damage(const RunPlan& plan, const map_file::RemainingTiles& remaining) {
+    if (remaining.tiles.empty()) return;
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: {} tiles of this finished map are damaged (wrong checksum); don't trust it, and "
+                    "compute it again with --fresh",
+                    plan.file.string(), remaining.tiles.size()));
+}
+
+std::string summary(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+                    const Findings& findings, const Stopwatch& wall) {
+    if (!session.is_root() || plan.quiet) return "";
+    const bool complete = plan.existing == Existing::complete;
+    return (complete ? fmt::format("{} is complete: nothing is computed\n", plan.file.string()) : "") +
+           summary_text({scene, findings, plan.file, {session.size(), wall.seconds()}});
+}
+
+void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
+    if (!session.is_root()) return;
+    tell("peterka: stopped early ({}); what is finished is kept, and the same command{} goes on from {}\n",
+         stop.reason(), plan.fresh ? " without --fresh" : "", plan.file.string());
+}
+
+ExitCode judge(const Session& session, const RunPlan& plan, const findings::Statistics& statistics) {
+    const std::int64_t failed = statistics.cells_of(regime::Regime::failed);
+    if (failed <= plan.job.limits.failed_cells) return ExitCode::done;
+    if (session.is_root()) {
+        tell("peterka: {} cells failed, and the job allows {} (limits.failed_cells)\n", failed,
+             plan.job.limits.failed_cells);
+    }
+    return ExitCode::too_many_failures;
+}
+
+}  // namespace
+
+ExitCode run_job(const Session& session, const RunPlan& plan) {
+    const Stopwatch wall;
+    const StopRequest stop(plan.max_wall_seconds);
+    const scene::Scene scene(plan.job);
+    std::optional<map_file::FileLock> lock;  // of a file that is made now
+    MapFile file = open_or_create(session, plan, scene, lock);
+    ExitCode code = ExitCode::stopped_early;
+    std::string words;
+
+    // Ranks work alone from here on, and the file's destructor would wait for all of them.
+    parallel::failing_ends_all(session, [&] {
+        const bool complete = plan.existing == Existing::complete;
+        if (complete) refuse_damage(plan, file.remaining_tiles());
+        const Stopwatch solving;
+        const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
+        const double solve_seconds = solving.seconds();
+        const bool solved = complete || (all_there && audit_map(session, plan, scene, stop, file));
+        const map_file::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan),
+                                       solve_seconds};
+        if (solved) {
+            const findings::Statistics statistics = file.statistics();
+            const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
+            if (!complete) file.finish(statistics, omitted, facts);
+            words = summary(session, plan, scene,
+                            {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)},
+                            wall);
+            code = judge(session, plan, statistics);
+        } else {
+            file.record(facts);
+            say_how_to_continue(session, plan, stop);
+        }
+        file.close();
+    });
+    parallel::on_root(session, [&] { print_of_file(words, plan); });
+    return code;
+}
+
+}  // namespace peterka

@@ -1,0 +1,38 @@
+// What a run command amounts to: found out by rank 0 from the job and the file, and then the same on every
+// rank.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "job/job.hpp"
+#include "map_file/inspect.hpp"
+#include "map_file/map_cell.hpp"
+#include "map_file/output_lock.hpp"
+#include "parallel/session.hpp"
+#include "run/command_line.hpp"
+
+namespace peterka {
+
+struct RunPlan {
+    job::Job job;
+    std::filesystem::path file;
+    map_file::Existing existing = map_file::Existing::absent;  // what the file holds already
+    double max_wall_seconds = 0;
+    bool fresh = false;  // this and what follows count on rank 0 alone
+    bool quiet = false;
+    std::optional<map_file::MapCell> map_cell;    // that a trace follows
+    std::optional<map_file::OutputLock> lock;     // held until the run ends
+    std::optional<map_file::FileLock> file_lock;  // of a file that is there already
+};
+
+// The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.
+[[nodiscard]] std::filesystem::path map_file_of(const Request& request);
+
+// Rank 0 alone: reads the job and looks at the file. Throws Failure for either.
+[[nodiscard]] RunPlan plan_run(const Request& request);
+
+// Collective. Rank 0's plan, or that there is none, for every rank.
+void share(const parallel::Session& session, std::optional<RunPlan>& plan);
+
+}  // namespace peterka

@@ -1,0 +1,93 @@
+#include "run/run_study.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "job/names.hpp"
+#include "map_file/provenance.hpp"
+#include "map_file/whole_file.hpp"
+#include "parallel/broadcast.hpp"
+#include "run/solve_tasks.hpp"
+#include "run/words.hpp"
+#include "study/topic.hpp"
+#include "support/readable.hpp"
+#include "support/stop_request.hpp"
+#include "support/stopwatch.hpp"
+#include "support/tell.hpp"
+
+namespace peterka {
+namespace {
+
+using parallel::Session;
+
+constexpr std::int64_t largest_study = 10'000'000;  // far above any [bytes]
+
+std::string closing_words(const Session& session, const RunPlan& plan, const Stopwatch& wall) {
+    const std::string file = plan.file.string();
+    return fmt::format("\nThis run: {} on {} {}\nStudy file {}\nDraw it    postprocess/draw.py {}\n",
+                       readable_duration(wall.seconds()), session.size(),
+                       session.size() == 1 ? "rank" : "ranks", file, file);
+}
+
+// The references that results are compared with take a while, too. Nothing, on every rank, if somebody asked to
+// stop.
+std::optional<study::AnyTopic> make_topic(const Session& session, const RunPlan& plan) {
+    std::optional<study::AnyTopic> topic;
+    try {
+        topic.emplace(study::make_topic(plan.job));
+    } catch (const Stopped&) {
+        topic.reset();
+    }
+    if (parallel::any_rank(session, !topic)) return std::nullopt;
+    return topic;
+}
+
+template <study::Topic Topic>
+ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& topic, const StopRequest& stop,
+                   std::string& words) {
+    const Stopwatch wall;
+    const auto results = solve_tasks(session, plan, topic, stop);
+    const map_file::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan)};
+    if (!results) return ExitCode::stopped_early;
+    if (!session.is_root()) return ExitCode::done;
+    map_file::write_whole_file(
+        plan.file, plan.job, map_file::collect_provenance(),
+        {{{"topic", std::string(job::name(plan.job.study.topic))}}, topic.tables(*results)}, facts);
+    if (!plan.quiet) {
+        words = fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
+                            topic.summary(*results), closing_words(session, plan, wall));
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode run_study(const Session& session, const RunPlan& plan) {
+    if (plan.existing == map_file::Existing::complete) {
+        parallel::on_root(session, [&] { print_complete(plan); });
+        return ExitCode::done;
+    }
+    parallel::on_root(session, [&] { map_file::require_place(plan.file, largest_study); });
+    const StopRequest stop(plan.max_wall_seconds);
+    ExitCode code = ExitCode::stopped_early;
+    std::string words;
+    parallel::failing_ends_all(session, [&] {
+        const auto topic = make_topic(session, plan);
+        if (!topic) return;
+        code =
+            std::visit([&](const auto& each) { return run_topic(session, plan, each, stop, words); }, *topic);
+    });
+    if (code == ExitCode::stopped_early && session.is_root()) {
+        tell(
+            "peterka: stopped early ({}); a study keeps nothing of an unfinished run: the same command starts "
+            "over\n",
+            stop.reason());
+    }
+    parallel::on_root(session, [&] { print_of_file(words, plan); });
+    return code;
+}
+
+}  // namespace peterka

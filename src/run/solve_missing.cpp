@@ -1,0 +1,130 @@
+#include "run/solve_missing.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "parallel/dealing.hpp"
+#include "refine/region.hpp"
+#include "refine/regions.hpp"
+#include "regime/branch.hpp"
+#include "run/known_attractors.hpp"
+#include "run/progress_style.hpp"
+#include "run/solve_tiles.hpp"
+#include "support/stopwatch.hpp"
+#include "support/tell.hpp"
+
+namespace peterka {
+namespace {
+
+using map_file::MapFile;
+using parallel::Session;
+
+using parallel::Place;
+using parallel::Tile;
+using Results = std::span<const regime::CellResult>;
+
+// Every cell of a tile.
+TileWork whole_tiles(MapFile& file) {
+    return {.begin =
+                [](const Tile& tile) {
+                    std::vector<Place> cells;
+                    for (std::int64_t i = 0; i < tile.size(); ++i) {
+                        cells.push_back(
+                            {tile.row + i / tile.extent.columns, tile.column + i % tile.extent.columns});
+                    }
+                    return cells;
+                },
+            .go_on =
+                [&](const Tile& tile, Results cells, double seconds) {
+                    file.write_tile(tile, cells, seconds);
+                    return std::vector<Place>();
+                }};
+}
+
+// Lattice after lattice of a region of tiles.
+class RefinedRegions {
+  public:
+    RefinedRegions(const job::Job& job, MapFile& file) : job_(job), file_(file) {}
+
+    [[nodiscard]] TileWork work() {
+        return {.begin =
+                    [this](const Tile& tile) {
+                        auto& region = regions_.try_emplace(tile.index, job_, tile).first->second;
+                        return region.next();
+                    },
+                .go_on = [this](const Tile& tile, Results cells,
+                                double seconds) { return go_on(tile, cells, seconds); },
+                .most_in_hand = refine::most_in_hand};
+    }
+
+  private:
+    std::vector<Place> go_on(const Tile& rectangle, Results cells, double seconds) {
+        refine::Region& region = regions_.at(rectangle.index);
+        region.put(cells);
+        std::vector<Place> places = region.next();
+        if (!places.empty()) return places;
+        const std::vector<Tile> tiles = refine::tiles_in(rectangle, file_.tiling());
+        for (const Tile& tile : tiles) {
+            file_.write_tile(tile, region.cells(tile), seconds / static_cast<double>(tiles.size()));
+        }
+        regions_.erase(rectangle.index);
+        return places;
+    }
+
+    const job::Job& job_;
+    MapFile& file_;
+    std::unordered_map<std::int64_t, refine::Region> regions_;  // those in hand
+};
+
+// Branches of a sweep, one after the other.
+std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& scene, MapFile& file) {
+    return parallel::one_by_one([&](const Tile& tile, const parallel::CarryOn& carry_on) {
+        const Stopwatch stopwatch;
+        const auto points = regime::follow_branch(scene, tile.row, carry_on);
+        if (points) file.write_branch(tile, *points, stopwatch.seconds());
+        return points.has_value();
+    });
+}
+
+// The tiles that the file lacks.
+parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan, MapFile& file) {
+    map_file::RemainingTiles remaining = file.remaining_tiles();
+    if (session.is_root() && remaining.damaged > 0 && !plan.quiet) {
+        tell("peterka: {} tiles are damaged (wrong checksum) and are computed again\n", remaining.damaged);
+    }
+    return std::move(remaining.tiles);
+}
+
+}  // namespace
+
+bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+                         const StopRequest& stop, MapFile& file) {
+    const bool refines = plan.job.refine.levels > 0;
+    const parallel::Tiling tiling =
+        refines ? refine::regions_of(file.tiling().grid(), session.size()) : file.tiling();
+    parallel::TileSet missing = find_missing_tiles(session, plan, file);
+    if (refines) missing = refine::regions_with(missing, file.tiling(), tiling);
+    const std::int64_t cells_missing = parallel::cells_in(missing, tiling);
+    if (cells_missing == 0) return true;
+    Progress progress(progress_style(session, plan), plan.job.cells(), plan.job.cells() - cells_missing);
+    const auto known = find_known_attractors(session, scene, stop);
+    if (!known) return false;
+    RefinedRegions regions(plan.job, file);
+    const TileWork work = refines ? regions.work() : whole_tiles(file);
+    const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); };
+    const bool sweeps = plan.job.kind == job::Kind::sweep;
+    return parallel::deal_tiles(session, tiling, std::move(missing),
+                                {.solve = sweeps ? whole_branches(scene, file) : solve,
+                                 .stop_requested = [&] { return stop.requested(); },
+                                 .on_progress =
+                                     [&](std::int64_t solved) {
+                                         file.require_presence();
+                                         progress.add(solved);
+                                     }});
+}
+
+}  // namespace peterka

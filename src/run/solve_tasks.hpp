@@ -1,0 +1,51 @@
+// The computing of a study: its tasks are dealt to all ranks, and every rank gets all results.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "parallel/collective.hpp"
+#include "parallel/dealing.hpp"
+#include "run/progress_style.hpp"
+#include "run/run_plan.hpp"
+#include "study/table.hpp"
+#include "support/progress.hpp"
+#include "support/stop_request.hpp"
+
+namespace peterka {
+
+// Collective, inside failing_ends_all. Nothing, on every rank, if somebody asked to stop before the end.
+template <study::Topic Topic>
+[[nodiscard]] std::optional<std::vector<typename Topic::Result>> solve_tasks(const parallel::Session& session,
+                                                                             const RunPlan& plan,
+                                                                             const Topic& topic,
+                                                                             const StopRequest& stop) {
+    using Result = typename Topic::Result;
+    struct Solved {
+        std::int64_t task = 0;
+        Result result;
+    };
+    const std::int64_t tasks = topic.tasks();
+    const parallel::Tiling tiling({tasks, 1}, {1, 1});
+    std::vector<Solved> mine;
+    Progress progress(progress_style(session, plan), tasks, 0, "compare");
+    const auto solve_task = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+        if (!carry_on()) return false;
+        mine.push_back({tile.row, topic.solve(tile.row)});
+        return true;
+    };
+    const bool solved = parallel::deal_tiles(session, tiling, parallel::TileSet::all(tasks),
+                                             {.solve = parallel::one_by_one(solve_task),
+                                              .stop_requested = [&] { return stop.requested(); },
+                                              .on_progress = [&](std::int64_t done) { progress.add(done); }});
+    if (!solved) return std::nullopt;
+    std::vector<Result> results(static_cast<std::size_t>(tasks));
+    for (const Solved& each : parallel::gather<Solved>(mine, session.communicator())) {
+        results[static_cast<std::size_t>(each.task)] = each.result;
+    }
+    return results;
+}
+
+}  // namespace peterka

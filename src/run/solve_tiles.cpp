@@ -1,0 +1,107 @@
+#include "run/solve_tiles.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+
+#include "support/stop_request.hpp"
+
+namespace peterka {
+namespace {
+
+class TilesInHand {
+  public:
+    TilesInHand(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+                parallel::TileSource& source)
+        : work_(work), source_(source), pool_(scene, known, [this](const auto& solved) { keep(solved); }) {}
+
+    void solve() {
+        keep_solving(pool_, source_, [this] { return add_cell(); });
+    }
+
+  private:
+    struct Open {
+        parallel::Tile tile;
+        std::vector<parallel::Place> cells = {};
+        std::vector<regime::CellResult> results = {};
+        std::size_t added = 0;
+        std::size_t solved = 0;
+        double seconds = 0;
+    };
+
+    // The next cell of the tile that waits first, or of another tile. False: none is at hand.
+    bool add_cell() {
+        while (waiting_.empty()) {
+            if (open_.size() >= work_.most_in_hand) return false;
+            const auto tile = source_.next();
+            if (!tile) return false;
+            Open& open = open_.emplace(tile->index, Open{*tile}).first->second;
+            solve(open, work_.begin(*tile));
+        }
+        Open& open = *waiting_.front();
+        const parallel::Place& cell = open.cells[open.added];
+        const std::int64_t number = open.tile.index * most_cells + static_cast<std::int64_t>(open.added);
+        ++open.added;
+        if (open.added == open.cells.size()) waiting_.pop_front();
+        pool_.add(cell.row, cell.column, number);
+        return true;
+    }
+
+    void solve(Open& open, std::vector<parallel::Place> cells) {
+        if (cells.empty()) {
+            source_.solved(open.tile);
+            open_.erase(open.tile.index);
+            return;
+        }
+        open.cells = std::move(cells);
+        open.results.resize(open.cells.size());
+        open.added = 0;
+        open.solved = 0;
+        waiting_.push_front(&open);  // tiles that are begun come to an end before others
+    }
+
+    void keep(const regime::CellPool::Solved& cell) {
+        Open& open = open_.at(cell.number / most_cells);
+        open.results[static_cast<std::size_t>(cell.number % most_cells)] = cell.result;
+        open.seconds += cell.seconds;
+        if (++open.solved < open.cells.size()) return;
+        solve(open, work_.go_on(open.tile, open.results, open.seconds));
+    }
+
+    static constexpr std::int64_t most_cells = 1 << 24;  // of a tile at a time
+
+    const TileWork& work_;
+    parallel::TileSource& source_;
+    std::unordered_map<std::int64_t, Open> open_;  // by tile
+    std::deque<Open*> waiting_;                    // with cells that are still to be added
+    regime::CellPool pool_;
+};
+
+}  // namespace
+
+void keep_solving(regime::CellPool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell) {
+    try {
+        while (source.carry_on()) {
+            while (pool.has_room() && add_cell()) {
+            }
+            if (!pool.empty()) {
+                pool.step();
+            } else if (source.ended()) {
+                return;
+            } else {
+                parallel::wait_for_tiles();
+            }
+        }
+    } catch (const Stopped&) {
+        return;  // in the middle of a cycle: nothing more comes out of this pool
+    }
+}
+
+void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+                 parallel::TileSource& source) {
+    TilesInHand(scene, known, work, source).solve();
+}
+
+}  // namespace peterka

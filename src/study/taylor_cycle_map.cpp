@@ -1,0 +1,380 @@
+#include "study/taylor_cycle_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "study/taylor_series.hpp"
+#include "support/stop_request.hpp"
+
+namespace peterka::trajectory {
+
+namespace {
+
+using taylor::Point;
+using taylor::Real;
+using taylor::Series;
+
+constexpr int most_steps = 400'000;  // about a second
+constexpr int most_events = 20'000;
+constexpr int samples = 16;          // of a step: where the end of a phase is looked for
+constexpr Real step_turn = 0.5L;     // of the fastest rate: 0.5^25/25! is far below rounding
+constexpr Real step_share = 0.2L;    // of the radius of convergence, where it is finite: 0.2^25 = 3e-18
+constexpr Real out_of_range = 1e9L;  // a softening spring that gave way never ends its cycle
+
+// What all laws share: the forces on the hammer but for the stop's, and the clock.
+class TaylorMotion {
+  public:
+    TaylorMotion(const Oscillator<Real>& scene, const State<Real>& x)
+        : scene_(scene),
+          cart_(scene.cubic_form == job::CubicForm::absolute ? 1 : 0),
+          period_(scene.period()),
+          point_{x[0], x[1]} {
+        cycle_.jacobian.setConstant(std::numeric_limits<Real>::quiet_NaN());
+    }
+
+  protected:
+    // Coefficients of delta(time + t) with delta'' = eta^2 sin - u - 2 zeta u' - cubic ((u + y)^3 - y^3) - f.
+    template <class Force>
+    void expand(Force force) {
+        Series y{};        // the cart
+        Series x{};        // what the spring's cubic part sees
+        Series squares{};  // x^2 and y^2
+        Series cart_squares{};
+        const Real angle = scene_.frequency * time_;
+        Real wave[2] = {std::sin(angle), std::cos(angle)};
+        series_[0] = point_.position;
+        series_[1] = point_.velocity;
+        for (std::size_t n = 0; n + 2 <= taylor::order; ++n) {
+            y[n] = n % 4 < 2 ? wave[n % 2] : -wave[n % 2];
+            const Real u = series_[n] + (n == 0 ? scene_.gap : 0);
+            Real acceleration =
+                scene_.drive() * y[n] - u - 2 * scene_.damping_ratio * Real(n + 1) * series_[n + 1] - force(n);
+            if (scene_.cubic != 0) {
+                x[n] = u + cart_ * y[n];
+                Real cube = 0;
+                for (std::size_t a = 0; a <= n; ++a) {
+                    squares[n] += x[a] * x[n - a];
+                    cart_squares[n] += y[a] * y[n - a];
+                }
+                for (std::size_t a = 0; a <= n; ++a) {
+                    cube += squares[a] * x[n - a] - cart_ * cart_squares[a] * y[n - a];
+                }
+                acceleration -= scene_.cubic * cube;
+            }
+            series_[n + 2] = acceleration / Real((n + 1) * (n + 2));
+            wave[0] *= scene_.frequency / Real(n + 1);
+            wave[1] *= scene_.frequency / Real(n + 1);
+        }
+    }
+
+    [[nodiscard]] Real free_rate() const {
+        const Real reach = std::abs(point_.position + scene_.gap) + cart_;
+        return 1 + scene_.frequency + 2 * scene_.damping_ratio + std::sqrt(6 * std::abs(scene_.cubic)) * reach;
+    }
+
+    // What presses a hammer at rest against the stop.
+    [[nodiscard]] Real press(Real time) const {
+        const Real sine = std::sin(scene_.frequency * time);
+        const Real y = cart_ * sine;
+        const Real x = scene_.gap + y;
+        return scene_.drive() * sine - scene_.gap - scene_.cubic * (x * x * x - y * y * y);
+    }
+
+    // The first time within the step at which `over` is positive, or the step's end. It is not at the step's
+    // beginning, which may lie on the surface of the event before.
+    template <class Over>
+    [[nodiscard]] bool find_event(Real& end, Over over) const {
+        const Real length = end;
+        for (int n = 1; n <= samples; ++n) {
+            const Real t = length * Real(n) / samples;
+            if (!(over(t) > 0)) continue;
+            Real before = length * Real(n - 1) / samples;
+            end = t;
+            for (int halving = 0; halving < 80; ++halving) {
+                const Real middle = (before + end) / 2;
+                if (middle == before || middle == end) break;
+                (over(middle) > 0 ? end : before) = middle;
+            }
+            return true;
+        }
+        return false;
+    }
+
+    void pass(Real duration, Real longest) { time_ = duration == longest ? period_ : time_ + duration; }
+    [[nodiscard]] bool in_range() const {
+        return std::abs(point_.position) < out_of_range && std::abs(point_.velocity) < out_of_range;
+    }
+
+    void touch() {
+        ++cycle_.impacts;
+        cycle_.last_touch = time_;
+        cycle_.impact_speed = std::max(cycle_.impact_speed, point_.velocity);
+    }
+
+    MeasuredCycle<Real> finished(typename Cycle<Real>::Outcome outcome) {
+        cycle_.outcome = outcome;
+        cycle_.end = {point_.position, point_.velocity};
+        return cycle_;
+    }
+
+    Oscillator<Real> scene_;
+    Real cart_;
+    Real period_;
+    Real time_ = 0;  // since the cycle began
+    Point point_;
+    Series series_{};
+    MeasuredCycle<Real> cycle_;
+};
+
+// A stop with a force of its own.
+template <class Force>
+class ForcedMotion : private TaylorMotion {
+  public:
+    ForcedMotion(const Oscillator<Real>& scene, const State<Real>& x, const Force& force)
+        : TaylorMotion(scene, x), force_(force) {
+        if (point_.position > 0) {
+            phase_ = force_.pressing(point_) > 0 ? Phase::contact : Phase::unloaded;
+        } else if (point_.position == 0 && point_.velocity > 0) {
+            phase_ = Phase::contact;
+        }
+    }
+
+    MeasuredCycle<Real> run() {
+        using Outcome = typename Cycle<Real>::Outcome;
+        int events = 0;
+        for (int steps = 0; time_ < period_; ++steps) {
+            stop_if_asked();
+            if (steps == most_steps) return finished(Outcome::solver_failed);
+            if (events == most_events) return finished(Outcome::too_many_events);
+            cycle_.touched |= phase_ == Phase::contact;
+            cycle_.separated |= phase_ == Phase::flight;
+            const bool event = step();
+            if (!in_range()) return finished(Outcome::not_finite);
+            if (!event) continue;
+            ++events;
+            begin_next_phase();
+        }
+        return finished(Outcome::done);
+    }
+
+  private:
+    // Whether the stop's force counts at this point: not at a depth at which it changes nothing.
+    [[nodiscard]] bool force_counts() const {
+        if (phase_ != Phase::contact) return false;
+        return force_.is_analytic() || point_.position >= floor_;
+    }
+
+    [[nodiscard]] Real step_length() const {
+        if (phase_ != Phase::contact) return step_turn / free_rate();
+        const Real turn = step_turn / (free_rate() + force_.fastest_rate(point_));
+        if (force_.is_analytic()) return turn;
+        const Real v = std::abs(point_.velocity);
+        const Real a = free_acceleration_;
+        if (force_counts()) {  // delta = 0 is no nearer than this
+            const Real radius = 2 * point_.position / (v + std::sqrt(v * v + 2 * a * point_.position));
+            return std::min(turn, step_share * radius);
+        }
+        // to a little above the floor, or through 0
+        return std::min(turn, 3 * floor_ / (v + std::sqrt(v * v + 6 * a * floor_)));
+    }
+
+    bool step() {
+        if (!force_.is_analytic() && phase_ == Phase::contact) {
+            // a bound of the acceleration, for lengths and depths
+            free_acceleration_ = scene_.drive() + std::abs(point_.position + scene_.gap) +
+                                 2 * scene_.damping_ratio * std::abs(point_.velocity) + force_.value(point_);
+            floor_ = force_.floor(point_.velocity, std::abs(press(time_)));
+        }
+        const bool presses = force_counts();
+        const Real longest = period_ - time_;
+        Real end = std::min(longest, step_length());
+        expand([&](std::size_t n) { return presses ? force_.coefficient(series_, n) : Real(0); });
+        const bool event = find_event(end, [&](Real t) { return over(taylor::at(series_, t)); });
+        if (presses) raise_peak(end);
+        cycle_.largest_displacement =
+            std::max(cycle_.largest_displacement, std::abs(taylor::at(series_, end).position + scene_.gap));
+        point_ = taylor::at(series_, end);
+        pass(end, longest);
+        return event;
+    }
+
+    // Positive once the phase is over.
+    [[nodiscard]] Real over(const Point& p) const {
+        switch (phase_) {
+            case Phase::flight:
+                return p.position;
+            case Phase::contact:
+                if (force_.is_analytic()) return -force_.pressing(p);
+                return std::max(-p.position, -force_.pressing(p));
+            case Phase::unloaded:
+                break;
+        }
+        return std::max(-p.position, force_.pressing(p));
+    }
+
+    void begin_next_phase() {
+        if (phase_ == Phase::flight) {
+            point_.position = 0;
+            touch();
+            phase_ = Phase::contact;
+            return;
+        }
+        const bool leaves = !(point_.position > 0) || (phase_ == Phase::contact && is_elastic());
+        if (leaves) {
+            point_.position = 0;
+            phase_ = Phase::flight;
+        } else {
+            phase_ = phase_ == Phase::contact ? Phase::unloaded : Phase::contact;
+        }
+    }
+    // An elastic stop lets go where it was touched.
+    [[nodiscard]] bool is_elastic() const { return force_.is_analytic() && force_.value({0, 1}) == 0; }
+
+    // Within a step the force has at most one maximum.
+    void raise_peak(Real end) {
+        const auto slope = [&](Real t) {
+            return force_.slope(taylor::at(series_, t), taylor::acceleration_at(series_, t));
+        };
+        const auto raise = [&](Real t) {
+            cycle_.peak_force = std::max(cycle_.peak_force, force_.value(taylor::at(series_, t)));
+        };
+        raise(0);
+        raise(end);
+        Real rising = 0;
+        Real falling = end;
+        if (!(slope(rising) > 0 && slope(falling) < 0)) return;
+        for (int halving = 0; halving < 64; ++halving) {
+            const Real middle = (rising + falling) / 2;
+            (slope(middle) > 0 ? rising : falling) = middle;
+        }
+        raise(rising);
+    }
+
+    Force force_;
+    Phase phase_ = Phase::flight;
+    Real floor_ = 0;
+    Real free_acceleration_ = 0;
+};
+
+// A rigid stop.
+class RigidMotion : private TaylorMotion {
+  public:
+    RigidMotion(const Oscillator<Real>& scene, const State<Real>& x, Real restitution)
+        : TaylorMotion(scene, x), restitution_(restitution) {
+        if (point_.position == 0 && point_.velocity > 0) {
+            strike();
+        } else if (point_.position == 0 && point_.velocity == 0) {
+            sticks_ = press(0) > 0;
+        }
+    }
+
+    MeasuredCycle<Real> run() {
+        using Outcome = typename Cycle<Real>::Outcome;
+        if (point_.position > 0) return finished(Outcome::not_finite);  // beyond a rigid stop there is nothing
+        int events = 0;
+        for (int steps = 0; time_ < period_; ++steps) {
+            stop_if_asked();
+            if (steps == most_steps) return finished(Outcome::solver_failed);
+            if (events == most_events) return finished(Outcome::too_many_events);
+            cycle_.touched |= sticks_;
+            cycle_.separated |= !sticks_;
+            events += (sticks_ ? stick() : fly()) ? 1 : 0;
+            if (!in_range()) return finished(Outcome::not_finite);
+        }
+        if (struck_) cycle_.peak_force = std::numeric_limits<Real>::quiet_NaN();
+        return finished(Outcome::done);
+    }
+
+  private:
+    bool fly() {
+        const Real longest = period_ - time_;
+        Real end = std::min(longest, step_turn / free_rate());
+        // a hop right after an impact must not hide between samples
+        const Real a = press(time_);
+        if (point_.position == 0 && a > 0) end = std::min(end, 4 * std::abs(point_.velocity) / a);
+        expand([](std::size_t) { return Real(0); });
+        const bool event = find_event(end, [&](Real t) { return taylor::at(series_, t).position; });
+        cycle_.largest_displacement =
+            std::max(cycle_.largest_displacement, std::abs(taylor::at(series_, end).position + scene_.gap));
+        for (int n = 0; n <= samples; ++n) {
+            if (!(press(time_ + end * Real(n) / samples) > 0)) impacts_while_pressed_ = 0;
+        }
+        point_ = taylor::at(series_, end);
+        pass(end, longest);
+        if (event) strike();
+        return event;
+    }
+
+    void strike() {
+        point_.position = 0;
+        if (!(point_.velocity > 0)) {  // grazing
+            point_.velocity = 0;
+            sticks_ = press(time_) > 0;
+            return;
+        }
+        touch();
+        struck_ = true;
+        point_.velocity *= -restitution_;
+        const Real a = press(time_);
+        if (!(a > 0)) {
+            impacts_while_pressed_ = 0;
+            return;
+        }
+        ++impacts_while_pressed_;
+        // all the impacts to come take this long, and less than can be told apart
+        const Real rest = restitution_ < 1 ? -2 * point_.velocity / (a * (1 - restitution_)) : period_;
+        if (rest > std::numeric_limits<Real>::epsilon() * period_) return;
+        point_.velocity = 0;
+        cycle_.impacts -= impacts_while_pressed_ - 1;
+        impacts_while_pressed_ = 0;
+        sticks_ = true;
+    }
+
+    bool stick() {
+        const Real longest = period_ - time_;
+        Real end = std::min(longest, step_turn / free_rate());
+        const bool event = find_event(end, [&](Real t) { return -press(time_ + t); });
+        raise_peak(end);
+        pass(end, longest);
+        sticks_ = !event;
+        return event;
+    }
+
+    // The largest force of a step at rest: next to the largest sample, by thirds.
+    void raise_peak(Real end) {
+        int largest = 0;
+        for (int n = 1; n <= samples; ++n) {
+            if (press(sample_time(n, end)) > press(sample_time(largest, end))) largest = n;
+        }
+        Real from = sample_time(std::max(largest - 1, 0), end);
+        Real to = sample_time(std::min(largest + 1, samples), end);
+        for (int n = 0; n < 120; ++n) {
+            const Real third = (to - from) / 3;
+            const bool rises = press(from + third) < press(to - third);
+            (rises ? from : to) = rises ? from + third : to - third;
+        }
+        cycle_.peak_force = std::max({cycle_.peak_force, press(from), press(to)});
+    }
+    [[nodiscard]] Real sample_time(int n, Real length) const { return time_ + length * Real(n) / samples; }
+
+    Real restitution_;
+    bool sticks_ = false;
+    bool struck_ = false;
+    int impacts_while_pressed_ = 0;
+};
+
+}  // namespace
+
+MeasuredCycle<TaylorCycleMap::Real> TaylorCycleMap::operator()(const State<Real>& x) const {
+    if (const auto* law = std::get_if<scene::KelvinVoigt<Real>>(&scene_.contact)) {
+        return ForcedMotion(scene_, x, taylor::KelvinVoigtForce(*law)).run();
+    }
+    if (const auto* law = std::get_if<scene::HuntCrossley<Real>>(&scene_.contact)) {
+        return ForcedMotion(scene_, x, taylor::HuntCrossleyForce(*law)).run();
+    }
+    return RigidMotion(scene_, x, std::get<scene::Restitution<Real>>(scene_.contact).coefficient).run();
+}
+
+}  // namespace peterka::trajectory

@@ -1,0 +1,115 @@
+// The numbers of the summary, whatever the grouping of the cells they come from.
+#include "findings/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "map_examples.hpp"
+
+namespace peterka::findings {
+namespace {
+
+using regime::Regime;
+
+// A row of cells as a tile at (5, 10).
+Statistics statistics_of(const std::vector<quantities::StoredCell>& cells) {
+    Statistics statistics;
+    add_tile(statistics, {0, 5, 10, {1, std::ssize(cells)}}, cells);
+    return statistics;
+}
+
+quantities::StoredCell cell_of(Regime regime, double force, std::int32_t impacts = 0, std::int32_t period = 0) {
+    quantities::StoredCell cell;
+    cell.regime = regime;
+    cell.peak_force = force;
+    cell.impacts = impacts;
+    cell.period = period;
+    cell.cycles = 10;
+    return cell;
+}
+
+TEST(OutputStatistics, CountsRegimesReasonsCyclesAndClasses) {
+    quantities::StoredCell failed = cell_of(Regime::failed, regime::unknown);
+    failed.status = regime::Status::not_finite;
+    quantities::StoredCell unresolved = cell_of(Regime::unresolved, 2);
+    unresolved.status = regime::Status::conservative;
+    const quantities::StoredCell not_computed = cell_of(static_cast<Regime>(regime::regime_not_computed), 1e9);
+    const Statistics statistics = statistics_of(
+        {cell_of(Regime::periodic, 1, 2, 2), failed, cell_of(Regime::periodic, 1, 1, 1), unresolved,
+         not_computed, cell_of(Regime::periodic, 1, 2, 2), cell_of(Regime::no_impact, 0, 0, 1)});
+    EXPECT_EQ(statistics.counts.cells, 6);
+    EXPECT_EQ(statistics.counts.cycles, 60);
+    EXPECT_EQ(statistics.cells_of(Regime::periodic), 3);
+    EXPECT_EQ(statistics.cells_of(Regime::no_impact), 1);
+    EXPECT_EQ(statistics.cells_of(Regime::chaotic), 0);
+    EXPECT_EQ(statistics.counts.failed_by_status, (std::array<std::int64_t, 9>{0, 0, 0, 0, 1}));
+    EXPECT_EQ(statistics.counts.unresolved_by_status, (std::array<std::int64_t, 9>{0, 0, 1}));
+    EXPECT_EQ(statistics.periodic_cells, (std::map<ImpactClass, std::int64_t>{{{1, 1}, 1}, {{2, 2}, 2}}));
+}
+
+TEST(OutputStatistics, LivesOfImpactsThatEnd) {
+    const auto ends_after = [](std::int32_t cycles) {
+        quantities::StoredCell cell = cell_of(Regime::no_impact, 0, 0, 1);
+        cell.last_impact = cycles;
+        return cell;
+    };
+    quantities::StoredCell filled = cell_of(Regime::periodic, 1, 1, 1);  // has no run of its own
+    filled.computed = false;
+    Statistics statistics = statistics_of({ends_after(0), ends_after(30), ends_after(301), filled,
+                                           cell_of(Regime::periodic, 1, 1, 1), cell_of(Regime::chaotic, 1),
+                                           cell_of(Regime::unresolved, 1), cell_of(Regime::failed, 1)});
+    EXPECT_EQ(statistics.transients.cells, 5);  // neither filled nor undecided
+    EXPECT_EQ(statistics.transients.ended, 2);
+    EXPECT_EQ(statistics.transients.cycles, 331);
+    EXPECT_EQ(statistics.transients.longest, 301);
+    EXPECT_EQ(statistics.transients.impacting, (std::array<std::int64_t, 6>{3, 3, 3, 2, 2, 2}));
+    Transients twice = statistics.transients;
+    twice.add(statistics.transients);
+    EXPECT_EQ(twice.cycles, 662);
+    EXPECT_EQ(twice.longest, 301);
+    EXPECT_EQ(twice.impacting[0], 6);
+}
+
+TEST(OutputStatistics, LargestForcesAndWhere) {
+    const Statistics statistics = statistics_of(
+        {cell_of(Regime::failed, regime::unknown), cell_of(Regime::periodic, 7, 1, 2),
+         cell_of(Regime::periodic, 5, 1, 1), cell_of(Regime::chaotic, 9), cell_of(Regime::periodic, 4, 1, 1)});
+    EXPECT_EQ(statistics.largest.any_regime.peak_force_ratio, 9);
+    EXPECT_EQ(statistics.largest.any_regime.row, 5);
+    EXPECT_EQ(statistics.largest.any_regime.column, 13);
+    EXPECT_EQ(statistics.largest.periodic.peak_force_ratio, 7);
+    EXPECT_EQ(statistics.largest.periodic.column, 11);
+    EXPECT_EQ(statistics.largest.one_to_one.peak_force_ratio, 5);
+    EXPECT_EQ(statistics.largest.one_to_one.column, 12);
+}
+
+TEST(OutputStatistics, NothingIsFoundAmongNothing) {
+    EXPECT_FALSE(statistics_of({cell_of(Regime::failed, regime::unknown)}).largest.any_regime.found());
+    EXPECT_FALSE(statistics_of({cell_of(Regime::periodic, 3, 1, 2)}).largest.one_to_one.found());
+}
+
+TEST(OutputStatistics, LowestCellWinsADrawInEitherOrder) {
+    const LargestForce low{3, 1, 9};
+    const LargestForce high{3, 2, 0};
+    for (const auto& [first, second] : {std::pair{low, high}, {high, low}}) {
+        LargestForce largest;
+        largest.take(first);
+        largest.take(second);
+        largest.take({regime::unknown, 0, 0});
+        EXPECT_EQ(largest.row, 1);
+        EXPECT_EQ(largest.column, 9);
+    }
+}
+
+TEST(OutputStatistics, FailureTextNamesEachReason) {
+    Counts counts;
+    EXPECT_EQ(failure_text(counts), "");
+    counts.failed_by_status = {0, 0, 0, 1, 1200};
+    counts.unresolved_by_status = {0, 2};
+    EXPECT_EQ(failure_text(counts),
+              "1 cell failed: too_many_events\n1,200 cells failed: not_finite\n2 cells unresolved: budget\n");
+}
+
+}  // namespace
+}  // namespace peterka::findings

@@ -1,0 +1,131 @@
+#include "findings/sweep_findings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "report/sweep_summary.hpp"
+#include "rig.hpp"
+
+namespace peterka {
+namespace {
+
+using quantities::StoredCell;
+using regime::Regime;
+
+StoredCell orbit(int impacts, int period, double force, bool jump = false) {
+    return {
+        .regime = Regime::periodic, .jump = jump, .impacts = impacts, .period = period, .peak_force = force};
+}
+StoredCell free_motion(bool jump = false) {
+    return {.regime = Regime::no_impact, .jump = jump, .period = 1, .peak_force = 0};
+}
+StoredCell chaos(double force) {
+    return {.regime = Regime::chaotic, .peak_force = force};
+}
+
+BranchFindings rising() {
+    return find_in_branch({0, job::Direction::up}, {orbit(1, 1, 40), orbit(1, 1, 50), orbit(1, 1, 60),
+                                                    free_motion(true), chaos(70), orbit(1, 2, 20, true)});
+}
+BranchFindings falling() {
+    return find_in_branch({0, job::Direction::down}, {orbit(1, 1, 40, true), free_motion(), free_motion(),
+                                                      free_motion(), chaos(65), orbit(1, 2, 20)});
+}
+
+TEST(SweepFindings, TheLargestForceOfOneImpactACycle) {
+    EXPECT_EQ(rising().one_to_one, 2);
+    EXPECT_EQ(rising().largest, 4);
+    EXPECT_EQ(find_in_branch({0, job::Direction::up}, {free_motion(), chaos(3)}).one_to_one, std::nullopt);
+}
+
+TEST(SweepFindings, AResonanceIsAMaximumInsideTheBand) {
+    const auto around = [](job::Direction direction, std::vector<StoredCell> cells) {
+        return find_in_branch({0, direction}, std::move(cells)).around_one_to_one;
+    };
+    using enum job::Direction;
+    const auto inside = around(up, {orbit(1, 1, 40), orbit(1, 1, 60), orbit(1, 1, 50)});
+    EXPECT_TRUE(inside.inside());
+    const auto rises = around(up, {orbit(1, 1, 40), orbit(1, 1, 50)});
+    EXPECT_EQ(rises.above, Side::end_of_sweep);
+    EXPECT_EQ(around(up, {orbit(1, 1, 40), orbit(2, 2, 50)}).above, Side::other_band);
+    EXPECT_EQ(rising().around_one_to_one.above, Side::jump);
+    EXPECT_EQ(rising().around_one_to_one.below, Side::own_band);
+    // going down, a jump is marked on its lower side
+    EXPECT_EQ(around(down, {orbit(1, 1, 40), orbit(1, 1, 50, true), free_motion()}).above, Side::jump);
+    EXPECT_EQ(around(down, {orbit(1, 1, 40, true), orbit(1, 1, 50), free_motion()}).below, Side::jump);
+    // the same band goes on beyond a jump
+    EXPECT_EQ(around(up, {orbit(1, 1, 10), orbit(1, 1, 50, true), orbit(1, 1, 40)}).below, Side::jump);
+}
+
+TEST(SweepFindings, JumpsFollowTheDirection) {
+    ASSERT_EQ(rising().jumps.size(), 2U);
+    EXPECT_EQ(rising().jumps[0].from, 2);
+    EXPECT_EQ(rising().jumps[0].to, 3);
+    ASSERT_EQ(falling().jumps.size(), 1U);
+    EXPECT_EQ(falling().jumps[0].from, 1);
+    EXPECT_EQ(falling().jumps[0].to, 0);
+}
+
+TEST(SweepFindings, BandsAndSharesCoverTheBranch) {
+    const BranchFindings found = rising();
+    ASSERT_EQ(found.bands.size(), 4U);
+    EXPECT_EQ(found.bands[0].first, 0);
+    EXPECT_EQ(found.bands[0].last, 2);
+    ASSERT_EQ(found.points.size(), 4U);
+    EXPECT_EQ(found.points[0].first, motion_class(orbit(1, 1, 1)));
+    EXPECT_EQ(found.points[0].second, 3);
+}
+
+TEST(SweepFindings, HysteresisIsWhereSteadyMotionsDiffer) {
+    const auto found = find_hysteresis(rising(), falling());
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->first, 1);
+    EXPECT_EQ(found->last, 2);
+    EXPECT_FALSE(find_hysteresis(rising(), rising()).has_value());
+}
+
+TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.0, .to = 2.0, .points = 6};
+    job.sweep = {.gap_ratio = {1.0}, .direction = job::Direction::both};
+    const std::vector<BranchFindings> branches{rising(), falling()};
+    const std::string text = sweep_text(job, scene::scales_of(job), branches);
+    for (const char* words :
+         {"Gap/A0 0 (0 mm)", "up ", "down ",
+          "60 weights = 175.3 N at Omega/omega 1.4 (6.3 Hz), where z = 1/1 ends with a jump: no resonance",
+          "40 weights = 116.9 N at Omega/omega 1 (4.5 Hz), where z = 1/1 begins",
+          "70 weights = 204.6 N at Omega/omega 1.8 (8.1 Hz), chaotic",
+          "1.5 (6.75 Hz) from 1/1 (60 weights) to no impact (0 weights)\n",
+          "1.9 (8.55 Hz) from chaotic (70 weights) to 1/2 (20 weights)",
+          "1.1 (4.95 Hz) from no impact (0 weights) to 1/1 (40 weights)", "hysteresis",
+          "up 1/1, down no impact", "1/1 50.0 %, no impact 16.7 %"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
+    EXPECT_EQ(text.find("impact resonance"), std::string::npos) << text;
+}
+
+TEST(SweepSummary, CallsAMaximumInsideTheBandAResonance) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.0, .to = 2.0, .points = 3};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::up};
+    const auto text = [&](std::vector<StoredCell> cells) {
+        const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, std::move(cells))};
+        return sweep_text(job, scene::scales_of(job), branches);
+    };
+    const std::string inside = text({orbit(1, 1, 40), orbit(1, 1, 60), orbit(1, 1, 50)});
+    EXPECT_NE(
+        inside.find("impact resonance  60 weights = 175.3 N at Omega/omega 1.5 (6.75 Hz), the largest of z"),
+        std::string::npos)
+        << inside;
+    const std::string rising = text({orbit(1, 1, 40), orbit(1, 1, 50), orbit(1, 1, 60)});
+    EXPECT_NE(
+        rising.find("largest 1/1 force 60 weights = 175.3 N at Omega/omega 2 (9 Hz), at the end of the sweep"),
+        std::string::npos)
+        << rising;
+}
+
+}  // namespace
+}  // namespace peterka

@@ -1,0 +1,342 @@
+// CVODE and ARKODE against the closed form, where there is one, and against independent sums, where there is
+// none.
+#include "integrators/integrated_cycle_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <random>
+#include <utility>
+
+#include "observed.hpp"
+#include "rig.hpp"
+#include "support/errors.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+#include "trajectory/lasting_contact.hpp"
+
+namespace peterka::trajectory {
+namespace {
+
+using testing::beam_170mm;
+using testing::observed;
+using testing::paper_rig;
+using testing::start_at;
+using Outcome = Cycle<double>::Outcome;
+
+struct Setting {
+    Integrator integrator;
+    double tolerance;
+};
+
+// For the names of the tests' parameters.
+void PrintTo(const Setting& setting, std::ostream* out) {
+    constexpr std::array names{"cvode_adams", "cvode_bdf", "arkode_explicit", "arkode_implicit"};
+    *out << names[static_cast<std::size_t>(setting.integrator)] << " at " << setting.tolerance;
+}
+
+class EveryIntegrator : public ::testing::TestWithParam<Setting> {
+  protected:
+    [[nodiscard]] static IntegratedCycleMap map(const Oscillator<double>& scene) {
+        return {scene, GetParam().integrator, GetParam().tolerance};
+    }
+    static double tolerance() { return GetParam().tolerance; }
+    static bool is_implicit() {
+        return GetParam().integrator == Integrator::cvode_bdf ||
+               GetParam().integrator == Integrator::arkode_implicit;
+    }
+    // The error asked for, in a state that is this much more sensitive to errors on its way.
+    static double allowed(const Cycle<double>& expected) {
+        return tolerance() * (1 + expected.end.norm()) * (1 + expected.jacobian.norm());
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Tolerances, EveryIntegrator,
+    ::testing::Values(Setting{Integrator::cvode_adams, 1e-4}, Setting{Integrator::cvode_adams, 1e-6},
+                      Setting{Integrator::cvode_adams, 1e-9}, Setting{Integrator::cvode_bdf, 1e-4},
+                      Setting{Integrator::cvode_bdf, 1e-6}, Setting{Integrator::cvode_bdf, 1e-9},
+                      Setting{Integrator::arkode_explicit, 1e-4}, Setting{Integrator::arkode_explicit, 1e-6},
+                      Setting{Integrator::arkode_explicit, 1e-9}, Setting{Integrator::arkode_implicit, 1e-4},
+                      Setting{Integrator::arkode_implicit, 1e-6}, Setting{Integrator::arkode_implicit, 1e-9}));
+
+// What only an implicit method can follow in a reasonable number of steps.
+class ImplicitIntegrator : public EveryIntegrator {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Tolerances, ImplicitIntegrator,
+    ::testing::Values(Setting{Integrator::cvode_bdf, 1e-4}, Setting{Integrator::cvode_bdf, 1e-6},
+                      Setting{Integrator::cvode_bdf, 1e-9}, Setting{Integrator::arkode_implicit, 1e-4},
+                      Setting{Integrator::arkode_implicit, 1e-6}, Setting{Integrator::arkode_implicit, 1e-9}));
+
+void expect_agreement(const Cycle<double>& cycle, const Cycle<double>& expected, double allowed) {
+    ASSERT_EQ(cycle.outcome, Outcome::done);
+    EXPECT_EQ(cycle.impacts, expected.impacts);
+    EXPECT_EQ(cycle.touched, expected.touched);
+    EXPECT_EQ(cycle.separated, expected.separated);
+    EXPECT_LT((cycle.end - expected.end).norm(), allowed);
+    EXPECT_LT((cycle.jacobian - expected.jacobian).norm(), 10 * allowed * (1 + expected.jacobian.norm()));
+}
+
+TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> frequency(0.6, 4.0);
+    std::uniform_real_distribution<double> gap(-0.5, 2);
+    std::uniform_real_distribution<double> speed(-3, 3);
+    int impacts = 0;
+    for (int n = 0; n < 40; ++n) {
+        SCOPED_TRACE(n);
+        auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
+        if (n % 5 == 1) scene.kelvin_voigt().damping *= 4;  // an overdamped stop
+        if (n % 5 == 2) scene.kelvin_voigt().damping = 0;   // an elastic one
+        if (n % 5 == 3) scene.damping_ratio = 0.4;
+        if (n % 5 == 4) scene.kelvin_voigt().stiffness = 3;  // a soft one
+        const State<double> start(speed(random) - scene.gap, speed(random));
+        const auto expected = observed(ExactCycleMap<double>(scene), start);
+        const auto cycle = observed(map(scene), start);
+        expect_agreement(cycle, expected, 3 * allowed(expected));
+        EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
+        EXPECT_GT(cycle.largest_displacement, (cycle.end[0] + scene.gap) * (1 - tolerance()));
+        EXPECT_LT(cycle.largest_displacement, expected.largest_displacement * (1 + 1e-2));
+        impacts += cycle.impacts;
+    }
+    EXPECT_GT(impacts, 30);
+}
+
+// Three impacts in two cycles; engines that look for events at the ends of their steps miss one of the hops.
+TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
+    auto engine = map(paper_rig(beam_170mm, 3.1, 0));
+    State<double> x = start_at(engine.scene());
+    for (int n = 0; n < 200; ++n) x = engine(x).end;
+    double peak_force = 0;
+    for (int n = 0; n < 10; ++n) {
+        int impacts = 0;
+        for (int cycle = 0; cycle < 2; ++cycle) {
+            const auto result = observed(engine, x);
+            x = result.end;
+            impacts += result.impacts;
+            peak_force = std::max(peak_force, result.peak_force);
+        }
+        EXPECT_EQ(impacts, 3);
+    }
+    // row of tests/data/cells.csv, in units of the hammer's weight
+    constexpr double weight = 0.298 * 9.80665;
+    constexpr double unit_force = 238.23251103349492 * 0.89e-3;
+    EXPECT_NEAR(peak_force * unit_force / weight, 24.4931763215696, 2 * tolerance() * 24.5);
+}
+
+// A hammer that rises past the stop by ten times the tolerance, for a moment much shorter than a step, touches
+// it; one that stays as much below does not.
+TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
+    auto scene = paper_rig(beam_170mm, 1.6, 0);
+    const auto touches = [&](auto&& engine, double gap) {
+        return engine(State<double>(-1 - gap, 0.5)).impacts > 0;
+    };
+    const auto exact = [&](double gap) {
+        scene.gap = gap;
+        return touches(ExactCycleMap<double>(scene), gap);
+    };
+    double low = 0;
+    double high = 20;
+    ASSERT_TRUE(exact(low));
+    ASSERT_FALSE(exact(high));
+    for (int n = 0; n < 50; ++n) (exact((low + high) / 2) ? low : high) = (low + high) / 2;
+    for (const double margin : {10 * tolerance(), 1e-3}) {
+        scene.gap = low - margin;
+        EXPECT_TRUE(touches(map(scene), scene.gap)) << margin;
+        scene.gap = low + margin;
+        EXPECT_FALSE(touches(map(scene), scene.gap)) << margin;
+    }
+}
+
+// ki, ci from soft to far beyond any steel; what is stiff is left to the implicit methods.
+TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
+    for (const double stiffness : {1.0, 1e4, 1e8, 1e12}) {
+        for (const double damping_ratio : {0.0, 0.1, 1.0, 100.0}) {
+            const bool stiff = damping_ratio * damping_ratio * stiffness > 1e10;
+            if (stiff && !is_implicit()) continue;
+            auto scene = paper_rig(beam_170mm, 2.0, 0.5);
+            scene.kelvin_voigt().stiffness = stiffness;
+            scene.kelvin_voigt().damping = 2 * damping_ratio * std::sqrt(stiffness);
+            SCOPED_TRACE(::testing::Message() << "stiffness " << stiffness << " damping " << damping_ratio);
+            const State<double> start(-1, 2);
+            const auto expected = observed(ExactCycleMap<double>(scene), start);
+            const auto cycle = observed(map(scene), start);
+            expect_agreement(cycle, expected, 10 * allowed(expected));
+            EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
+        }
+    }
+}
+
+// Overdamped stops: contacts that creep, press for long, and let go where forces of 1e6 have to cancel.
+TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int n = 0; n < 8; ++n) {
+        SCOPED_TRACE(n);
+        const double stiffness = std::pow(10, 6 + 6 * unit(random));
+        const double damping_ratio = std::pow(10, 0.5 + 1.5 * unit(random));
+        const Oscillator<double> scene{
+            .damping_ratio = 0.2 * unit(random),
+            .contact = scene::KelvinVoigt<double>{stiffness, 2 * damping_ratio * std::sqrt(stiffness)},
+            .frequency = 0.3 + 2.7 * unit(random),
+            .gap = -2 + 3 * unit(random)};
+        const State<double> start(-1 - scene.gap, 1);
+        const auto expected = observed(ExactCycleMap<double>(scene), start);
+        const auto cycle = observed(map(scene), start);
+        expect_agreement(cycle, expected, 3 * allowed(expected));
+        EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
+    }
+}
+
+TEST_P(EveryIntegrator, PressesForEverUnderPreload) {
+    auto scene = paper_rig(beam_170mm, 0.3, -2.0);
+    if (is_implicit()) {
+        scene.kelvin_voigt().stiffness = 1e10;
+        scene.kelvin_voigt().damping = 2 * 100 * 1e5;
+    }
+    const State<double> start = LinearContact<double>(scene).steady();
+    const auto expected = observed(ExactCycleMap<double>(scene), start);
+    ASSERT_FALSE(expected.separated);
+    const auto cycle = observed(map(scene), start);
+    expect_agreement(cycle, expected, allowed(expected));
+    EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
+}
+
+Oscillator<double> cubic_rig(double cubic, job::CubicForm form) {
+    auto scene = paper_rig(beam_170mm, 1.7, 0.4);
+    scene.cubic = cubic;
+    scene.cubic_form = form;
+    return scene;
+}
+
+TEST_P(EveryIntegrator, JacobianIsTheDerivativeWithCubicSprings) {
+    const double h = std::cbrt(tolerance()) / 10;
+    for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        for (const double cubic : {1e-3, 0.3, 20.0}) {
+            SCOPED_TRACE(cubic);
+            auto engine = map(cubic_rig(cubic, form));
+            const State<double> x(-1.5, 0.8);
+            const auto cycle = engine(x);
+            EXPECT_GT(cycle.impacts, 0);
+            for (int i = 0; i < 2; ++i) {
+                const State<double> shift = h * State<double>::Unit(i);
+                const State<double> slope = (engine(x + shift).end - engine(x - shift).end) / (2 * h);
+                const double size = 1 + cycle.jacobian.norm();
+                EXPECT_LT((cycle.jacobian.col(i) - slope).norm(),
+                          (3 * tolerance() / h + 3 * h * h * size * size) * size);
+            }
+        }
+    }
+}
+
+// u'' = -r dominates: what the cart does to u'^2/2 + u^2/2 + cubic u^4/4 in a cycle is some parts in 1e6.
+TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
+    constexpr double cubic = 10;
+    Oscillator<double> scene{.frequency = 2, .gap = 1000, .cubic = cubic};
+    const auto energy = [&](const State<double>& x) {
+        const double u = x[0] + scene.gap;
+        return x[1] * x[1] / 2 + u * u / 2 + cubic * u * u * u * u / 4;
+    };
+    const State<double> start(100 - scene.gap, 0);
+    const auto cycle = observed(map(scene), start);
+    ASSERT_EQ(cycle.outcome, Outcome::done);
+    EXPECT_FALSE(cycle.touched);
+    EXPECT_NEAR(energy(cycle.end) / energy(start), 1, 5e-6 + 200 * tolerance());
+    EXPECT_NEAR(cycle.largest_displacement, 100, 2);
+}
+
+// One cycle by Runge and Kutta's method in long double, from the model as it is written down.
+State<double> by_runge_kutta(const Oscillator<double>& scene, const State<double>& start, int steps) {
+    using Number = long double;
+    const auto slope = [&](Number time, Number position, Number velocity) {
+        const Number y = std::sin(Number(scene.frequency) * time);
+        const Number u = position + Number(scene.gap);
+        const bool absolute = scene.cubic_form == job::CubicForm::absolute;
+        const Number r = scene.cubic * (absolute ? std::pow(u + y, Number(3)) - y * y * y : u * u * u);
+        const Number f = scene.kelvin_voigt().stiffness * position + scene.kelvin_voigt().damping * velocity;
+        return scene.drive() * y - 2 * scene.damping_ratio * velocity - u - r - (position > 0 && f > 0 ? f : 0);
+    };
+    Number x = start[0];
+    Number v = start[1];
+    const Number h = Number(2) * std::numbers::pi_v<Number> / Number(scene.frequency) / steps;
+    for (int n = 0; n < steps; ++n) {
+        const Number t = n * h;
+        const Number a1 = slope(t, x, v);
+        const Number v2 = v + h / 2 * a1;
+        const Number a2 = slope(t + h / 2, x + h / 2 * v, v2);
+        const Number v3 = v + h / 2 * a2;
+        const Number a3 = slope(t + h / 2, x + h / 2 * v2, v3);
+        const Number v4 = v + h * a3;
+        const Number a4 = slope(t + h, x + h * v3, v4);
+        x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+        v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    }
+    return {static_cast<double>(x), static_cast<double>(v)};
+}
+
+TEST_P(EveryIntegrator, AgreesWithRungeKuttaForBothCubicForms) {
+    for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        for (const double cubic : {1e-6, 0.05, 5.0}) {
+            SCOPED_TRACE(cubic);
+            auto flight = cubic_rig(cubic, form);
+            flight.gap = 100;
+            const State<double> far(1.2 - flight.gap, -0.7);
+            const auto free = map(flight)(far);
+            EXPECT_LT((free.end - by_runge_kutta(flight, far, 4000)).norm(),
+                      10 * allowed({.jacobian = free.jacobian}));
+            auto soft = cubic_rig(cubic, form);  // an elastic stop: without a jump the fixed steps converge
+            soft.kelvin_voigt().stiffness = 30;
+            soft.kelvin_voigt().damping = 0;
+            const State<double> near(-1.5, 0.8);
+            const auto struck = map(soft)(near);
+            EXPECT_EQ(struck.impacts > 0, true);
+            EXPECT_LT((struck.end - by_runge_kutta(soft, near, 40000)).norm(),
+                      10 * allowed({.jacobian = struck.jacobian}) + 1e-7);
+        }
+    }
+}
+
+TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
+    ::testing::internal::CaptureStderr();
+    auto engine = map(paper_rig(beam_170mm, 2, 0));
+    EXPECT_EQ(engine({std::nan(""), 0}).outcome, Outcome::not_finite);
+    EXPECT_EQ(engine({-1, INFINITY}).outcome, Outcome::not_finite);
+    // a softening spring beyond its turning point throws the hammer to infinity within the cycle
+    Oscillator<double> softening{.frequency = 2, .gap = 1000, .cubic = -1};
+    EXPECT_NE(map(softening)({-1010, -5}).outcome, Outcome::done);
+    // a force beyond the largest number: the library itself gives up, with a message that is nobody's business
+    const Oscillator<double> overflowing{.frequency = 2, .gap = 1, .cubic = 1};
+    EXPECT_EQ(map(overflowing)({-1e150, 0}).outcome, Outcome::solver_failed);
+    // ten million oscillations of an elastic stop in one cycle
+    if (tolerance() == 1e-4) {
+        Oscillator<double> ringing{.contact = scene::KelvinVoigt<double>{1e14, 0}, .frequency = 1, .gap = -10};
+        EXPECT_EQ(map(ringing)({1.5e-13, 0}).outcome, Outcome::solver_failed);
+    }
+    EXPECT_EQ(engine(start_at(engine.scene())).outcome, Outcome::done);  // and it still works
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(IntegratedCycleMap, RefusesAToleranceThatItCannotHold) {
+    const auto scene = paper_rig(beam_170mm, 2, 0);
+    for (const double tolerance : {0.0, -1e-6, 1e-13, 1.0, std::nan("")}) {
+        EXPECT_THROW(IntegratedCycleMap(scene, Integrator::cvode_adams, tolerance), Failure) << tolerance;
+    }
+}
+
+TEST(IntegratedCycleMap, GoesOnAfterItIsMoved) {
+    const auto scene = paper_rig(beam_170mm, 2, 0);
+    for (const auto integrator : {Integrator::cvode_adams, Integrator::cvode_bdf, Integrator::arkode_explicit,
+                                  Integrator::arkode_implicit}) {
+        IntegratedCycleMap first(scene, integrator, 1e-6);
+        const State<double> end = first({-5, -2.7}).end;
+        IntegratedCycleMap second(std::move(first));
+        EXPECT_EQ(second({-5, -2.7}).end, end);
+        EXPECT_EQ(second.scene().frequency, 2);
+    }
+}
+
+}  // namespace
+}  // namespace peterka::trajectory

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "map_file/audit_table.hpp"
+
+namespace peterka::map_file {
+namespace {
+
+AuditRow row(double force_error, bool agrees) {
+    return {.again = {}, .force_error = force_error, .agrees = agrees, .seconds = 0.5};
+}
+
+TEST(AuditReport, QuantilesAreThoseThatEnoughCellsDoNotExceed) {
+    std::vector<AuditRow> rows;
+    for (int i = 200; i > 0; --i) rows.push_back(row(i, true));
+    rows.push_back(row(regime::unknown, false));
+    const AuditReport result = report(rows);
+    EXPECT_EQ(result.cells, 201);
+    EXPECT_EQ(result.agreeing, 200);
+    EXPECT_EQ(result.compared, 200);
+    EXPECT_EQ(result.median_force_error, 100);
+    EXPECT_EQ(result.force_error_99_percent, 198);
+    EXPECT_EQ(result.largest_force_error, 200);
+    EXPECT_NEAR(result.seconds_per_cell, 0.5, 1e-12);
+}
+
+TEST(AuditReport, CountsLabelsThatRoundingDecides) {
+    const auto other = [](double sensitivity) {
+        return AuditRow{.again = {}, .sensitivity = sensitivity, .agrees = false};
+    };
+    const std::vector<AuditRow> rows{row(1e-5, true), other(55), other(415), other(19), other(regime::unknown)};
+    const AuditReport result = report(rows);
+    EXPECT_EQ(result.agreeing, 1);
+    EXPECT_EQ(result.decided_by_rounding, 2);
+}
+
+TEST(AuditReport, WithoutForcesToCompareThereAreNoErrors) {
+    const AuditRow only = row(regime::unknown, true);
+    const AuditReport result = report(std::span(&only, 1));
+    EXPECT_EQ(result.compared, 0);
+    EXPECT_TRUE(std::isnan(result.median_force_error));
+    EXPECT_TRUE(std::isnan(result.largest_force_error));
+}
+
+}  // namespace
+}  // namespace peterka::map_file

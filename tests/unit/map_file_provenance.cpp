@@ -1,0 +1,35 @@
+// What a file says of the program that made it.
+#include "map_file/provenance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "batch/cycle_kernel.hpp"
+
+namespace peterka::map_file {
+namespace {
+
+TEST(OutputProvenance, NamesEveryVersion) {
+    const Provenance made_by = collect_provenance();
+    EXPECT_TRUE(made_by.hdf5.starts_with("1.") || made_by.hdf5.starts_with("2.")) << made_by.hdf5;
+    EXPECT_FALSE(made_by.mpi.empty());
+    EXPECT_EQ(made_by.mpi.find('\n'), std::string::npos);
+    EXPECT_GE(made_by.sundials, "6.4");
+    EXPECT_GE(made_by.eigen, "3.4");
+    EXPECT_FALSE(made_by.fmt.empty());
+    EXPECT_FALSE(made_by.program_version.empty());
+    EXPECT_FALSE(made_by.git_commit.empty());
+}
+
+TEST(OutputProvenance, ArithmeticSaysWhichInstructionsComputed) {
+    EXPECT_EQ(arithmetic(), arithmetic());
+    EXPECT_EQ(collect_provenance().arithmetic, arithmetic());
+#if defined(__x86_64__)
+    EXPECT_TRUE(arithmetic().starts_with("x86-64, libm")) << arithmetic();
+    EXPECT_EQ(arithmetic().find("libm with fma") != std::string::npos, __builtin_cpu_supports("fma") != 0)
+        << arithmetic();
+    EXPECT_TRUE(arithmetic().ends_with(", vectors " + std::string(batch::arithmetic()))) << arithmetic();
+#endif
+}
+
+}  // namespace
+}  // namespace peterka::map_file

@@ -1,0 +1,234 @@
+// The summary says what the statistics hold, in words and units for a newcomer.
+#include "report/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rig.hpp"
+
+namespace peterka {
+namespace {
+
+job::Job job_of(job::Kind kind) {
+    job::Job job = testing::job_170mm(0);
+    job.hammer.mass_kg = 2.5 / scene::standard_gravity;
+    job.kind = kind;
+    job.title = "a title";
+    job.columns = {0.5, 4.5, 41, job::Spacing::linear};
+    job.rows = {0.0, 5.0, 51, job::Spacing::linear};
+    job.operating_point = {1.8, 1.6};
+    job.steady_state.chaos_cycles = 1234;
+    return job;
+}
+
+findings::Statistics statistics_of_a_hundred_cells() {
+    findings::Statistics statistics;
+    statistics.counts.by_regime = {60, 30, 7, 0, 2, 1};
+    statistics.counts.unresolved_by_status = {0, 1, 1, 0, 0};
+    statistics.counts.failed_by_status = {0, 0, 0, 0, 1};
+    statistics.counts.open_by_status = {82, 0, 0, 0, 0, 0, 6, 2};
+    statistics.chaos = {370, 1234};
+    statistics.counts.cells = 100;
+    statistics.counts.cycles = 2500;
+    statistics.periodic_cells = {{{1, 1}, 10}, {{2, 1}, 15}, {{2, 2}, 5}};
+    statistics.largest.any_regime = {80.0, 10, 20};
+    statistics.largest.one_to_one = {70.0, 0, 15};
+    statistics.tile_seconds = 0.5;
+    return statistics;
+}
+
+std::string summary(const findings::Statistics& statistics, job::Kind kind = job::Kind::map,
+                    const std::vector<std::string>& omitted = {},
+                    const std::optional<map_file::AuditReport>& audit = {}) {
+    return summary_text({scene::Scene(job_of(kind)), {statistics, audit, omitted}, "maps/a.h5", {3, 12.5}});
+}
+
+// The line of the text that contains `word`.
+std::string line_with(const std::string& text, const std::string& word) {
+    const std::size_t found = text.find(word);
+    if (found == std::string::npos) return "no line with " + word;
+    const std::size_t begin = text.rfind('\n', found) + 1;
+    return text.substr(begin, text.find('\n', found) - begin);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Summary, RegimesWithSharesAndOnlyThoseThatOccur) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "no impact"), "60.0 %")) << text;
+    EXPECT_TRUE(contains(line_with(text, "chaotic  "), "for the 370 to 1,234 cycles that were observed"))
+        << text;
+    EXPECT_TRUE(contains(text, "rounding decides the label of 6 of these")) << text;
+    EXPECT_TRUE(contains(text, "the peak force of 2 of these may be off")) << text;
+    EXPECT_FALSE(contains(text, "sustained")) << text;
+}
+
+TEST(Summary, CellsWithoutARegimeComeWithReasons) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: no proof within steady_state.max_cycles")) << text;
+    EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing dissipates")) << text;
+    EXPECT_TRUE(contains(line_with(text, "failed"), "1: numbers grew out of range")) << text;
+}
+
+TEST(Summary, ClassesByFrequency) {
+    EXPECT_TRUE(contains(summary(statistics_of_a_hundred_cells()), "1/2 15.0 %, 1/1 10.0 %, 2/2 5.0 %\n"));
+}
+
+TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(line_with(text, "of all"), "80 weights =    200 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of all"), "Omega/omega 2.5 (11.25 Hz), gap/A0 1 (0.89 mm)")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "70 weights =    175 N")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "Omega/omega 2 (9 Hz), gap/A0 0 (0 mm)")) << text;
+}
+
+TEST(Summary, ABasinNamesItsPointAndItsStarts) {
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::basin);
+    EXPECT_TRUE(contains(text, "Omega/omega 1.8, gap/A0 1.6")) << text;
+}
+
+TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest.periodic = statistics.largest.one_to_one;
+    const std::string text = summary(statistics, job::Kind::basin);
+    EXPECT_TRUE(contains(line_with(text, "of all"), "without a period, from x/A0 2.5, x'/(A0 omega) 1"))
+        << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "on an orbit: the same from every start")) << text;
+    EXPECT_FALSE(contains(line_with(text, "of z = 1/1"), "x/A0")) << text;
+}
+
+TEST(Summary, ALargestForceOnTheBorderSaysSo) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();  // of z = 1/1 in row 0
+    std::string text = summary(statistics);
+    EXPECT_FALSE(contains(line_with(text, "of all"), "border")) << text;
+    EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), ", on the map's border (smallest gap)")) << text;
+    statistics.largest.any_regime = {80.0, 50, 40};
+    text = summary(statistics);
+    EXPECT_TRUE(contains(line_with(text, "of all"), ", on the map's border (highest frequency, largest gap)"))
+        << text;
+}
+
+TEST(Summary, LargeForcesAreInKilonewtons) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest.any_regime = {1085.6, 10, 20};
+    const std::string text = summary(statistics);
+    EXPECT_TRUE(contains(line_with(text, "of all"), "1086 weights = 2.714 kN")) << text;
+}
+
+TEST(Summary, StartsInsideAStopThatYieldsAreTold) {
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "inside the stop"));
+    job::Job job = job_of(job::Kind::map);
+    job.rows = {-2.0, 2.0, 5, job::Spacing::linear};
+    const findings::Statistics statistics = statistics_of_a_hundred_cells();
+    const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {1, 1}});
+    // 5.5e6 N/m times 1.78 mm, less what the dashpot takes: the cart leaves at A0 Omega, slowest at 0.5 omega
+    EXPECT_TRUE(contains(text,
+                         "82 of 205 starts lie inside the stop, by up to 2 A0 (1.78 mm): it presses with "
+                         "up to 9.77 kN at once\n"))
+        << text;
+}
+
+TEST(Summary, LivesOfImpactsThatEndWhereTheyAreStored) {
+    job::Job job = job_of(job::Kind::basin);
+    job.steady_state.max_cycles = 900;
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.transients = {100, 20, 5000, 801, {50, 40, 25, 0, 0, 0}};
+    const auto text = [&] { return summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {1, 1}}); };
+    EXPECT_FALSE(contains(text(), "Impacts that end"));
+    job.output.fields = {job::OptionalField::last_impact};
+    EXPECT_TRUE(
+        contains(text(), "20 cells end without impact after 250 cycles with impacts on average, 801 at most"))
+        << text();
+    EXPECT_TRUE(contains(text(), "after 30 cycles: 50.0 %, 100 cycles: 40.0 %, 300 cycles: 25.0 %\n"))
+        << text();
+    statistics.transients = {};
+    EXPECT_TRUE(contains(text(), "No cell strikes the stop first and ends without impact")) << text();
+}
+
+TEST(Summary, NoForceIsSaidInWords) {
+    findings::Statistics statistics;
+    statistics.counts.by_regime = {10, 0, 0, 0, 0, 0};
+    statistics.counts.cells = 10;
+    statistics.largest.any_regime = {0.0, 0, 0};
+    const std::string text = summary(statistics);
+    EXPECT_TRUE(contains(text, "No cell strikes the stop for ever")) << text;
+    EXPECT_FALSE(contains(text, "inf")) << text;
+}
+
+TEST(Summary, ARigidStopHasNoPeakForceAndThatIsSaid) {
+    job::Job job = job_of(job::Kind::map);
+    job.contact = job::Restitution{0.5};
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    statistics.largest = {};
+    const scene::Scene scene(job);
+    const std::string text = summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}});
+    EXPECT_TRUE(contains(text, "No peak forces: a rigid stop")) << text;
+    EXPECT_FALSE(contains(text, "No cell strikes the stop for ever")) << text;
+    statistics.counts.by_regime = {100, 0, 0, 0, 0, 0};
+    EXPECT_TRUE(contains(summary_text({scene, {statistics, {}, {}}, "a.h5", {1, 1}}),
+                         "No cell strikes the stop for ever"));
+}
+
+TEST(Summary, EffortFileAndCommand) {
+    const std::string text = summary(statistics_of_a_hundred_cells());
+    EXPECT_TRUE(contains(text, "25.0 forcing cycles and 5.0 ms per cell, 500.0 ms of computing")) << text;
+    EXPECT_TRUE(contains(text, "12.5 s on 3 ranks")) << text;
+    EXPECT_TRUE(contains(text, "postprocess/draw.py maps/a.h5")) << text;
+}
+
+TEST(Summary, WhatWasLeftOutIsListed) {
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Left out"));
+    const std::string text =
+        summary(statistics_of_a_hundred_cells(), job::Kind::map, {"the cubic term: too small"});
+    EXPECT_TRUE(contains(text, "  - the cubic term: too small\n")) << text;
+}
+
+TEST(Summary, AnAuditIsReportedWithItsErrorsAndItsTime) {
+    const map_file::AuditReport audit{.cells = 40,
+                                      .agreeing = 39,
+                                      .compared = 12,
+                                      .median_force_error = 2.5e-5,
+                                      .force_error_99_percent = 3e-4,
+                                      .largest_force_error = 4e-4,
+                                      .seconds_per_cell = 0.25};
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::map, {}, audit);
+    EXPECT_TRUE(contains(line_with(text, "same regime"), "39 of 40 (97.5 %)")) << text;
+    EXPECT_TRUE(
+        contains(line_with(text, "peak force   "), "2.5e-05 (median), 3.0e-04 (99 %), 4.0e-04 (largest) in 12"))
+        << text;
+    EXPECT_TRUE(contains(line_with(text, "time per cell"), "250.0 ms by the integrator, 5.0 ms in the map"))
+        << text;
+    EXPECT_TRUE(contains(line_with(text, "other label"), "1: 1 for another reason; /audit in the file"))
+        << text;
+    EXPECT_FALSE(contains(summary(statistics_of_a_hundred_cells()), "Audit"));
+}
+
+TEST(Summary, AnAuditSaysWhereRoundingDecides) {
+    const auto text = [](std::int64_t agreeing, std::int64_t decided_by_rounding) {
+        return summary(statistics_of_a_hundred_cells(), job::Kind::map, {},
+                       map_file::AuditReport{
+                           .cells = 100, .agreeing = agreeing, .decided_by_rounding = decided_by_rounding});
+    };
+    EXPECT_FALSE(contains(text(100, 0), "other label"));
+    EXPECT_TRUE(contains(text(98, 2),
+                         "other label         2: in each a perturbation grew by e^20 or more "
+                         "(sensitivity), so rounding decides the label\n"))
+        << text(98, 2);
+    EXPECT_TRUE(contains(text(99, 1), "1: in it a perturbation grew")) << text(99, 1);
+    EXPECT_TRUE(contains(text(95, 3), "5: in 3 a perturbation grew")) << text(95, 3);
+    EXPECT_TRUE(contains(text(95, 3), "; 2 for another reason; /audit in the file has the cells\n"))
+        << text(95, 3);
+}
+
+TEST(Summary, FitsAScreen) {
+    const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::map, {"one", "two"});
+    EXPECT_LE(std::ranges::count(text, '\n'), 28);
+}
+
+}  // namespace
+}  // namespace peterka
