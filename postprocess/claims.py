@@ -15,19 +15,19 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_claims import starts_picture  # noqa: E402
-from peterka_claims.claims import all_claims  # noqa: E402
-from peterka_claims.folder import Folder  # noqa: E402
-from peterka_claims.html import html  # noqa: E402
-from peterka_claims.markdown import markdown  # noqa: E402
-from peterka_claims.page import Pictures, blocks  # noqa: E402
-from peterka_claims.sensitivity import rows  # noqa: E402
-from peterka_pictures import axes  # noqa: E402
-from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.read import PeterkaFile  # noqa: E402
+from peterka.claims import starts_picture  # noqa: E402
+from peterka.claims.claims import all_claims  # noqa: E402
+from peterka.claims.folder import Folder  # noqa: E402
+from peterka.claims.html import html  # noqa: E402
+from peterka.claims.markdown import markdown  # noqa: E402
+from peterka.claims.page import Pictures, blocks  # noqa: E402
+from peterka.claims.sensitivity import rows  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.look import axes  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
 
 
 def main():

@@ -15,15 +15,15 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_pictures import comparison, comparison_map  # noqa: E402
-from peterka_pictures.command_line import (  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.maps import comparison, comparison_map  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.read import PeterkaFile  # noqa: E402
 
 
 def main():

@@ -24,16 +24,16 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_pictures import axes  # noqa: E402
-from peterka_pictures.command_line import (  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.look import axes  # noqa: E402
+from peterka.pictures import open_file, picture_name, pictures_of  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
-from peterka_pictures.measured import Measurements, read_measurements  # noqa: E402
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.pictures import open_file, picture_name, pictures_of  # noqa: E402
+from peterka.sweeps.measured import Measurements, read_measurements  # noqa: E402
 
 
 def main():
@@ -58,7 +58,7 @@ def read_arguments():
     parser.add_picture_arguments()
     parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
-                        help="points to draw over a sweep; peterka_pictures/measured.py names the columns")
+                        help="points to draw over a sweep; peterka/sweeps/measured.py names the columns")
     arguments = parser.parse_args()
     stems = [path.stem for path in arguments.files]
     if len(set(stems)) < len(stems):

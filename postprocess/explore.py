@@ -21,16 +21,16 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_page.layers import MOST_CELLS  # noqa: E402
-from peterka_page.page import page  # noqa: E402
-from peterka_pictures.command_line import (  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.maps.map_file import COORDINATES  # noqa: E402
+from peterka.page.layers import MOST_CELLS  # noqa: E402
+from peterka.page.page import page  # noqa: E402
+from peterka.pictures import open_file  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell,
 )
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.pictures import open_file  # noqa: E402
-from peterka_pictures.read import COORDINATES  # noqa: E402
 
 
 def main():

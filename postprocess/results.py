@@ -15,12 +15,12 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_pictures import results_page  # noqa: E402
-from peterka_pictures.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.pictures import open_file  # noqa: E402
+from peterka import results_page  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.pictures import open_file  # noqa: E402
+from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
 
 
 def main():

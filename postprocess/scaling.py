@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Parallel efficiency of a map on any number of ranks, from the seconds per tile that its file stores.
 
-    scaling.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
+    efficiency.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
                [--service US] [--latency US] [--look US] [--remedies] [--output-dir DIR] [--formats png,pdf]
 
 Deals the tiles again as the program does, event by event: to 1 up to --ranks ranks, for the map's plane at the
@@ -19,16 +19,16 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka_pictures.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka_pictures import remedies, scaling  # noqa: E402
-from peterka_pictures.command_line import (  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
-from peterka_pictures.dealing import Machine  # noqa: E402
-from peterka_pictures.opened import NotDrawable  # noqa: E402
-from peterka_pictures.run_record import read_record  # noqa: E402
+from peterka.scaling import efficiency, remedies  # noqa: E402
+from peterka.scaling.dealing import Machine  # noqa: E402
+from peterka.scaling.run_record import read_record  # noqa: E402
 
 LEAST_CELLS, MOST_CELLS, MOST_RANKS = 256, 10**11, 10**6  # more than that takes hours, and many GB
 
@@ -38,19 +38,19 @@ def main():
     machine = Machine(1e-6 * arguments.service, 1e-6 * arguments.latency, 1e-6 * arguments.look)
     try:
         record = read_record(arguments.file)
-        measured, alone = scaling.measured_efficiency([read_record(path) for path in arguments.measured])
+        measured, alone = efficiency.measured_efficiency([read_record(path) for path in arguments.measured])
     except NotDrawable as refusal:
         complain(refusal)
         return BAD_INPUT
     for lonely in alone:
         complain(f"{lonely.path} is left out: no file of as many cells was computed on one rank")
-    ranks = scaling.ranks_up_to(arguments.ranks)
-    curves = [scaling.curve(record, cells, ranks, machine) for cells in arguments.cells]
-    tell(scaling.text(curves, machine))
+    ranks = efficiency.ranks_up_to(arguments.ranks)
+    curves = [efficiency.curve(record, cells, ranks, machine) for cells in arguments.cells]
+    tell(efficiency.text(curves, machine))
     if arguments.remedies:
         tell(remedies.text(record, curves, machine))
     try:
-        figure = scaling.draw(record, curves, measured, machine)
+        figure = efficiency.draw(record, curves, measured, machine)
         save_all(figure, arguments.output_dir, f"{arguments.file.stem}_scaling", arguments.formats)
     except OSError as error:
         complain_of_folder(arguments.output_dir, error)

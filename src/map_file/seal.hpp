@@ -1,7 +1,7 @@
 // One checksum over everything that is final in a file: the seal, /summary/checksum.
 //
 // XXH3 (64 bits) of a sequence of bytes that follows from what the file says, not from where in the file it
-// lies; postprocess/peterka_pictures/seal.py makes the same one. Every text is preceded by its length, every
+// lies; postprocess/peterka/files/seal.py makes the same one. Every text is preceded by its length, every
 // number is a little-endian 64-bit integer. From the root, each group before what is in it, names in the order
 // of their bytes, all but the group /run:
 //     "group" or "dataset", path, number of attributes, and of each, in the order of their names' bytes, name,

@@ -2,7 +2,7 @@
 //
 // A caller writes the numbers of a cell into peterka_cell(), in the order of CellNumber, begins, and advances
 // until it is solved; then peterka_answer() holds the numbers of AnswerNumber. JavaScript that knows these
-// orders: postprocess/peterka_page/engine.js.
+// orders: postprocess/peterka/page/engine.js.
 #pragma once
 
 #include <cstdint>

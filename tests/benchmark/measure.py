@@ -24,9 +24,9 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-from peterka_pictures.run_record import read_record  # noqa: E402
-from peterka_pictures.study import StudyFile  # noqa: E402
-from peterka_pictures.study_words import work_precision_table  # noqa: E402
+from peterka.scaling.run_record import read_record  # noqa: E402
+from peterka.studies.study_file import StudyFile  # noqa: E402
+from peterka.studies.study_words import work_precision_table  # noqa: E402
 
 JOB = "jobs/peterka_170mm.toml"
 NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED = range(4)  # regimes in a file

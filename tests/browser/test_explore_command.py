@@ -12,9 +12,9 @@ import pytest
 from conftest import JOBS, SIZE
 
 sys.path.insert(0, str(pages.ROOT / "postprocess"))
-from peterka_page import layers  # noqa: E402
-from peterka_page import page as page_module  # noqa: E402
-from peterka_pictures.pictures import open_file  # noqa: E402
+from peterka.page import layers  # noqa: E402
+from peterka.page import page as page_module  # noqa: E402
+from peterka.pictures import open_file  # noqa: E402
 
 
 def test_files_without_a_plane_are_refused_with_a_word(tmp_path):

@@ -15,8 +15,8 @@ import jobs
 import launch
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "postprocess"))
-pictures = importlib.import_module("peterka_pictures.pictures")
-NotDrawable = importlib.import_module("peterka_pictures.opened").NotDrawable
+pictures = importlib.import_module("peterka.pictures")
+NotDrawable = importlib.import_module("peterka.files.opened").NotDrawable
 
 
 @pytest.fixture(scope="module", params=disk_faults.KINDS)

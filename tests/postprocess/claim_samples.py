@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import numpy as np
-from peterka_claims.folder import Plane
+from peterka.claims.folder import Plane
 
 ONE, HALF, TWICE, QUIET, CHAOS = (1, 1, 1), (1, 1, 2), (1, 2, 2), (0, 0, 1), (2, 0, 0)
 JOB = """

@@ -2,8 +2,8 @@
 
 import matplotlib.image
 import numpy as np
-from peterka_pictures import axes
-from peterka_pictures.classes import CLASSES
+from peterka.look import axes
+from peterka.look.classes import CLASSES
 from sealing import SealedFile
 
 NO_IMPACT, CHAOTIC = (0, 0, 1), (2, 0, 0)

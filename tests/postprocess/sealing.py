@@ -2,7 +2,7 @@
 
 import h5py
 import numpy as np
-from peterka_pictures import own_objects, seal
+from peterka.files import own_objects, seal
 
 SPOILT = (own_objects.NotOwn, seal.Broken, OSError, RuntimeError, KeyError, ValueError, TypeError)
 

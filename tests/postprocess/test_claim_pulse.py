@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from claim_samples import JOB
-from peterka_claims import pulse
-from peterka_claims.folder import Folder, NotDrawable
-from peterka_claims.record import AGREES, DIFFERS
+from peterka.claims import pulse
+from peterka.claims.folder import Folder, NotDrawable
+from peterka.claims.record import AGREES, DIFFERS
 from trace_samples import JUMP, MASS, PEAK, write_trace
 from sealing import SealedFile
 

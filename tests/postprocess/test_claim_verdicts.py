@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from claim_samples import CHAOS, HALF, JOB, ONE, QUIET, TWICE, Held, basin, plane, verdicts
-from peterka_claims import force_map, gap_zero, jumps, robust, starts, stiffness
-from peterka_claims.folder import Folder, NotDrawable
-from peterka_claims.record import AGREES, DIFFERS
-from peterka_claims.sensitivity import contact_damping_with_both, rows
+from peterka.claims import force_map, gap_zero, jumps, robust, starts, stiffness
+from peterka.claims.folder import Folder, NotDrawable
+from peterka.claims.record import AGREES, DIFFERS
+from peterka.claims.sensitivity import contact_damping_with_both, rows
 from picture_samples import PLAIN, write_map
 from sweep_samples import FREQUENCY, write_sweep
 from sealing import SealedFile

@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from claim_samples import CHAOS, HALF, ONE, QUIET, plane
-from peterka_claims import jumps, page, spans
-from peterka_claims.force_map import _best_turn
-from peterka_claims.gap_zero import at_edge, in_words, label, limits_hz, resonance
-from peterka_claims.html import html
-from peterka_claims.markdown import markdown
-from peterka_claims.record import AGREES, DIFFERS, LIMITS, OPEN, claim, not_computed, off_by
-from peterka_claims.sensitivity import Row
-from peterka_claims.starts import depends_on_start, first_of_the_rest
+from peterka.claims import jumps, page, spans
+from peterka.claims.force_map import _best_turn
+from peterka.claims.gap_zero import at_edge, in_words, label, limits_hz, resonance
+from peterka.claims.html import html
+from peterka.claims.markdown import markdown
+from peterka.claims.record import AGREES, DIFFERS, LIMITS, OPEN, claim, not_computed, off_by
+from peterka.claims.sensitivity import Row
+from peterka.claims.starts import depends_on_start, first_of_the_rest
 from picture_samples import write_map
 from sweep_samples import write_sweep
 

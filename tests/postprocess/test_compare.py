@@ -5,8 +5,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
-from peterka_pictures import comparison, comparison_map
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import comparison, comparison_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, PLAIN, Drawn, orbit, write_basin, write_map
 from sealing import SealedFile
 

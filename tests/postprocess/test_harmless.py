@@ -8,8 +8,8 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
-from peterka_pictures.harmless import harmless
-from peterka_pictures.measured import MOST_LABELS
+from peterka.files.harmless import harmless
+from peterka.sweeps.measured import MOST_LABELS
 from picture_samples import write_map
 from sealing import SealedFile
 from study_samples import write_labels

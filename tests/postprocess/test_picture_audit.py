@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from peterka_pictures import audit_map
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import audit_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map
 from sealing import SealedFile
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from peterka_pictures import basin_map
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import basin_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin
 
 CELLS = [

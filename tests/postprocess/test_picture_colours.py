@@ -5,8 +5,8 @@ from itertools import combinations
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, lightness, normal_sight
-from peterka_pictures import basin_map
-from peterka_pictures.classes import CLASSES, class_of, classify
+from peterka.look.classes import CLASSES, class_of, classify
+from peterka.maps import basin_map
 from picture_samples import ALL_CLASSES, colour_named
 
 # Published maps have these colours; changing one makes old and new maps incomparable.

@@ -1,8 +1,8 @@
 """A refined map: which cells are computed."""
 
 import numpy as np
-from peterka_pictures import computed_map
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import computed_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import MISSING, NO_IMPACT, Drawn, orbit, write_map
 
 CELLS = [[orbit(1, 1)] * 4, [NO_IMPACT] * 4, [NO_IMPACT] * 3 + [MISSING]]

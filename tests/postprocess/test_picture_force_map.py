@@ -4,8 +4,8 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
-from peterka_pictures import field_map, force_map
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import field_map, force_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, UNRESOLVED, Drawn, colour_named, orbit, write_map,
 )

@@ -1,8 +1,8 @@
 """How long impacts last that end: classes of the last impact, and what a short run would take for an attractor."""
 
 import pytest
-from peterka_pictures import basin_map, last_impact
-from peterka_pictures.read import PeterkaFile
+from peterka.maps import basin_map, last_impact
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, FAILED, MISSING, NO_IMPACT, UNRESOLVED, Drawn, orbit, write_basin, write_map
 
 CELLS = [[NO_IMPACT, NO_IMPACT, NO_IMPACT, NO_IMPACT], [NO_IMPACT, orbit(1, 1), CHAOTIC, UNRESOLVED],

@@ -4,12 +4,13 @@ numbers at the axes, tiny and huge values."""
 import h5py
 import numpy as np
 import pytest
-from peterka_pictures import comparison, comparison_map, scaling
-from peterka_pictures.dealing import Machine
-from peterka_pictures.measured import Measurements, Point
-from peterka_pictures.pictures import open_file, pictures_of
-from peterka_pictures.read import PeterkaFile
-from peterka_pictures.run_record import read_record
+from peterka.maps import comparison, comparison_map
+from peterka.maps.map_file import PeterkaFile
+from peterka.pictures import open_file, pictures_of
+from peterka.scaling import efficiency
+from peterka.scaling.dealing import Machine
+from peterka.scaling.run_record import read_record
+from peterka.sweeps.measured import Measurements, Point
 from picture_samples import (
     ALL_CLASSES, CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, orbit, write_audit, write_basin, write_map,
 )
@@ -168,6 +169,6 @@ def test_scalings(tmp_path, monkeypatch, title):
         file["run/tile_seconds"] = np.full(16, 1e-3)
         file["run/ranks"], file["run/solve_seconds"] = np.int32(1), 1.0
     record, machine = read_record(path), Machine(3e-6, 2e-6, 5e-4)
-    curves = [scaling.curve(record, cells, scaling.ranks_up_to(1000), machine) for cells in (4096, 10**5)]
-    measured, _ = scaling.measured_efficiency([record])
-    sound(scaling.draw(record, curves, measured, machine), monkeypatch)
+    curves = [efficiency.curve(record, cells, efficiency.ranks_up_to(1000), machine) for cells in (4096, 10**5)]
+    measured, _ = efficiency.measured_efficiency([record])
+    sound(efficiency.draw(record, curves, measured, machine), monkeypatch)

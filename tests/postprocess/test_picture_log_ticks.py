@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from peterka_pictures import peterka_map
-from peterka_pictures.log_ticks import LogNumbers, LogTicks
-from peterka_pictures.read import PeterkaFile
+from peterka.look.log_ticks import LogNumbers, LogTicks
+from peterka.maps import peterka_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import Drawn, orbit, write_map
 
 RANGES = [(0.5, 4.5), (0.01, 50), (1e-3, 1e3), (2.1, 2.9), (1e-9, 1e12), (0.9, 1.1), (100, 1e15), (3e-7, 2e-5)]

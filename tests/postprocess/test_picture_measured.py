@@ -2,8 +2,8 @@
 
 import pytest
 from conftest import POSTPROCESS
-from peterka_pictures.measured import read_measurements
-from peterka_pictures.sweep import SweepFile
+from peterka.sweeps.measured import read_measurements
+from peterka.sweeps.sweep_file import SweepFile
 from picture_samples import write_map
 from sweep_samples import WEIGHT, write_sweep
 

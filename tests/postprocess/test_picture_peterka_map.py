@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from peterka_pictures import axes, peterka_map
-from peterka_pictures.classes import CLASSES, classify
-from peterka_pictures.read import PeterkaFile
+from peterka.look import axes
+from peterka.look.classes import CLASSES, classify
+from peterka.maps import peterka_map
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, CHAOTIC, MISSING, PLAIN, Drawn, colour_named, write_map
 
 

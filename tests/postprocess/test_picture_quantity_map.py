@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
 from matplotlib.colors import to_hex
-from peterka_pictures import field_map, force_map, quantity_map, units
-from peterka_pictures.read import QUANTITIES, PeterkaFile
+from peterka.look import units
+from peterka.maps import field_map, force_map, quantity_map
+from peterka.maps.map_file import QUANTITIES, PeterkaFile
 from picture_samples import (
     CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin,
     write_map,
@@ -147,7 +148,7 @@ def test_chatter_is_dotted_and_in_the_legend(tmp_path, draw):
     chatter = np.zeros((4, 4))
     chatter[1, :2], chatter[3, 3] = 1, -128
     path = write_map(tmp_path / "a.h5", PLAIN, fields={"chatter": chatter})
-    from peterka_pictures import peterka_map
+    from peterka.maps import peterka_map
 
     with PeterkaFile(path) as file:
         drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")

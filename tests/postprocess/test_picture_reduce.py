@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from peterka_pictures import read, reduce
-from peterka_pictures.classes import CLASSES, INDEX, classify
-from peterka_pictures.read import PeterkaFile
+from peterka.look.classes import CLASSES, INDEX, classify
+from peterka.maps import map_file, reduce
+from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, NO_IMPACT, orbit, write_map
 
 NAMES = ["regime", "impacts", "period"]
@@ -40,7 +40,7 @@ def test_bands_give_what_the_whole_map_gives(tmp_path, monkeypatch):
     with PeterkaFile(write_map(tmp_path / "a.h5", cells)) as file:
         whole, counts = reduce.class_picture(file, NAMES, classify, len(CLASSES), limit=7)
         force, peak, lacking = force_picture(file, limit=7)
-        monkeypatch.setattr(read, "BAND_CELLS", 60)
+        monkeypatch.setattr(map_file, "BAND_CELLS", 60)
         sizes = [band["regime"].shape[0] for _, band in file.bands(NAMES, 3)]
         assert len(sizes) > 3 and all(size * 18 <= 60 for size in sizes)
         banded, banded_counts = reduce.class_picture(file, NAMES, classify, len(CLASSES), limit=7)

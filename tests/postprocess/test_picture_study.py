@@ -6,8 +6,9 @@ import matplotlib.image
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, lightness, normal_sight
-from peterka_pictures import axes, labels, methods, stability, study_words, work_precision
-from peterka_pictures.study import StudyFile
+from peterka.look import axes
+from peterka.studies import labels, methods, stability, study_words, work_precision
+from peterka.studies.study_file import StudyFile
 from study_samples import (
     ENGINES, METHODS, SCENES, sample_runs, write_labels, write_stability, write_work_precision,
 )

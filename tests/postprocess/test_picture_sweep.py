@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
-from peterka_pictures import bifurcation, response
-from peterka_pictures.classes import CLASSES
-from peterka_pictures.measured import Measurements, Point
-from peterka_pictures.opened import NotDrawable
-from peterka_pictures.sweep import SweepFile
-from peterka_pictures.sweep_panels import LOOKS, MEASURED
+from peterka.files.opened import NotDrawable
+from peterka.look.classes import CLASSES
+from peterka.sweeps import bifurcation, response
+from peterka.sweeps.measured import Measurements, Point
+from peterka.sweeps.sweep_file import SweepFile
+from peterka.sweeps.sweep_panels import LOOKS, MEASURED
 from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep
 

@@ -3,8 +3,9 @@
 import h5py
 import numpy as np
 import pytest
-from peterka_pictures import axes, impact, motion, phase_plane, spectrum
-from peterka_pictures.trace_file import TraceFile
+from peterka.look import axes
+from peterka.traces import impact, motion, phase_plane, spectrum
+from peterka.traces.trace_file import TraceFile
 from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace
 from sealing import SealedFile
 

@@ -8,10 +8,11 @@ import matplotlib.image
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
-from peterka_pictures import axes, remedies, scaling, tile_costs
-from peterka_pictures.dealing import Machine, Replay, deal_size, replay, typical
-from peterka_pictures.run_record import read_record
-from peterka_pictures.tile_costs import DealOrder, TileCosts, tiles_of, whole_tiles
+from peterka.look import axes
+from peterka.scaling import efficiency, remedies, tile_costs
+from peterka.scaling.dealing import Machine, Replay, deal_size, replay, typical
+from peterka.scaling.run_record import read_record
+from peterka.scaling.tile_costs import DealOrder, TileCosts, tiles_of, whole_tiles
 from picture_samples import write_map
 from sealing import SealedFile
 
@@ -171,7 +172,7 @@ def test_tiles_cut_off_by_the_border_count_as_whole_ones():
 def test_measured_runs_are_compared_with_one_rank_of_as_many_cells(tmp_path):
     records = [read_record(write_run(tmp_path / f"{number}.h5", side, ranks=ranks, seconds=seconds))
                for number, (side, ranks, seconds) in enumerate([(64, 1, 8.0), (64, 2, 5.0), (32, 2, 1.0)])]
-    points, alone = scaling.measured_efficiency(records)
+    points, alone = efficiency.measured_efficiency(records)
     assert [(point.ranks, point.efficiency) for point in points] == [(1, 1.0), (2, 0.8)]
     assert [record.path for record in alone] == [str(tmp_path / "2.h5")]
 
@@ -179,26 +180,26 @@ def test_measured_runs_are_compared_with_one_rank_of_as_many_cells(tmp_path):
 def test_groups_with_a_dealer_each_help_where_one_is_too_slow(tmp_path):
     record = read_record(write_run(tmp_path / "a.h5", side=256, tile_seconds=uneven(16, 16).ravel()))
     slow = Machine(service=5e-5, latency=2e-6, look=1e-4)
-    one = scaling.curve(record, 4000**2, [1, 500], slow)
+    one = efficiency.curve(record, 4000**2, [1, 500], slow)
     found = remedies.remedies(record, one.tiles, one.replays[1], slow)
     assert found.present < 0.5 * found.groups and found.group_size in remedies.GROUP_SIZES
     assert found.present < found.floor < 1
     lines = remedies.text(record, [one], slow).splitlines()
     assert len(lines) == 2 and f"{100 * found.groups:.1f} % of {found.group_size} ranks" in lines[1]
-    fast = scaling.curve(record, 4000**2, [1, 5], REAL)
+    fast = efficiency.curve(record, 4000**2, [1, 5], REAL)
     assert remedies.text(record, [fast], REAL) == "Rank 0 is fast enough everywhere."
 
 
 def test_ranks_are_round_numbers():
-    assert scaling.ranks_up_to(100) == [1, 2, 5, 10, 20, 50, 100]
-    assert scaling.ranks_up_to(64) == [1, 2, 5, 10, 20, 50, 64] and scaling.ranks_up_to(1) == [1]
+    assert efficiency.ranks_up_to(100) == [1, 2, 5, 10, 20, 50, 100]
+    assert efficiency.ranks_up_to(64) == [1, 2, 5, 10, 20, 50, 64] and efficiency.ranks_up_to(1) == [1]
 
 
 def test_the_picture_shows_the_replays_and_what_was_measured(tmp_path):
     record = read_record(write_run(tmp_path / "a.h5", tile_seconds=uneven(4, 4).ravel()))
-    curves = [scaling.curve(record, cells, [1, 2, 5, 10, 100], REAL) for cells in (record.cells, 10**5, 10**6)]
-    measured = [scaling.Measured(record.cells, 2, 1.0, 0.97)]
-    figure = scaling.draw(record, curves, measured, REAL)
+    curves = [efficiency.curve(record, cells, [1, 2, 5, 10, 100], REAL) for cells in (record.cells, 10**5, 10**6)]
+    measured = [efficiency.Measured(record.cells, 2, 1.0, 0.97)]
+    figure = efficiency.draw(record, curves, measured, REAL)
     axes.save(figure, tmp_path / "a.png")
     ax = figure.axes[0]
     drawn = {tuple(line.get_ydata()) for line in ax.lines}
@@ -218,7 +219,7 @@ def test_the_picture_shows_the_replays_and_what_was_measured(tmp_path):
 
 @pytest.fixture
 def run_scaling(run_program):
-    """Calls scaling.py in tmp_path: (code, stdout, stderr)."""
+    """Calls efficiency.py in tmp_path: (code, stdout, stderr)."""
     return lambda *arguments: run_program("scaling", *arguments)
 
 
@@ -299,4 +300,4 @@ def test_the_ideal_is_never_told_to_be_worse(real, ideal, words):
     def replays(efficiencies):
         return [Replay(ranks, 1 / (ranks * efficiency), 1.0, 0) for ranks, efficiency in zip((1, 10, 100), efficiencies)]
 
-    assert scaling.well_used(scaling.Curve(256, (1, 1), replays(real), replays(ideal))) == words
+    assert efficiency.well_used(efficiency.Curve(256, (1, 1), replays(real), replays(ideal))) == words

@@ -1,0 +1,15 @@
+"""peterka's files and their pictures. Each package is about one thing and imports only those above it:
+
+files      any file of peterka, checked before anything in it is believed: HDF5, seals, headers, numbers of regimes
+look       what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
+maps       maps and basins: the checked file, reduction to what a picture can show, the pictures, two files compared
+sweeps     sweeps: frequency response and bifurcation, measured points over them
+traces     one cell in time: motion, phase plane, impact, spectra
+studies    engines compared: work and precision, labels, stability
+scaling    parallel efficiency: times of tiles, the replay of their dealing, the picture
+claims     the paper's claims and the page that tells how they fare
+pictures   which pictures a file gives: the one place that knows them all
+results_page   the results page in Markdown, of studies and maps
+page       the page of explore.py: a map with the program's own engine inside
+program    what the programs beside this folder share: a Python with the packages, exit codes, arguments, messages
+"""

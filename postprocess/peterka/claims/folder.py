@@ -1,0 +1,172 @@
+"""The files of a folder of results, by name, as plain arrays; None where one is missing.
+
+Files are read by the readers that draw them, which check what they read. All maps here are small enough to be held.
+"""
+
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from ..files.checked_hdf5 import LARGEST, is_number
+from ..files.harmless import harmless
+from ..files.opened import STANDARD_GRAVITY, NotDrawable
+from ..files.regimes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
+from ..maps.comparison import label_codes
+from ..maps.map_file import PeterkaFile
+
+from .record import SOME
+
+
+SMALLEST = 1 / LARGEST  # of what a rig must have more of than nothing
+BASINS = ("basin_", "nearby_", "sensitivity/1")  # names begin so; those of maps don't
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Cells of a map or a basin: rows (y,) and columns (x,) of the axes, and (y, x) of each field. `job` is the job that
+    computed them, with all its defaults."""
+
+    path: Path
+    kind: str
+    job: dict
+    rows: np.ndarray
+    columns: np.ndarray
+    regime: np.ndarray
+    impacts: np.ndarray
+    period: np.ndarray
+    peak_force_ratio: np.ndarray  # F/(m g)
+    last_impact: np.ndarray | None
+
+    @property
+    def natural_frequency_hz(self):
+        return self.job["hammer"]["natural_frequency_hz"]
+
+    @property
+    def force_n(self):
+        return self.peak_force_ratio * self.job["hammer"]["mass_kg"] * STANDARD_GRAVITY
+
+    @property
+    def frequency_hz(self):
+        """Of the columns of a map."""
+        return self.columns * self.natural_frequency_hz
+
+    @property
+    def amplitude_mm(self):
+        return 1e3 * self.job["cart"]["amplitude_m"]
+
+    def is_orbit(self, impacts, period):
+        return (self.regime == PERIODIC) & (self.impacts == impacts) & (self.period == period)
+
+    @property
+    def gap_ratio(self):
+        """Of a basin."""
+        return self.job["operating_point"]["gap_ratio"]
+
+    @property
+    def frequency_ratio(self):
+        """Of a basin."""
+        return self.job["operating_point"]["frequency_ratio"]
+
+    @property
+    def label_code(self):
+        """A number for each label."""
+        return label_codes(self.regime, self.impacts, self.period)
+
+    @property
+    def is_settled(self):
+        """Proved for ever: orbit, no impact or lasting contact."""
+        return np.isin(self.regime, [NO_IMPACT, PERIODIC, SUSTAINED_CONTACT])
+
+    @property
+    def quiet(self):
+        return self.regime == NO_IMPACT
+
+    @property
+    def strikes(self):
+        """Impacts go on: proved orbits and chaos."""
+        return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
+
+    @property
+    def has_both(self):
+        """Whether some of the starts of a basin end in impacts and some in none."""
+        return min(self.share(self.strikes), self.share(self.quiet)) >= SOME
+
+    def share(self, mask):
+        return float(np.mean(mask))
+
+    def column_at_hz(self, frequency_hz):
+        return int(np.argmin(np.abs(self.frequency_hz - frequency_hz)))
+
+    def row_at(self, value):
+        return int(np.argmin(np.abs(self.rows - value)))
+
+
+class Folder:
+    def __init__(self, path):
+        self.path = Path(path)
+
+    def plane(self, name):
+        path = self.path / f"{name}.h5"
+        return self._read(path) if path.exists() else None
+
+    def planes(self, prefix):
+        """All files whose names begin so, in the order of their names."""
+        return [self._read(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
+
+    def _read(self, path):
+        """A plane of the kind that the name stands for."""
+        plane = read_plane(path)
+        kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
+        if plane.kind != kind:
+            raise NotDrawable(f"{path} is a {plane.kind}; a {kind} of this name is needed")
+        return plane
+
+    def picture(self, name):
+        """Whether draw.py made this picture."""
+        return (self.path / "pictures" / f"{name}.png").exists()
+
+
+def require_alike(planes):
+    """Planes that are compared cell by cell."""
+    for plane in planes[1:]:
+        if plane.regime.shape != planes[0].regime.shape:
+            raise NotDrawable(f"{plane.path} has {plane.regime.shape} cells, and {planes[0].path} {planes[0].regime.shape}; "
+                              "they are compared cell by cell")
+
+
+def read_plane(path):
+    with PeterkaFile(path) as file:
+        names = ["regime", "impacts", "period", "peak_force_ratio"] + ["last_impact"] * file.has_last_impact
+        bands = [band for _, band in file.bands(names)]
+        fields = {name: np.concatenate([band[name] for band in bands]) for name in names}
+        if np.any(fields["regime"] == NOT_COMPUTED):
+            raise file.refusal("is not complete; finish it with the command that began it")
+        return Plane(path, file.kind, read_job(file), file.rows.values, file.columns.values,
+                     **{"last_impact": None} | fields)
+
+
+def read_job(file):
+    """The job of a file as tables, with all numbers that a rig must have; its natural frequency is there whichever way the
+    job gave the stiffness."""
+    text = file.data.attribute("job")
+    try:
+        job = tomllib.loads(text if isinstance(text, str) else "")
+        hammer = job["hammer"]
+        hammer.setdefault("natural_frequency_hz", file.positive("natural_frequency_hz"))
+        _require(hammer, ("natural_frequency_hz", "mass_kg"), least=SMALLEST)
+        _require(job["cart"], ("amplitude_m",), least=SMALLEST)
+        if file.kind == "basin":
+            _require(job["operating_point"], ("frequency_ratio", "gap_ratio"))
+        return job
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError, ValueError, RecursionError) as error:
+        raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
+
+
+def _require(table, keys, least=-LARGEST):
+    for key in keys:
+        if not is_number(table[key]) or not least <= table[key] <= LARGEST:
+            raise ValueError(f"{key} = {harmless(table[key], 40)}")
+
+
+__all__ = ["Folder", "LARGEST", "NotDrawable", "Plane", "SMALLEST", "read_plane", "require_alike"]

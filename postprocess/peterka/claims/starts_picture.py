@@ -1,0 +1,26 @@
+"""Where the start decides the regime: the plane of several maps that differ in their start alone."""
+
+import numpy as np
+from ..look import axes
+from ..maps.reduce import class_picture
+
+from .starts import depends_on_start
+
+WIDTH = 3.7  # in
+NAMES = ["same from all starts", "depends on the start", "no start decided but chaotic"]
+COLOURS = ["#F2F2F2", "#0072B2", "#1A1A1A"]
+
+
+def draw(file, planes):
+    """As a Figure; `file` is one of the maps, open."""
+    kinds = np.where(depends_on_start(planes), 1, 0)
+    kinds[~np.any([plane.is_settled for plane in planes], axis=0)] = 2
+    rows = iter(kinds)
+    reduced, counts = class_picture(file, ["regime"], lambda regime: np.stack([next(rows) for _ in regime]), len(NAMES))
+    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n])
+               for n in np.flatnonzero(counts)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 1, None)])
+    axes.show_classes(ax, reduced, COLOURS, -1)
+    axes.label_axes(ax, file)
+    axes.write_title(figure, file, f"from {len(planes)} starts")
+    return figure

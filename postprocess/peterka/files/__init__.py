@@ -1,0 +1,7 @@
+"""Any file of peterka, checked before anything in it is believed.
+
+checked_hdf5, own_objects, seal   single attributes and datasets of a file nobody vouches for; its checksums
+opened     a file of any kind with a checked header
+regimes    the numbers of `regime`
+harmless   texts out of a file, made safe to show
+"""

@@ -1,0 +1,19 @@
+"""The numbers of `regime` in a file, and what belongs to them."""
+
+import numpy as np
+
+NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED = 0, 1, 2, 3, 4, 5, -128
+
+
+def check_labels(data, columns):
+    """Refuses arrays of regime, impacts and period that are no labels.
+
+    `data` is the file they come from; `columns` {name: integer array}, all of one shape."""
+    regime = columns["regime"]
+    known = np.isin(regime, [*range(FAILED + 1), NOT_COMPUTED])
+    if not known.all():
+        raise data.refusal(f"holds the unknown regime {int(regime[~known][0])}")
+    periodic = regime == PERIODIC
+    for name in ("impacts", "period"):
+        if name in columns and np.any(columns[name][periodic] < 1):
+            raise data.refusal(f"holds a periodic cell whose {name} is below 1")

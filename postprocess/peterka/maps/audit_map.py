@@ -1,0 +1,73 @@
+"""What an independent engine found in a sample of a map's cells: where labels differ, and how far forces are apart.
+
+Above, the plane of the map in pale colours of its classes, a dot at each cell that was solved again and a ring where
+regime, p or q differ. Below, the share of the compared cells whose peak forces differ by no more than an error.
+"""
+
+import numpy as np
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+from .reduce import class_picture
+
+WIDTH, ERROR_HEIGHT = 3.7, 1.9  # in
+PALE = 0.65  # share of white in the colours of the classes
+AGREES = {"marker": ".", "markersize": 2.5, "color": "black", "linestyle": "none", "markeredgewidth": 0}
+DIFFERS = {"marker": "o", "markersize": 7, "markerfacecolor": "none", "color": "black", "linestyle": "none",
+           "markeredgewidth": 1.4, "path_effects": axes.outline(3)}
+SMALLEST_ERROR = 1e-17  # equal forces are drawn here: below the rounding of a double
+
+
+def draw(file):
+    """The audit of a map file as a Figure; None where no cell is solved again yet."""
+    audit = file.audit
+    if audit is None or audit.count == 0:
+        return None
+    reduced, _ = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    differing = int(np.sum(~audit.agrees))
+    handles = [Line2D([], [], label=f"same label ({audit.count - differing} cells)", **AGREES | {"markersize": 5}),
+               Line2D([], [], label=f"other label ({differing})", **DIFFERS)]
+    figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], panel=ERROR_HEIGHT)
+    axes.show_classes(ax, reduced, [_pale(entry.colour) for entry in CLASSES], INDEX["not computed yet"])
+    axes.label_axes(ax, file)
+    for chosen, look in ((audit.agrees, AGREES), (~audit.agrees, DIFFERS)):
+        if not chosen.any():  # a line without points has no extent, which upsets the layout
+            continue
+        ax.plot(file.columns.values[audit.column[chosen]], file.rows.values[audit.row[chosen]], clip_on=False, **look)
+    _draw_errors(error_ax, audit.force_error)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, f"audit of {audit.count} cells by an independent engine")
+    return figure
+
+
+def compared_errors(force_error):
+    """The errors that could be compared, ascending."""
+    return np.sort(force_error[np.isfinite(force_error)])
+
+
+def _pale(colour):
+    return to_hex([(1 - PALE) * value + PALE for value in to_rgb(colour)])
+
+
+def _draw_errors(ax, force_error):
+    errors = compared_errors(force_error)
+    ax.set_ylim(0, 100)
+    ax.set_ylabel("share of cells (%)")
+    ax.set_xlabel("difference of peak forces (relative)")
+    if not len(errors):
+        ax.text(0.5, 0.5, "no cell with forces to compare", transform=ax.transAxes, ha="center", va="center")
+        ax.set_xticks([])
+        return
+    drawn = np.maximum(errors, SMALLEST_ERROR)
+    low, high = 10.0 ** np.floor(np.log10(drawn[0]) - 0.1), 10.0 ** np.ceil(np.log10(drawn[-1]) + 0.1)
+    steps = 100 * np.arange(len(errors) + 1) / len(errors)
+    ax.step(np.concatenate([[low], drawn, [high]]), np.append(steps, 100), where="post", color="#0072B2", linewidth=1.2)
+    ax.set_xlim(low, high)
+    axes.log_scale(ax, "x")
+    # above the curve, where it never is
+    ax.text(
+        0.03, 0.94, f"{len(errors)} cells\nmedian {np.median(errors):.1e}\nlargest {errors[-1]:.1e}",
+        transform=ax.transAxes, ha="left", va="top", bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},
+    )

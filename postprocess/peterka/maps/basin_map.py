@@ -1,0 +1,156 @@
+"""Basins of attraction over the start plane, x(0)/A0 and x'(0)/(A0 omega) (the paper's Fig. 24).
+
+By attractor: each has the colour of its class of z; a second, third, ... attractor of the same class has a paler or
+darker one. A dot marks the attractor itself where it lies inside the picture, and the legend tells of those outside: its
+point at forcing phase 0, where the cart is at 0 and moves at A0 Omega, so that the stored relative state (u, u') is the
+start (u, u' + Omega/omega). Where the stop is at the start, x = gap, is a line.
+By impact: the paper's two colours, impact and no impact; chaos is impact, whatever is not decided stays apart. Where
+the file knows when the last impact came, also as a run of so many cycles would see it.
+"""
+
+from collections import Counter
+
+import numpy as np
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.lines import Line2D
+
+from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
+from ..look import axes, units
+from ..look.classes import CLASSES, INDEX, class_of, classify
+from .reduce import class_picture
+
+WIDTH = 3.7  # in
+NAMED_ATTRACTORS = 20  # a legend with more is not read; the smaller ones share one colour
+SHADES = [(0, "white"), (0.5, "white"), (0.4, "black"), (0.75, "white"), (0.65, "black")]  # mixed into a class's colour
+OTHER_COLOUR = CLASSES[INDEX["other p/q"]].colour
+MARK = {"marker": "o", "markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.8, "linestyle": "none",
+        "path_effects": axes.outline(2.0), "zorder": 6}
+STOP = {"color": "black", "linewidth": 0.9, "linestyle": (0, (1, 1.2)), "path_effects": axes.outline(1.8), "zorder": 5}
+IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough to differ from the blue in grey
+
+
+def draw_attractors(file):
+    """The basin of each attractor of a basin file as a Figure, with its share of the starts."""
+    table = file.attractors
+    named = _largest_attractors(table)
+    named_entries = _attractor_entries(table, named)
+    # Labels below len(CLASSES) are classes, of starts that belong to no attractor; then the named ones, then the rest.
+    entries = _class_entries() + named_entries + [("other attractors", OTHER_COLOUR)]
+    number = np.full(table.count + 1, len(entries) - 1)
+    number[named] = len(CLASSES) + np.arange(len(named))
+
+    def label(attractor, regime, impacts, period):
+        return np.where(attractor >= 0, number[attractor], classify(regime, impacts, period))
+
+    marks = _attractor_points(file, named, named_entries)
+    inside = [point for point in marks if _is_inside(file, point)]
+    figure, ax = _draw(file, ["attractor", "regime", "impacts", "period"], label, entries, 1,
+                       _mark_handles(len(inside), len(marks) - len(inside)))
+    for x, y, colour in inside:
+        ax.plot(x, y, **MARK | {"markerfacecolor": colour})
+    return figure
+
+
+def draw_impact(file):
+    """The starts that end in impacts and those that do not, as a Figure."""
+    entries = [*_class_entries(), ("impact", IMPACT_COLOUR)]
+    entries[INDEX["no impact"]] = ("no impact", NO_IMPACT_COLOUR)
+
+    def label(regime, impacts, period):
+        hits = (regime == PERIODIC) | (regime == CHAOTIC)
+        return np.where(hits, len(CLASSES), classify(regime, impacts, period))
+
+    figure, _ = _draw(file, ["regime", "impacts", "period"], label, entries, 2)
+    return figure
+
+
+def draw_impact_after(file, cycles):
+    """The starts that still impact after so many forcing cycles and those that do not, as a Figure: what a run that ends
+    then takes for two attractors, where impacts are only a long transient."""
+    entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]
+    entries[INDEX["no impact"]] = ("no impact any more", NO_IMPACT_COLOUR)
+
+    def label(regime, impacts, period, last_impact):
+        hits = (regime == PERIODIC) | (regime == CHAOTIC) | ((regime == NO_IMPACT) & (last_impact > cycles))
+        return np.where(hits, len(CLASSES), classify(regime, impacts, period))
+
+    figure, _ = _draw(file, ["regime", "impacts", "period", "last_impact"], label, entries, 1)
+    return figure
+
+
+def _draw(file, names, label, entries, columns, marks=()):
+    """Figure and map axes of labelled starts; `entries` holds (legend text, colour) of each label, `columns` is
+    for the legend, `marks` are further entries of it."""
+    reduced, counts = class_picture(file, names, label, len(entries))
+    gap = file.number("gap_ratio")
+    shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
+    stop = [Line2D([], [], label="stop at the start, $x$ = gap", **STOP)] if shows_stop else []
+    legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop], 1, None)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
+    axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])
+    axes.label_axes(ax, file)
+    if shows_stop:
+        ax.axvline(gap, **STOP)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, axes.operating_point(file))
+    return figure, ax
+
+
+def _class_entries():
+    return [(entry.label, entry.colour) for entry in CLASSES]
+
+
+def _legend_entries(counts, entries):
+    largest_first = sorted(np.flatnonzero(counts), key=lambda n: -counts[n])
+    return [
+        axes.legend_patch(f"{entries[n][0]} ({axes.percent(counts[n] / counts.sum())})", entries[n][1],
+                          n == INDEX["not computed yet"])
+        for n in largest_first
+    ]
+
+
+def _largest_attractors(table):
+    """Rows of the table with most starts, at most NAMED_ATTRACTORS, in the order of the table."""
+    by_size = np.argsort(-table.cells.astype(np.int64), kind="stable")
+    return np.sort(by_size[:NAMED_ATTRACTORS])
+
+
+def _attractor_entries(table, named):
+    """(legend text, colour) of each named attractor: class of z, force, and a shade of the class's colour."""
+    seen, entries = Counter(), []
+    for row in named:
+        entry = class_of(table.regime[row], table.impacts[row], table.period[row])
+        text = f"$z$ = {entry.label}" if table.regime[row] == PERIODIC else entry.label
+        if table.regime[row] != NO_IMPACT and np.isfinite(table.peak_force_ratio[row]):
+            text += f", $F/(m\\,g)$ = {units.number(table.peak_force_ratio[row])}"
+        entries.append((text, _shade(entry.colour, seen[entry.colour])))
+        seen[entry.colour] += 1
+    return entries
+
+
+def _shade(colour, repeat):
+    weight, towards = SHADES[repeat % len(SHADES)]
+    return to_hex([(1 - weight) * own + weight * other for own, other in zip(to_rgb(colour), to_rgb(towards))])
+
+
+def _attractor_points(file, named, entries):
+    """(x/A0, x'/(A0 omega), colour) of each orbit at phase 0; a chaotic attractor is no single point."""
+    frequency_ratio, table = file.positive("frequency_ratio"), file.attractors
+    if frequency_ratio is None:
+        return []
+    points = [(table.orbit_displacement[row], table.orbit_velocity[row] + frequency_ratio, colour)
+              for row, (_, colour) in zip(named, entries) if table.regime[row] != CHAOTIC]
+    return [point for point in points if np.isfinite(point[:2]).all()]
+
+
+def _is_inside(file, point):
+    return all(axis.edges[0] <= value <= axis.edges[-1] for axis, value in zip((file.columns, file.rows), point))
+
+
+def _mark_handles(inside, outside):
+    handles = [Line2D([], [], label="its attractor, at forcing phase 0", **MARK | {"markerfacecolor": "white"})]
+    handles = handles if inside else []
+    if outside:
+        words = "1 attractor lies" if outside == 1 else f"{outside} attractors lie"
+        handles.append(Line2D([], [], label=f"{words} outside the picture", linestyle="none"))
+    return handles

@@ -1,0 +1,69 @@
+"""The points that two maps, or two basins, have in common, and the cells of both there, band by band.
+
+Where the grids differ these are the points of the coarser one, along each axis, that coincide with points of the other.
+"""
+
+import numpy as np
+
+from .map_file import BAND_CELLS, axis_of
+
+SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
+
+
+class CommonPlane:
+    """kind, rows and columns (Axis), shape, and plain attributes of the first file: what axes are drawn from."""
+
+    def __init__(self, first, second):
+        if first.kind != second.kind:
+            raise second.refusal(f"is a {second.kind} and {first.path} a {first.kind}: their cells can't be compared")
+        self.first, self.second, self.kind = first, second, first.kind
+        (self.rows, self._rows), (self.columns, self._columns) = (self._shared(side) for side in ("rows", "columns"))
+        self.shape = len(self.rows.values), len(self.columns.values)
+
+    def positive(self, name):
+        """A scale in SI units is only one where it is the same in both files."""
+        mine, other = self.first.positive(name), self.second.positive(name)
+        return mine if mine == other else None
+
+    @property
+    def in_words(self):
+        """How much of each file it is; empty where it is all of both."""
+        if self.shape == self.first.shape == self.second.shape:
+            return ""
+        shapes = ["{1} by {0}".format(*shape) for shape in (self.shape, self.first.shape, self.second.shape)]
+        return f"compared at the {shapes[0]} points that both have: A has {shapes[1]}, B {shapes[2]}"
+
+    def bands(self, names, multiple=1):
+        """(first row, {name: array} of A, the same of B); all but the last have a number of rows divisible by `multiple`."""
+        cells = max(self.first.shape[1], self.second.shape[1])
+        stride = max(self.first.shape[0], self.second.shape[0]) // self.shape[0] + 1  # rows read for one that is taken
+        rows = multiple * max(1, BAND_CELLS // (cells * stride * multiple))
+        for row in range(0, self.shape[0], rows):
+            yield row, *(self._band(which, names, row, row + rows) for which in (0, 1))
+
+    def _band(self, which, names, begin, end):
+        file, rows, columns = (self.first, self.second)[which], self._rows[which][begin:end], self._columns[which]
+        band = file.band(names, int(rows[0]), int(rows[-1]) + 1)
+        return {name: values[np.ix_(rows - rows[0], columns)] for name, values in band.items()}
+
+    def _shared(self, side):
+        """The Axis of the points that both have, and their indices in the first and the second file."""
+        axes = getattr(self.first, side), getattr(self.second, side)
+        coarse, fine = sorted(axes, key=lambda axis: len(axis.values))
+        nearest = np.clip(np.searchsorted(fine.values, coarse.values), 1, len(fine.values) - 1)
+        nearest -= coarse.values - fine.values[nearest - 1] < fine.values[nearest] - coarse.values
+        length = coarse.values[-1] - coarse.values[0]
+        same = np.abs(fine.values[nearest] - coarse.values) <= SAME_POINT * length
+        if same.sum() < 2:
+            a, b = axes
+            raise self.second.refusal(f"has {_span(b)}, and {self.first.path} has {_span(a)}: only cells at the same places "
+                                      "can be compared, two along each axis at least; compute one of them again with an axis "
+                                      "whose points fall on the other's")
+        of_coarse, of_fine = np.flatnonzero(same), nearest[same]
+        indices = (of_coarse, of_fine) if coarse is axes[0] else (of_fine, of_coarse)
+        return axis_of(coarse.name, coarse.values[same]), indices
+
+
+def _span(axis):
+    spacing = ", evenly in the logarithm" if axis.log else ""
+    return f"{len(axis.values)} points of {axis.name} from {axis.values[0]:.6g} to {axis.values[-1]:.6g}{spacing}"

@@ -1,0 +1,171 @@
+"""Two files over planes with common points, cell by cell: where regime, z = p/q or peak force differ, as numbers.
+
+Forces are told as B's over A's, where both files have the same label and a force that lasts: z = p/q, or sustained
+contact. Chaotic peaks grow with the time observed and say little. Memory: 16 bytes for each such cell.
+"""
+
+import tomllib
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.harmless import harmless
+from ..files.opened import NotDrawable
+from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
+from ..look.classes import class_of
+from .common_plane import CommonPlane
+
+SHARES = (1, 50, 99)  # % of the cells; quantiles of the ratio that are told
+MOST_KEYS = 6  # that differ
+NAMES = ("regime", "impacts", "period", "peak_force_ratio")
+UNTOLD = ("title",)  # it is told already
+LONGEST_JOB, LONGEST_VALUE = 100_000, 40
+_ORBIT = 8  # codes of a label below it are regimes
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Of files A and B at their common points. `moves`: cells of each (label in A, label in B) where they differ. `force_ratio` (n,): forces
+    of B over those of A; `place` (row, column) of each in the common plane, (n, 2)."""
+
+    plane: CommonPlane
+    cells: int
+    same_regime: int
+    same_label: int
+    moves: Counter
+    force_ratio: np.ndarray
+    place: np.ndarray
+
+    @property
+    def scale(self):
+        return float(np.median(self.force_ratio)) if len(self.force_ratio) else 1.0
+
+    def differences(self, scale=1.0):
+        """Of the forces, over the larger of both, (n,)."""
+        return force_difference(self.force_ratio, scale)
+
+
+def compare(first, second):
+    """The Comparison of two open files; NotDrawable where they don't lie over the same plane."""
+    plane = CommonPlane(first, second)
+    cells = same_regime = same_label = 0
+    moves, ratios, places = Counter(), [], []
+    for row, a, b in plane.bands(NAMES):
+        both = there(a) & there(b)
+        codes = label_codes(**a), label_codes(**b)
+        same = both & (codes[0] == codes[1])
+        cells += int(both.sum())
+        same_regime += int(np.sum(both & (a["regime"] == b["regime"])))
+        same_label += int(same.sum())
+        moves += _moves(*(code[both & ~same] for code in codes))
+        forced = same & has_lasting_force(a, b)
+        ratios.append(b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced])
+        places.append(np.argwhere(forced).astype(np.int32) + np.array([row, 0], dtype=np.int32))
+    return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(places))
+
+
+def there(band):
+    return band["regime"] != NOT_COMPUTED
+
+
+def label_codes(regime, impacts, period, **_):
+    """A number for each label: the regime, or p and q of an orbit. Arrays of one shape."""
+    orbits = _ORBIT + (impacts.astype(np.int64) << 32) + period
+    return np.where(regime == PERIODIC, orbits, regime)
+
+
+def has_lasting_force(a, b):
+    lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
+    return lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
+
+
+def force_difference(ratio, scale=1.0):
+    ratio = ratio / scale
+    return np.abs(ratio - 1) / np.maximum(ratio, 1)
+
+
+def text(first, second, comparison):
+    """What is told, some lines."""
+    lines = [f"A  {first.path}: {first.title}", f"B  {second.path}: {second.title}",
+             *differing_keys(first, second), *filter(None, [comparison.plane.in_words]),
+             f"{comparison.cells} cells that both files hold"]
+    if not comparison.cells:
+        return "\n".join(lines)
+    for name, count in (("same regime", comparison.same_regime), ("same regime and z", comparison.same_label)):
+        lines.append(f"  {name:<20}{count:>10}{_percent(count, comparison.cells)}")
+    if comparison.moves:
+        lines.append("Labels that differ, A -> B, most frequent first")
+    for (a, b), count in comparison.moves.most_common(12):
+        lines.append(f"  {a + ' -> ' + b:<40}{count:>10}{_percent(count, comparison.cells)}")
+    if len(comparison.moves) > 12:
+        lines.append(f"  and {len(comparison.moves) - 12} more")
+    return "\n".join(lines + _force_lines(comparison))
+
+
+def _force_lines(comparison):
+    ratio = comparison.force_ratio
+    if not len(ratio):
+        return ["No peak force to compare."]
+    quantiles = ", ".join(f"{value:.6g} ({share} %)" for share, value in
+                          zip(SHARES, np.percentile(ratio, SHARES, method="inverted_cdf")))
+    lines = [f"Peak force in {len(ratio)} cells of the same regime and z, B's over A's", f"  ratio               {quantiles}"]
+    for name, extreme in (("smallest", np.argmin(ratio)), ("largest", np.argmax(ratio))):
+        row, column = comparison.place[extreme]
+        columns, rows = comparison.plane.columns, comparison.plane.rows
+        lines.append(f"  {name:<20}{ratio[extreme]:.6g} ({change(ratio[extreme])}), at {columns.name} "
+                     f"{columns.values[column]:.6g}, {rows.name} {rows.values[row]:.6g}")
+    return lines
+
+
+def change(ratio):
+    """+5.0 %, -29.0 %, or a factor where that says more."""
+    return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
+
+
+def differing_keys(first, second):
+    """A line for each key of the jobs that differs, as both files tell them; none where they don't."""
+    jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
+    if None in jobs:
+        return []
+    keys = [key for key in dict.fromkeys([*jobs[0], *jobs[1]]) if jobs[0].get(key) != jobs[1].get(key)]
+    lines = [f"{key}: {_value(jobs[0], key)} in A, {_value(jobs[1], key)} in B" for key in keys if key not in UNTOLD]
+    more = len(lines) - MOST_KEYS
+    return lines if more <= 0 else [*lines[:MOST_KEYS], f"and {more} more keys"]
+
+
+def _keys(text):
+    """{table.key: value} of a job's resolved text; None where it is none."""
+    try:
+        return _flat(tomllib.loads(text)) if isinstance(text, str) and len(text) < LONGEST_JOB else None
+    except tomllib.TOMLDecodeError:
+        return None
+
+
+def _flat(table, path=""):
+    keys = {}
+    for name, value in table.items():
+        keys |= _flat(value, f"{path}{name}.") if isinstance(value, dict) else {path + name: value}
+    return keys
+
+
+def _value(job, key):
+    return harmless(str(job[key]), LONGEST_VALUE) if key in job else "nothing"
+
+
+def _moves(codes_a, codes_b):
+    pairs, counts = np.unique(np.stack([codes_a, codes_b]), axis=1, return_counts=True)
+    return Counter({(_name(a), _name(b)): int(count) for (a, b), count in zip(pairs.T, counts)})
+
+
+def _name(code):
+    if code < _ORBIT:
+        return class_of(code, 0, 0).label
+    return f"{(code - _ORBIT) >> 32}/{(code - _ORBIT) & 0xFFFFFFFF}"
+
+
+def _percent(count, total):
+    return f"{100 * count / total:>10.3f} %"
+
+
+__all__ = ["Comparison", "NotDrawable", "compare", "text"]

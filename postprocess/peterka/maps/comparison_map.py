@@ -1,0 +1,88 @@
+"""Where two files differ at the points they have in common: regime, z = p/q, or peak force.
+
+Cells of the same label and a lasting force have the colour of B's force over A's: blue where it is weaker, red where it is
+stronger, white where it is the same. Others have a flat colour. A block of a reduced picture shows the largest difference
+in it.
+"""
+
+import numpy as np
+from matplotlib.colors import LogNorm
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+
+from ..look import axes, units
+from .comparison import NAMES, differing_keys, has_lasting_force, label_codes, there
+from .reduce import LIMIT, block_size, largest, with_edges
+
+WIDTH = 3.7  # in
+MOST = 99  # % of the cells' differences within the scale
+LEAST_SPAN, WIDEST_SPAN = 1.01, 10.0  # the scale goes from 1/span to span
+FORCE_COLOURS = "RdBu_r"
+SAME, ORBIT, REGIME, MISSING = range(4)
+COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
+NAMES_OF_KINDS = ["same, no lasting force", "same regime, other z", "other regime", "not in both files"]
+
+
+def draw(first, second, comparison):
+    """The picture as a Figure, with the share of each kind of difference."""
+    plane = comparison.plane
+    block = block_size(plane.shape, LIMIT)
+    counts, kinds, ratios = np.zeros(len(COLOURS), dtype=np.int64), [], []
+    for _, a, b in plane.bands(NAMES, block):
+        kind, ratio = _kinds(a, b)
+        counts += np.bincount(kind[np.isnan(ratio)], minlength=len(COLOURS))
+        ratios.append(_farthest(ratio, block))
+        kinds.append(largest(kind.astype(float), block).astype(np.uint8))
+    reduced = with_edges(plane, np.concatenate(kinds), block)
+    total = counts.sum() + len(comparison.force_ratio)
+    handles = [axes.legend_patch(f"{name} ({axes.percent(counts[kind] / total)})", COLOURS[kind], kind == MISSING)
+               for kind, name in enumerate(NAMES_OF_KINDS) if counts[kind]]
+    has_forces = len(comparison.force_ratio) > 0
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=has_forces)
+    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    if has_forces:
+        image = np.ma.masked_where(reduced.image != SAME, np.ma.masked_invalid(np.concatenate(ratios)))
+        _draw_ratios(figure, ax, bar_ax, reduced, image, comparison.force_ratio)
+    axes.label_axes(ax, plane)
+    axes.write_title(figure, first, "\n".join(_words(first, second, plane)))
+    return figure
+
+
+def _words(first, second, plane):
+    """Below the title of A: that of B, where it says more, the files, and the keys that differ."""
+    title = [second.title] if second.title != first.title else []
+    return [*title, f"A: {first.path.stem}, B: {second.path.stem}", *differing_keys(first, second),
+            *filter(None, [plane.in_words])]
+
+
+def _draw_ratios(figure, ax, bar_ax, reduced, image, ratio):
+    logarithm = np.abs(np.log(ratio))
+    span = float(np.clip(np.exp(np.percentile(logarithm, MOST)), LEAST_SPAN, WIDEST_SPAN))
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, image, cmap=FORCE_COLOURS, norm=LogNorm(1 / span, span),
+                         rasterized=True)
+    beyond = logarithm.max() > np.log(span)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="both" if beyond else "neither")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(f"peak force of B over A, same $z$ (median {units.number(float(np.median(ratio)))})", fontsize=8)
+    bar_ax.xaxis.set_major_locator(FixedLocator(np.geomspace(1 / span, span, 5)))
+    bar_ax.xaxis.set_minor_locator(NullLocator())
+    bar_ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3f}" if span < 1.1 else f"{value:.2f}"))
+
+
+def _farthest(ratio, block):
+    """Of each block the ratio that is farthest from 1; NaN where it has none."""
+    if block == 1:
+        return ratio
+    logarithm = np.log(ratio)
+    up, down = largest(logarithm, block), -largest(-logarithm, block)
+    return np.exp(np.where(up >= -down, up, down))
+
+
+def _kinds(a, b):
+    """A number for each cell, and B's force over A's, NaN where there is nothing to compare."""
+    same = label_codes(**a) == label_codes(**b)
+    both = there(a) & there(b)
+    forced = both & same & has_lasting_force(a, b)
+    ratio = np.full(same.shape, np.nan)
+    ratio[forced] = b["peak_force_ratio"][forced] / a["peak_force_ratio"][forced]
+    kinds = np.where(same, SAME, np.where(a["regime"] == b["regime"], ORBIT, REGIME))
+    return np.where(both, kinds, MISSING), ratio

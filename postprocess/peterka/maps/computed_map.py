@@ -1,0 +1,29 @@
+"""Which cells of a refined map are computed, and which are filled from computed ones around them."""
+
+import numpy as np
+
+from ..files.regimes import NOT_COMPUTED
+from ..look import axes
+from .reduce import class_picture
+
+WIDTH = 3.7  # in
+FILLED, COMPUTED, MISSING = 0, 1, 2
+COLOURS = ["#F2F2F2", "#0072B2", "#FFFFFF"]
+NAMES = ["filled", "computed", "not computed yet"]
+
+
+def draw(file):
+    """The picture as a Figure, with both shares in its legend."""
+    reduced, counts = class_picture(file, ["regime", "computed"], _classify, len(NAMES))
+    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
+               for n in (COMPUTED, FILLED, MISSING) if counts[n]]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, None)])
+    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    axes.label_axes(ax, file)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file)
+    return figure
+
+
+def _classify(regime, computed):
+    return np.where(regime == NOT_COMPUTED, MISSING, np.where(computed == 0, FILLED, COMPUTED))

@@ -1,0 +1,123 @@
+"""A number per cell over the plane of a map: how force_map and quantity_map draw.
+
+Values have a colour of the scale from 0 up; the largest of all cells of a map is marked with its value, which may grow on
+beyond the border where it lies there. Cells without a value keep colours that the scale hasn't: those of their class where the picture tells it apart, else two pale ones.
+Cells of a reduced map show the largest value in their block.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.regimes import CHAOTIC, PERIODIC
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+from ..look.notes import write_beside
+from .reduce import class_picture, field_picture
+
+WIDTH = 3.7  # in
+COLOURS = "viridis"
+OTHER_COLOUR = "#F2F2F2"
+NO_VALUE_COLOUR = "#F7C6D0"  # of cells that should have a value and haven't: no stop's force where it is rigid, say
+TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile where single cells exceed it by this factor
+WITHOUT_IMPACTS = ("no impact", "sustained contact", "unresolved", "failed")
+
+
+@dataclass(frozen=True)
+class Scale:
+    """`label` of the colour bar; `factor` from the stored numbers to those on it; the `text` of a stored number; and a
+    second scale (label, factor from the stored numbers) where there is one."""
+
+    label: str
+    factor: float
+    text: Callable[[float], str]
+    second: tuple[str, float] | None = None
+
+
+@dataclass(frozen=True)
+class Field:
+    """What to draw: the dataset, the cells that carry it by their (regime, p, q), the classes told apart, and the
+    Scale for a largest value."""
+
+    dataset: str
+    carries: Callable
+    apart: tuple[str, ...]
+    scale: Callable[[float], Scale]
+
+
+def has_impacts(regime, *_):
+    """Cells of proved orbits with impacts, chaos among them."""
+    return (regime == PERIODIC) | (regime == CHAOTIC)
+
+
+def draw(file, field):
+    """The map of a Field as a Figure; None where no cell has a value."""
+    values, peak, lacking = field_picture(file, field.dataset, field.carries)
+    if peak is None:
+        return None
+    classes, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    carried = [entry.orbit == (1, 1) if not field.apart else entry.label not in field.apart for entry in CLASSES]
+    legend = _legend_entries(counts, carried, field.apart, lacking)
+    figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True)
+    axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
+    scale = field.scale(peak.value)
+    top = _top_of_scale(values.image, peak.value)
+    mesh = ax.pcolormesh(
+        values.column_edges, values.row_edges, np.ma.masked_invalid(values.image) * scale.factor,
+        cmap=COLOURS, vmin=0, vmax=top * scale.factor, rasterized=True,
+    )
+    axes.label_axes(ax, file)
+    _draw_bar(figure, bar_ax, mesh, scale, peak.value > top)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, axes.operating_point(file))
+    if file.kind == "map":  # in a basin all starts of an orbit share the largest value
+        _mark(ax, peak, scale.text(peak.value))
+    return figure
+
+
+def _colours_beneath(carried, apart):
+    own = {entry.label: entry.colour for entry in CLASSES if entry.label in apart}
+    return [own.get(entry.label, NO_VALUE_COLOUR if carries else OTHER_COLOUR)
+            for entry, carries in zip(CLASSES, carried)]
+
+
+def _legend_entries(counts, carried, apart, lacking):
+    """Legend entries of the cells without a colour of the scale."""
+    found = [(entry, carries) for entry, carries, count in zip(CLASSES, carried, counts) if count]
+    entries = [axes.legend_patch(entry.label, entry.colour) for entry, _ in found if entry.label in apart]
+    if not apart and any(not carries and entry.label != "not computed yet" for entry, carries in found):
+        entries.append(axes.legend_patch("any other regime", OTHER_COLOUR))
+    if lacking:
+        entries.append(axes.legend_patch("no value", NO_VALUE_COLOUR))
+    if counts[INDEX["not computed yet"]]:
+        entries.append(axes.legend_patch("not computed yet", None, hatched=True))
+    return entries
+
+
+def _top_of_scale(image, peak):
+    top = float(np.nanpercentile(image, TOP_SHARE))
+    if not peak > 0:
+        return 1.0
+    return top if top > 0 and peak > TOP_EXCESS * top else peak
+
+
+def _draw_bar(figure, bar_ax, mesh, scale, beyond):
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max" if beyond else "neither")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(scale.label, fontsize=8)
+    if scale.second:
+        label, factor = scale.second
+        ratio = factor / scale.factor
+        second = bar_ax.secondary_xaxis("top", functions=((lambda f: f * ratio), (lambda n: n / ratio)))
+        second.set_xlabel(label, fontsize=8)
+
+
+def _mark(ax, peak, text):
+    """A cross at the largest value, its text beside it."""
+    ax.plot(
+        peak.column_value, peak.row_value, marker="x", markersize=5, markeredgewidth=1.2, color="black", clip_on=False,
+        path_effects=axes.outline(2.4), zorder=6,
+    )
+    where = ", on the map's border" if peak.on_border else ""
+    write_beside(ax, peak.column_value, peak.row_value, f"max {text}{where}")

@@ -1,0 +1,37 @@
+"""Peak impact force over the plane of a map: of z = 1/1 alone (the paper's Fig. 23), and of all impacts.
+
+Force is F/(m g), with a second scale in newtons where the file knows the hammer's mass. A rigid stop gives impacts
+without a force; where no cell has one there is no picture.
+"""
+
+from ..files.regimes import PERIODIC
+from ..look import units
+from . import field_map
+from .field_map import Field, Scale
+
+
+def draw_single_impact(file):
+    """Force where one impact comes in each forcing cycle; None where no cell has one."""
+    carries = lambda regime, p, q: (regime == PERIODIC) & (p == 1) & (q == 1)  # noqa: E731
+    return _draw(file, carries, "$z = 1/1$", ())
+
+
+def draw_all_impacts(file):
+    """Force of every proved orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
+    return _draw(file, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS)
+
+
+def _draw(file, carries, what, apart):
+    newtons = file.newtons
+
+    def text(force):
+        return units.number(force) + (f" ({units.amount(force * newtons, 'N')})" if newtons else "")
+
+    def scale(largest):
+        label = f"peak force $F/(m\\,g)$, {what}"
+        if not newtons:
+            return Scale(label, 1, text)
+        factor, unit = units.with_prefix(largest * newtons, "N")
+        return Scale(label, 1, text, (f"peak force ({unit})", newtons * factor))
+
+    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale))

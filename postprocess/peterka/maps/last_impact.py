@@ -1,0 +1,38 @@
+"""After how many forcing cycles the last impact came, where impacts end (the paper's Fig. 24b is such a place).
+
+Light is early, dark is late; where impacts go on for ever, or are undecided, a cell has the colour of neither.
+"""
+
+import numpy as np
+
+from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
+from ..look import axes
+from .reduce import class_picture
+
+WIDTH = 3.7  # in
+ENDS = (0, 30, 100, 300, 1000, 3000, 10000)  # forcing cycles: a class holds those after the one before
+SHADES = ["#F2F2F2", "#FDE9A9", "#F6B95A", "#E37F3A", "#B8433F", "#7A1F4E", "#3D0F4A", "#140A26"]
+GOES_ON, UNDECIDED, MISSING = (len(SHADES) + n for n in range(3))
+COLOURS = [*SHADES, "#0072B2", "#C04DF7", "#FFFFFF"]
+NAMES = ["none at all", *(f"{low + 1} to {high}" for low, high in zip(ENDS, ENDS[1:])),
+         f"more than {ENDS[-1]}", "impacts go on", "undecided", "not computed yet"]
+
+
+def draw(file):
+    """The picture as a Figure, with the share of each class."""
+    reduced, counts = class_picture(file, ["regime", "last_impact"], _classify, len(NAMES))
+    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
+               for n in np.flatnonzero(counts)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, "forcing cycles until the last impact")])
+    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    axes.label_axes(ax, file)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, axes.operating_point(file))
+    return figure
+
+
+def _classify(regime, last_impact):
+    ended = np.searchsorted(ENDS, np.maximum(last_impact, 0))
+    goes_on = np.isin(regime, [PERIODIC, CHAOTIC, SUSTAINED_CONTACT])
+    kinds = np.where(last_impact >= 0, ended, np.where(goes_on, GOES_ON, UNDECIDED))
+    return np.where(regime == NOT_COMPUTED, MISSING, np.where(regime == FAILED, UNDECIDED, kinds))

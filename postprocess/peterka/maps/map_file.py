@@ -1,0 +1,149 @@
+"""A map or basin file, checked before anything in it is believed and read in bands of rows, never as a whole.
+
+Layout version 2: two coordinate vectors and the data on [rows][columns],
+    map    rows gap_ratio,      columns frequency_ratio
+    basin  rows velocity_ratio, columns displacement_ratio
+with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
+`attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
+maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises NotDrawable.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..files.opened import NotDrawable, OpenedFile
+from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
+from .tables import Attractors, read_attractors, read_audit
+
+__all__ = ["Attractors", "Axis", "NotDrawable", "PeterkaFile", "QUANTITIES"]
+
+COORDINATES = {"map": ("gap_ratio", "frequency_ratio"), "basin": ("velocity_ratio", "displacement_ratio")}
+# Optional datasets and the ways to write their unit; the first one is shown.
+QUANTITIES = {
+    "impact_speed": ("m/s", "m s-1"),
+    "impulse": ("N s", "N*s", "Ns"),
+    "contact_time": ("s",),
+    "contact_power_w": ("W",),
+    "max_displacement": ("m",),
+}
+MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
+BAND_CELLS = 2**21
+
+
+@dataclass(frozen=True)
+class Axis:
+    """Ratios along one side: cell centres `values` (n,), ascending, and cell borders `edges` (n+1,).
+
+    `log`: the centres are evenly spaced in the logarithm."""
+
+    name: str
+    values: np.ndarray
+    edges: np.ndarray
+    log: bool
+
+
+class PeterkaFile(OpenedFile):
+    """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` (those of QUANTITIES that
+    it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
+
+    @cached_property
+    def computed(self):
+        """Share of the cells that are computed, 0 to 1."""
+        missing = sum(int(np.sum(band["regime"] == NOT_COMPUTED)) for _, band in self.bands(["regime"]))
+        return 1 - missing / (self.shape[0] * self.shape[1])
+
+    @cached_property
+    def observed_chaos(self):
+        """The fewest and the most forcing cycles for which chaotic cells were followed; None without such cells."""
+        if not self._has_observed_cycles:
+            return None
+        followed = [band["observed_cycles"][band["regime"] == CHAOTIC]
+                    for _, band in self.bands(["regime", "observed_cycles"])]
+        cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled ones were not followed
+        return (int(cycles.min()), int(cycles.max())) if cycles.size else None
+
+    def bands(self, names, multiple=1):
+        """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names.
+
+        All bands but the last one have a number of rows divisible by `multiple`. Values are checked on the way."""
+        rows = multiple * max(1, BAND_CELLS // (self.shape[1] * multiple))
+        for first in range(0, self.shape[0], rows):
+            yield first, self.band(names, first, first + rows)
+
+    def band(self, names, first, last):
+        """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
+        band = {name: self.data.values(name, slice(first, last)) for name in names}
+        self._check_values(band)
+        return band
+
+    def check_content(self):
+        if self.kind not in COORDINATES:
+            raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(COORDINATES)} file is needed")
+        self.rows, self.columns = (self._axis(name) for name in COORDINATES[self.kind])
+        self.shape = (len(self.rows.values), len(self.columns.values))
+        for name in ("regime", "impacts", "period"):
+            self.data.dataset(name, self.shape, INTEGER)
+        self.data.dataset("peak_force_ratio", self.shape, REAL)
+        self.quantities = [name for name in QUANTITIES if self.data.has(name)]
+        for name in self.quantities:
+            self._check_quantity(name)
+        self.has_chatter = self._has_integers("chatter")
+        self.has_last_impact = self._has_integers("last_impact")
+        self._has_observed_cycles = self._has_integers("observed_cycles")
+        self.is_refined = self._has_integers("computed")
+        self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
+        self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
+
+    def _has_integers(self, name):
+        if self.data.has(name):
+            self.data.dataset(name, self.shape, INTEGER)
+        return self.data.has(name)
+
+    def _check_quantity(self, name):
+        self.data.dataset(name, self.shape, REAL)
+        unit = self.data.attribute("units", name)
+        if unit not in QUANTITIES[name]:
+            raise self.refusal(f"has {name} in {shown(unit)} instead of {QUANTITIES[name][0]}")
+
+    def _check_values(self, columns):
+        check_labels(self.data, columns)
+        attractor = columns.get("attractor")
+        if attractor is not None and np.any((attractor < -1) | (attractor >= self.attractors.count)):
+            raise self.refusal("names an attractor that its table does not have")
+        for name in {"chatter", "computed"} & columns.keys():
+            if not np.isin(columns[name], [0, 1, NOT_COMPUTED]).all():
+                raise self.refusal(f"has a {name} that is neither 0 nor 1")
+
+    def _axis(self, name):
+        shape = self.data.dataset(name, None, INTEGER + REAL).shape
+        if len(shape) != 1 or not 2 <= shape[0] <= MAX_POINTS:
+            raise self.refusal(f"has {name} of shape {shape}; an axis of 2 to {MAX_POINTS} points can be drawn")
+        values = np.asarray(self.data.values(name, slice(None)), dtype=float)
+        if not (np.isfinite(values).all() and np.all(np.diff(values) > 0)):
+            raise self.refusal(f"has a coordinate {name} that does not ascend")
+        return axis_of(name, values)
+
+
+def axis_of(name, values):
+    """The Axis with these ascending values."""
+    log = _evenly_spaced_in_log(values)
+    edges = np.exp(_edges(np.log(values))) if log else _edges(values)
+    if name == "frequency_ratio" and values[0] >= 0:
+        edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
+    return Axis(name, values, edges, log)
+
+
+def _edges(centres):
+    """Borders (n+1,) half-way between the centres (n,); the outer ones as far out as their inner neighbours."""
+    inner = (centres[:-1] + centres[1:]) / 2
+    return np.concatenate([[2 * centres[0] - inner[0]], inner, [2 * centres[-1] - inner[-1]]])
+
+
+def _evenly_spaced_in_log(values):
+    if len(values) < 3 or values[0] <= 0:
+        return False
+    linear, log = np.diff(values), np.diff(np.log(values))
+    return bool(np.ptp(log) < 1e-6 * log.mean() and np.ptp(linear) > 1e-3 * linear.mean())

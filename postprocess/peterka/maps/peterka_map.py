@@ -1,0 +1,116 @@
+"""The Peterka map: the class of z = p/q over Omega/omega and gap/A0 (the paper's Fig. 22).
+
+The dashed line is the edge of no impact of a hammer at rest in its steady state, gap/A0 = P: the amplitude P of the
+free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
+stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
+
+White dots lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest and
+counts as one impact. Dots, since lines across a class look like stripes of another one.
+"""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+from .reduce import class_picture
+
+WIDTH = 3.7  # in
+LINE_POINTS = 2000
+DOTS = 48  # along a side
+CHATTER_LOOK = {"marker": "o", "markersize": 1.7, "color": "white", "markeredgecolor": "black", "markeredgewidth": 0.3,
+                "linestyle": "none", "clip_on": False}
+EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path_effects": axes.outline(1.4)}
+
+
+def draw(file):
+    """The map of a map file as a Figure, with the share of each class in its legend."""
+    reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    orbits, regimes = _legend_entries(counts, file.observed_chaos)
+    chatter, chatter_entry = _chatter(file)
+    others = regimes + chatter_entry + _edge_entry(file)
+    legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
+    axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
+    axes.label_axes(ax, file)
+    if chatter:
+        ax.plot(*_dots(chatter), **CHATTER_LOOK)
+    _draw_edge_of_no_impact(ax, file)
+    axes.name_areas(ax, reduced, _names_to_write(counts))
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file)
+    return figure
+
+
+def edge_of_no_impact(frequency_ratio, damping_ratio):
+    """P of the module's text: amplitude of the impact-free motion relative to the cart, over A0."""
+    square = np.square(frequency_ratio)
+    return square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)
+
+
+def _names_to_write(counts):
+    named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES) if counts[n] and entry.orbit}
+    if counts[INDEX["no impact"]]:
+        named[INDEX["no impact"]] = ("no impact", CLASSES[INDEX["no impact"]].colour)
+    return named
+
+
+def _legend_entries(counts, observed_chaos):
+    """Legend entries of the classes that occur: those of an orbit p/q, and the others; chaos speaks of the cycles for
+    which it was observed, (fewest, most) or None."""
+    orbits, regimes = [], []
+    for n in np.flatnonzero(counts):
+        entry, share = CLASSES[n], axes.percent(counts[n] / counts.sum())
+        label = entry.label
+        if n == INDEX["chaotic"] and observed_chaos:
+            cycles = "–".join(f"{count:,}" for count in sorted(set(observed_chaos)))
+            label = f"chaotic for {cycles} cycles"
+        key = axes.legend_patch(f"{label} ({share})", entry.colour, n == INDEX["not computed yet"])
+        (orbits if entry.orbit or n == INDEX["other p/q"] else regimes).append(key)
+    return orbits, regimes
+
+
+def _chatter(file):
+    """Where cells chatter, reduced, and its entries of the legend; (None, []) without such cells."""
+    if not file.has_chatter:
+        return None, []
+    reduced, counts = class_picture(file, ["regime", "chatter"], lambda _, chatter: chatter == 1, 2)
+    if not counts[1]:
+        return None, []
+    return reduced, [Line2D([], [], label=f"chatter ({axes.percent(counts[1] / counts.sum())})",
+                            **CHATTER_LOOK | {"markersize": 3.5})]
+
+
+def _dots(reduced):
+    """(x, y) of a dot for each block of the plane with such a cell: at the cell that is nearest to the block's middle."""
+    shape = np.array(reduced.image.shape)
+    cells = np.argwhere(reduced.image != 0)
+    blocks = (cells * DOTS) // shape
+    away = np.sum(((cells + 0.5) * DOTS / shape - blocks - 0.5) ** 2, axis=1)
+    order = np.argsort(away, kind="stable")
+    _, first = np.unique(blocks[order] @ [DOTS, 1], return_index=True)
+    row, column = cells[order][first].T
+    middles = [(edges[1:] + edges[:-1]) / 2 for edges in (reduced.column_edges, reduced.row_edges)]
+    return middles[0][column], middles[1][row]
+
+
+def _draw_edge_of_no_impact(ax, file):
+    """Adds the line where the file gives the damping ratio."""
+    damping_ratio = _damping_ratio(file)
+    if damping_ratio is None:
+        return
+    low, high = file.columns.edges[[0, -1]]
+    ratio = np.geomspace(low, high, LINE_POINTS) if file.columns.log else np.linspace(low, high, LINE_POINTS)
+    with np.errstate(divide="ignore"):
+        edge = edge_of_no_impact(ratio, damping_ratio)
+    # Far above the picture the line has nothing to show, and its peak of 1/(2 zeta) would only be in the way.
+    ax.plot(ratio, np.where(edge <= 2 * file.rows.edges[-1], edge, np.nan), **EDGE_LOOK)
+
+
+def _edge_entry(file):
+    return [] if _damping_ratio(file) is None else [Line2D([], [], label="edge of no impact", **EDGE_LOOK)]
+
+
+def _damping_ratio(file):
+    value = file.number("damping_ratio")
+    return value if value is not None and value >= 0 else None

@@ -1,0 +1,35 @@
+"""Other numbers of the steady state over the plane of a map, where the file holds them: see TITLES.
+
+Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
+"""
+
+from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
+from ..look import units
+from . import field_map
+from .field_map import WITHOUT_IMPACTS, Field, Scale
+from .map_file import QUANTITIES
+
+TITLES = {
+    "impact_speed": "largest impact speed",
+    "impulse": "largest impulse of an impact",
+    "contact_time": "longest contact of an impact",
+    "contact_power_w": "mean power into the contact",
+    "max_displacement": "largest displacement $|x - y|$",
+}
+
+
+def draw(file, name):
+    """The picture of one of file.quantities as a Figure; None where no cell has a value."""
+    carries, apart = field_map.has_impacts, WITHOUT_IMPACTS
+    if name == "max_displacement":
+        carries, apart = _proved, ("unresolved", "failed")
+    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(name, largest)))
+
+
+def _proved(regime, *_):
+    return (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
+
+
+def _scale(name, largest):
+    factor, unit = units.with_prefix(largest, QUANTITIES[name][0])
+    return Scale(f"{TITLES[name]} ({unit})", factor, lambda value: units.amount(value, QUANTITIES[name][0]))

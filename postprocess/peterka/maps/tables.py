@@ -1,0 +1,87 @@
+"""Tables that a map file may carry beside its cells, checked like the rest: attractors of a basin, audited cells."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.regimes import check_labels
+
+MAX_ATTRACTORS = 4096
+MAX_SAMPLES = 2**20
+
+
+@dataclass(frozen=True)
+class Attractors:
+    """The table of a basin file, one row per attractor; every member has shape (count,)."""
+
+    regime: np.ndarray
+    impacts: np.ndarray
+    period: np.ndarray
+    peak_force_ratio: np.ndarray  # F/(m g)
+    orbit_displacement: np.ndarray  # (x - y)/A0 at forcing phase 0
+    orbit_velocity: np.ndarray  # (x' - y')/(A0 omega) there
+    cells: np.ndarray
+
+    @property
+    def count(self):
+        return len(self.regime)
+
+
+@dataclass(frozen=True)
+class Audit:
+    """Cells of a map that an independent engine solved again; every member has shape (count,)."""
+
+    row: np.ndarray
+    column: np.ndarray
+    regime: np.ndarray  # these three: what the audit found
+    impacts: np.ndarray
+    period: np.ndarray
+    force_error: np.ndarray  # of the map's peak force relative to the audit's; NaN where not comparable
+    agrees: np.ndarray  # bool: same regime, impacts and period
+
+    @property
+    def count(self):
+        return len(self.row)
+
+
+def read_attractors(data, shape):
+    """The Attractors of a basin file with cells of this shape."""
+    data.dataset("attractor", shape, INTEGER)
+    data.dataset("attractors/count", (), INTEGER)
+    count = int(data.values("attractors/count", ()))
+    capacity = data.dataset("attractors/regime", None, INTEGER).shape
+    if len(capacity) != 1 or not 0 <= count <= min(capacity[0], MAX_ATTRACTORS):
+        raise data.refusal(f"says it has {count} attractors, in a table of shape {capacity}")
+    columns = _columns(data, "attractors", Attractors, capacity, slice(0, count))
+    check_labels(data, columns)
+    return Attractors(**columns)
+
+
+def read_audit(data, shape):
+    """The Audit of a map with cells of this shape, without samples that are not solved yet; None without one."""
+    if not data.has("audit"):
+        return None
+    capacity = data.dataset("audit/cell", None, INTEGER).shape
+    if len(capacity) != 1 or capacity[0] > MAX_SAMPLES:
+        raise data.refusal(f"has an audit of shape {capacity}")
+    columns = _columns(data, "audit", Audit, capacity, slice(None)) | {"cell": data.values("audit/cell", slice(None))}
+    solved = (columns["agrees"] == 0) | (columns["agrees"] == 1)
+    columns = {name: column[solved] for name, column in columns.items()}
+    check_labels(data, columns)
+    row, column = columns["row"].astype(np.int64), columns["column"].astype(np.int64)
+    inside = (row >= 0) & (row < shape[0]) & (column >= 0) & (column < shape[1])
+    if not np.all(inside & (columns.pop("cell") == row * shape[1] + column)):
+        raise data.refusal("has an audited cell whose number, row and column don't belong together")
+    if np.any(columns["force_error"] < 0):
+        raise data.refusal("has an audit with a negative error")
+    return Audit(**columns | {"agrees": columns["agrees"] == 1})
+
+
+def _columns(data, group, table, capacity, rows):
+    columns = {}
+    for name in table.__dataclass_fields__:
+        real = name in ("peak_force_ratio", "orbit_displacement", "orbit_velocity", "force_error")
+        data.dataset(f"{group}/{name}", capacity, REAL if real else INTEGER)
+        columns[name] = data.values(f"{group}/{name}", rows)
+    return columns

@@ -1,0 +1,91 @@
+"""The program's engine in WebAssembly, built from src by src/page/build_wasm.sh when it is first needed, and the numbers
+of a cell in the order in which it takes them (CellNumber in src/page/interface.hpp)."""
+
+import hashlib
+import os
+import subprocess
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+SOURCE = ROOT / "src"
+SCRIPT = SOURCE / "page" / "build_wasm.sh"
+FOLDERS = ("support", "job", "scene", "motion", "trajectory", "regime", "trace", "page")
+LAWS = {
+    "kelvin_voigt": ("stiffness_n_per_m", "damping_ns_per_m"),
+    "restitution": ("coefficient",),
+    "hunt_crossley": ("stiffness_n_per_m_pow_n", "exponent", "dissipation_s_per_m"),
+}
+ENGINES = ("auto", "exact", "split", "cvode", "arkode")
+CUBIC_FORMS = ("relative", "absolute")
+PLACE = {"operating_point": ("frequency_ratio", "gap_ratio"), "start": ("displacement_ratio", "velocity_ratio")}
+
+
+class NoEngine(Exception):
+    """The page goes without; the message says why and what to do."""
+
+
+def module(cache=None):
+    """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
+    cache = cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))
+    if not SCRIPT.is_file():
+        raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing)")
+    built = cache / f"engine-{_fingerprint()}.wasm"
+    if not built.is_file():
+        _build(built)
+    return built.read_bytes()
+
+
+def _build(built):
+    try:
+        built.parent.mkdir(parents=True, exist_ok=True)
+        outcome = subprocess.run([SCRIPT, built], capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise NoEngine(f"the engine cannot be built: {error}") from error
+    if outcome.returncode != 0:
+        lines = outcome.stderr.strip().splitlines() or ["it says nothing"]
+        packages = " ".join((SCRIPT.with_name("packages.txt")).read_text().split())
+        raise NoEngine(f"the engine cannot be built: {lines[0][:200]}; on Debian 12: apt-get install {packages}")
+    for old in built.parent.glob("engine-*.wasm"):
+        if old != built:
+            old.unlink(missing_ok=True)
+
+
+def _fingerprint():
+    files = [path for folder in FOLDERS for path in sorted((SOURCE / folder).iterdir()) if path.is_file()]
+    digest = hashlib.sha256()
+    for path in [SOURCE / "engine_sources.txt", *files]:
+        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def cell_numbers(file):
+    """{name: number or None} of the file's job in the order of CellNumber; None also for what a cell has for itself.
+    The law's own names stand for its numbers under `contact`."""
+    text = file.data.attribute("job")
+    try:
+        job = tomllib.loads(text)
+        return _numbers(job)
+    except (TypeError, KeyError, ValueError, AttributeError) as error:
+        raise NoEngine(f"the job in the file can't be read ({type(error).__name__}: {str(error)[:100]})") from error
+
+
+def _numbers(job):
+    hammer, contact, solver = job["hammer"], job["contact"], job["solver"]
+    names = LAWS[contact["law"]]
+    numbers = {
+        "mass_kg": hammer["mass_kg"],
+        **{name: hammer.get(name) for name in
+           ("natural_frequency_hz", "stiffness_n_per_m", "damping_ns_per_m", "damping_ratio")},
+        "cubic_stiffness_n_per_m3": hammer["cubic_stiffness_n_per_m3"],
+        "cubic_form": CUBIC_FORMS.index(hammer["cubic"]),
+        "amplitude_m": job["cart"]["amplitude_m"],
+        "contact_law": list(LAWS).index(contact["law"]),
+        **{f"contact_{place}": contact[names[n]] if n < len(names) else 0.0
+           for n, place in enumerate(("first", "second", "third"))},
+        **{name: job["steady_state"][name] for name in ("max_cycles", "max_period", "chaos_cycles")},
+        "engine_choice": ENGINES.index(solver["engine"]),
+        **{name: solver[name] for name in ("tolerance", "omit_tolerance")},
+        **{name: job.get(table, {}).get(name) for table, names in PLACE.items() for name in names},
+    }
+    return {name: None if value is None else float(value) for name, value in numbers.items()}

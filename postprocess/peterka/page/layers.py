@@ -1,0 +1,118 @@
+"""What the cells of a file say, as planes for a page: their labels, and one layer for each dataset.
+
+A map of up to EXACT_CELLS cells has every dataset that lies on its cells, to the last bit. Of a larger one only labels
+and peak force are taken unless others are asked for, and real numbers are shortened to what `room` bytes hold.
+"""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import to_hex
+
+from ..files.checked_hdf5 import INTEGER, REAL, NotDrawable
+from ..look import classes
+
+from . import planes
+
+EXACT_CELLS = 2**20
+MOST_CELLS = 2**24  # of a page; --every takes a part of a larger map
+MOST_LABELS = 65536
+LABELS = ("regime", "impacts", "period")
+TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", "cycles": "cycles spent"}
+TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
+
+
+def labels(file, every):
+    """({"table": [[regime, p, q, class], ...], ...}, bytes): the label of each cell as a number of the table."""
+    key = np.concatenate([_key(band) for band in _bands(file, LABELS, every)])
+    found, first, index = np.unique(key, return_index=True, return_inverse=True)
+    if len(found) > MOST_LABELS:
+        raise file.refusal(f"has {len(found)} different z; a page holds {MOST_LABELS}")
+    regime, impacts, period = (found >> 48) - 128, (found >> 24) & 0xFFFFFF, found & 0xFFFFFF
+    table = np.column_stack([regime, impacts, period, classes.classify(regime, impacts, period)])
+    description, packed = planes.integers(index.reshape(key.shape))
+    return {"table": table.tolist(), "plane": description}, packed
+
+
+def datasets(file, asked):
+    """Names of the datasets that become layers: peak force in any case, for scripts ask for it."""
+    if asked is None:
+        asked = file.data.names() if file.shape[0] * file.shape[1] <= EXACT_CELLS else []
+    return ["peak_force_ratio", *(name for name in asked if name not in (*LABELS, "peak_force_ratio"))]
+
+
+def layers_of(file, name, every, room):
+    """[({description}, bytes), ...] of a dataset: one, or one per slot of [slot][row][column]. None where it isn't a
+    number per cell."""
+    shape = _shape(file, name)
+    if shape == file.shape:
+        return [_layer(file, name, name, file.data.values(name, slice(None))[::every, ::every], room)]
+    if shape is not None and len(shape) == 3 and shape[1:] == file.shape and 0 < shape[0] <= 16:
+        slots = range(shape[0])
+        return [_layer(file, name, f"{name}[{slot}]", file.data.values(name, slot)[::every, ::every], room)
+                for slot in slots]
+    return None
+
+
+def viridis():
+    """The pictures' scale of colours, from low to high."""
+    return [to_hex(colour) for colour in colormaps["viridis"](np.linspace(0, 1, 256))]
+
+
+def _layer(file, dataset, name, values, room):
+    description = {
+        "name": name,
+        "title": TITLES.get(dataset, dataset.replace("_", " ")) + name[len(dataset):].replace("[", " ").replace("]", ""),
+        "about": str(file.data.attribute("long_name", dataset) or ""),
+        "unit": str(file.data.attribute("units", dataset) or "1"),
+    }
+    if values.dtype.kind in INTEGER:
+        description |= _words(file, dataset)
+        plane, packed = planes.integers(values)
+    elif values.size <= EXACT_CELLS or np.nanmin(values, initial=0) < 0:
+        plane, packed = planes.reals(values)
+    else:
+        plane, packed = _shortened(values, room)
+    return description | {"plane": plane} | _span(values), packed
+
+
+def _shape(file, name):
+    """None where it is no dataset of numbers."""
+    try:
+        return file.data.dataset(name, None, INTEGER + REAL).shape
+    except NotDrawable:
+        return None
+
+
+def _shortened(values, room):
+    for bits in planes.SHORT_BITS:
+        plane, packed = planes.short_reals(values, bits)
+        if len(packed) <= room:
+            break
+    return plane, packed
+
+
+def _words(file, dataset):
+    try:
+        return {"words": {str(number): word for number, word in file.data.words(dataset).items()}}
+    except NotDrawable:
+        return {}
+
+
+def _span(values):
+    finite = values[np.isfinite(values)] if values.dtype.kind in REAL else values[values > -128]
+    if not finite.size:
+        return {"low": 0.0, "top": 1.0}
+    top, largest = float(np.percentile(finite, TOP_SHARE)), float(finite.max())
+    top = top if 0 < top and largest > 1.15 * top else largest
+    return {"low": min(0.0, float(finite.min())), "top": top if top > 0 else 1.0}
+
+
+def _key(band):
+    regime, impacts, period = (band[name].astype(np.int64) for name in LABELS)
+    return ((regime + 128) << 48) | (np.clip(impacts, 0, 0xFFFFFF) << 24) | np.clip(period, 0, 0xFFFFFF)
+
+
+def _bands(file, names, every):
+    """Bands of rows, checked, of which every `every`-th row and column is kept."""
+    for _, band in file.bands(list(names), every):
+        yield {name: values[::every, ::every] for name, values in band.items()}

@@ -1,0 +1,120 @@
+"""A map or basin file as one page of HTML that needs neither a server nor a network: its cells, the engine, and the
+scripts that show them, all inside. Whatever comes out of the file is data there, never HTML."""
+
+import base64
+import html
+import json
+import zlib
+from pathlib import Path
+
+from ..look import classes
+from ..maps import basin_map, field_map
+
+from . import layers
+from .engine import NoEngine, cell_numbers, module
+
+FOLDER = Path(__file__).resolve().parent
+# in this order, in one scope; those of WORKER once more in a scope of their own
+SCRIPTS = ["planes.js", "file.js", "engine.js", "colours.js", "plot.js", "map.js", "workers.js", "live.js", "basin.js",
+           "stage.js", "charts.js", "words.js", "cell.js", "rig.js", "legend.js", "address.js", "main.js"]
+WORKER = ["engine.js", "worker.js"]
+ROOM = 7_200_000  # bytes for all planes of a large map: 10 MB once they are text
+AXES = {
+    "frequency_ratio": ("Ω/ω", "excitation frequency", "Hz"),
+    "gap_ratio": ("gap/A₀", "gap", "mm"),
+    "displacement_ratio": ("x/A₀", "start: displacement of the hammer", "mm"),
+    "velocity_ratio": ("ẋ/(A₀ω)", "start: velocity of the hammer", "mm/s"),
+}
+
+
+def page(file, every=1, asked=None):
+    """(text of the page, sentences for the user) of an open PeterkaFile."""
+    blobs, notes = [], []
+    content = _header(file, every)
+    content["labels"], packed = layers.labels(file, every)
+    content["labels"]["blob"] = _keep(blobs, packed)
+    content["layers"] = _layers(file, every, asked, ROOM - len(packed), blobs)
+    content["classes"] = [{"label": entry.label, "colour": entry.colour, "orbit": entry.orbit} for entry in classes.CLASSES]
+    content["viridis"] = layers.viridis()
+    content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
+    content["no_value"] = field_map.NO_VALUE_COLOUR
+    content["apart"] = [*field_map.WITHOUT_IMPACTS, "not computed yet"]
+    for key, find in (("cell", lambda: cell_numbers(file)), ("engine", lambda: _keep(blobs, zlib.compress(module(), 9)))):
+        try:
+            content[key] = find()
+        except NoEngine as reason:
+            content[key] = None
+            content["missing"] = str(reason)
+            notes.append(f"{file.path}: the page has no engine: {reason}")
+    return _filled(content, blobs, file.title), notes
+
+
+def _header(file, every):
+    attribute = file.data.attribute
+    return {
+        "title": file.title,
+        "name": file.path.name,
+        "kind": file.kind,
+        "every": every,
+        "computed": file.computed,
+        "source": str(attribute("source") or ""),
+        "commit": str(attribute("git_commit") or ""),
+        "arithmetic": str(attribute("arithmetic") or ""),
+        "newtons": file.newtons,
+        "damping_ratio": file.number("damping_ratio"),
+        "hertz": file.positive("natural_frequency_hz"),
+        "amplitude_m": file.positive("cart_amplitude_m"),
+        "place": {name: file.number(name) for name in ("frequency_ratio", "gap_ratio")},
+        "rows": _axis(file.rows, every),
+        "columns": _axis(file.columns, every),
+    }
+
+
+def _axis(axis, every):
+    symbol, about, unit = AXES[axis.name]
+    return {"name": axis.name, "symbol": symbol, "about": about, "unit": unit, "log": axis.log,
+            "values": axis.values[::every].tolist()}
+
+
+def _layers(file, every, asked, room, blobs):
+    kept = []
+    for name in layers.datasets(file, asked):
+        for description, packed in layers.layers_of(file, name, every, room) or _no_layer(file, name, asked):
+            room = max(room - len(packed), 0)
+            kept.append(description | {"blob": _keep(blobs, packed)})
+    return kept
+
+
+def _no_layer(file, name, asked):
+    if asked is not None:
+        raise file.refusal(f"has no number of each cell named {name}")
+    return []
+
+
+def _keep(blobs, packed):
+    blobs.append(base64.b64encode(packed).decode("ascii"))
+    return len(blobs) - 1
+
+
+def _filled(content, blobs, title):
+    parts = {
+        "title": html.escape(title),
+        "style": (FOLDER / "page.css").read_text(),
+        "content": _inert(json.dumps(content, allow_nan=False, ensure_ascii=True)),
+        "blobs": "\n".join(f'<script type="text/plain" id="blob-{n}">{text}</script>' for n, text in enumerate(blobs)),
+        "worker": _scripts(WORKER),
+        "script": _scripts(SCRIPTS),
+    }
+    text = (FOLDER / "page.html").read_text()
+    for name, part in parts.items():
+        text = text.replace(f"<!--{name}-->", part, 1)
+    return text
+
+
+def _inert(text):
+    """JSON in which nothing can end its script."""
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _scripts(names):
+    return "\n".join((FOLDER / name).read_text() for name in names)

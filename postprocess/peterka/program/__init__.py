@@ -1,0 +1,2 @@
+"""What the programs share: a Python that has the packages (interpreter), exit codes, arguments and messages
+(command_line)."""

@@ -1,0 +1,93 @@
+"""What the programs share: exit codes, arguments, what they print, and pictures put into a folder."""
+
+import argparse
+import errno
+import os
+import sys
+from pathlib import Path
+
+from ..files.harmless import harmless
+from ..look import axes
+
+FORMATS = ("png", "pdf")
+DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
+LONGEST_COMPLAINT = 2000  # letters
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """Shows `description` as it is written; tells what is wrong in one line."""
+
+    def __init__(self, description):
+        super().__init__(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+
+    def error(self, message):
+        self.exit(BAD_INPUT, f"{self.prog}: {harmless(message, LONGEST_COMPLAINT)}; --help shows the arguments\n")
+
+    def print_help(self, file=None):
+        tell(self.format_help().rstrip("\n"))
+
+    def exit(self, status=DONE, message=None):
+        super().exit(exit_code(status), message)
+
+    def add_picture_arguments(self):
+        """--output-dir and --formats."""
+        self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
+        self.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+
+
+def read_formats(text):
+    formats = text.split(",")
+    if not set(formats) <= set(FORMATS):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
+    return formats
+
+
+class _Output:
+    lost = False  # something could not be printed
+
+
+def tell(line):
+    """Prints a line; who reads the list only in part (draw.py ... | head) gets all pictures nevertheless. What can't be
+    printed for another reason is complained of, and all pictures are made, too; exit_code() tells of it."""
+    try:
+        if sys.stdout is None:
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        print("\n".join(harmless(part, None) for part in str(line).split("\n")), flush=True)
+    except BrokenPipeError:
+        _drop_stdout()
+    except OSError as error:
+        if not _Output.lost:
+            complain(f"standard output cannot be written: {error.strerror}; files are written nevertheless")
+        _Output.lost = True
+        _drop_stdout()
+
+
+def _drop_stdout():
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def exit_code(outcome):
+    """Of the program, whose work came to this."""
+    return BAD_OUTPUT if _Output.lost and outcome == DONE else outcome
+
+
+def complain(message):
+    """One line to stderr, after the program's name."""
+    try:
+        print(f"{Path(sys.argv[0]).name}: {harmless(' '.join(str(message).split()), LONGEST_COMPLAINT)}", file=sys.stderr)
+    except OSError:
+        pass  # nobody reads it; the exit code says it, too
+
+
+def complain_of_folder(folder, error):
+    complain(f"cannot write into {folder}: {error.strerror or error}")
+
+
+def save_all(figure, folder, name, formats):
+    """Writes the picture in each format into a folder, made where it is missing, and tells where."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for suffix in formats:
+        picture = folder / f"{name}.{suffix}"
+        axes.save(figure, picture)
+        tell(picture)

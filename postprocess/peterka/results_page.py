@@ -1,0 +1,93 @@
+"""The results page: what studies and map files say, in Markdown, with the pictures that lie beside it."""
+
+import numpy as np
+
+from .files.harmless import harmless
+from .maps.audit_map import compared_errors
+from .pictures import picture_name
+from .studies.study_words import (
+    labels_table, rigid_limit_sentence, stability_table, where_engines_break, work_precision_table,
+)
+
+INTRODUCTION = """# Results
+
+Written by `jobs/results.sh` from the files that the program computes. Times are multiples of the exact engine's on the
+same machine, so that they hold elsewhere, too."""
+
+
+def page(files):
+    """The text for these open files; studies of one topic and any number of maps."""
+    sections = [INTRODUCTION]
+    for topic, write in (("work_precision", _work_precision), ("labels", _labels), ("stability", _stability)):
+        sections += [write(file) for file in files if file.kind == "study" and file.topic == topic]
+    maps = [file for file in files if file.kind == "map"]
+    if maps:
+        sections.append(_omitted(maps))
+    return "\n\n".join(sections) + "\n"
+
+
+def pictures(files):
+    """Names of the pictures that the page shows, as draw.py gives them."""
+    return [f"{picture_name(file, file.topic)}.png" for file in files if file.kind == "study"]
+
+
+def _picture(file):
+    name, = pictures([file])
+    return f"![{file.topic.replace('_', ' ')}]({name})"
+
+
+def _work_precision(file):
+    cells = file.table.outcome.shape[1]
+    return "\n\n".join([
+        f"## Error and time: {harmless(file.title, page=True)}",
+        f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
+        "left out, and every method does the same work.",
+        work_precision_table(file.table),
+        "Errors are of the cells that the method came through; `time for` is the fastest run whose median error is "
+        "that small or smaller.",
+        _picture(file),
+    ])
+
+
+def _labels(file):
+    return "\n\n".join([
+        "## What errors do to a map",
+        f"{harmless(file.title, page=True)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
+        "reference run, and cells without a proof.",
+        labels_table(file.table),
+        _picture(file),
+    ])
+
+
+def _stability(file):
+    return "\n\n".join(filter(None, [
+        "## Where engines break",
+        f"{len(file.table.scene)} stiff and extreme scenes. An engine agrees with the reference, says why it has no "
+        "result, is wrong (it claims what the reference contradicts), or is not meant for the scene.",
+        stability_table(file.table),
+        where_engines_break(file.table),
+        rigid_limit_sentence(file.table),
+        _picture(file),
+    ]))
+
+
+def _omitted(maps):
+    parts = ["## What `auto` left out"]
+    for file in maps:
+        sentences = [harmless(line, None, page=True) for line in file.data.text("summary/omitted")]
+        parts.append(f"**{harmless(file.title, page=True)}**\n\n" + ("\n".join(f"- {line}" for line in sentences) or "- nothing"))
+        parts.append(_audit_sentence(file.audit))
+    return "\n\n".join(parts)
+
+
+def _audit_sentence(audit):
+    """Why that was safe: what an engine that leaves nothing out found in a sample of the cells."""
+    if audit is None or audit.count == 0:
+        return "No cell of this map was audited."
+    errors = compared_errors(audit.force_error)
+    text = (f"Audit: an independent engine, which leaves nothing out, solved {audit.count} random cells again. "
+            f"{int(np.sum(audit.agrees))} have the same regime and z = p/q")
+    if not len(errors):
+        return text + "; none has a force to compare."
+    return (text + f"; the peak forces of the {len(errors)} comparable ones differ by {np.median(errors):.1e} in the "
+            f"median, {np.quantile(errors, 0.99):.1e} in 99 %, {errors[-1]:.1e} at most.")

@@ -1,0 +1,151 @@
+"""Parallel efficiency against ranks: the measured tiles dealt again to any number of ranks (dealing), for maps of
+several sizes, and next to it what was measured.
+
+Dotted: rank 0 serves at once. Where a line leaves its dotted one, rank 0 is what the others wait for; where the dotted
+one falls, there are too few tiles for so many ranks.
+"""
+
+from dataclasses import dataclass, replace
+from itertools import groupby
+from math import isqrt
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from .dealing import MOST_REPLAYS, typical
+from .tile_costs import TileCosts, goes_by_squares, tiles_of
+
+WIDTH, HEIGHT = 3.7, 3.0  # in, without the legend
+COLOURS = ("#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito
+MARKERS = "osD^v"
+WELL_USED = 0.9  # efficiency down to which ranks are well used
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The same plane as a map of so many cells; members of shape (ranks,)."""
+
+    cells: int
+    tiles: tuple  # rows and columns
+    replays: list  # of dealing.Replay
+    ideal: list  # the same with a rank 0 that serves at once
+
+
+@dataclass(frozen=True)
+class Measured:
+    cells: int
+    ranks: int
+    seconds: float
+    efficiency: float  # against the run of as many cells on one rank
+
+
+def ranks_up_to(most):
+    """1, 2, 5, 10, ... and `most` itself."""
+    decades = 10 ** np.arange(int(np.log10(most)) + 1)
+    return sorted({int(number) for number in np.outer(decades, (1, 2, 5)).ravel() if number <= most} | {most})
+
+
+def curve(record, cells, ranks, machine):
+    """The Curve of a map of about so many cells, as many along one side as along the other."""
+    shape = record.shape if cells == record.cells else (isqrt(cells),) * 2
+    tiles = tiles_of(shape)
+    ideal = replace(machine, service=0.0)
+    real, at_once = [], []
+    for _, group in groupby(ranks, lambda number: goes_by_squares(tiles[0] * tiles[1], number)):
+        numbers = list(group)
+        costs = TileCosts(record.tile_seconds, tiles, numbers[0])
+        real += [typical(costs, number, machine) for number in numbers]
+        at_once += [typical(costs, number, ideal) for number in numbers]
+    return Curve(cells, tiles, real, at_once)
+
+
+def measured_efficiency(records):
+    """(list of Measured, list of RunRecord without a run on one rank to compare with)."""
+    alone = {}
+    for record in records:
+        if record.ranks == 1:
+            alone[record.shape] = min(record.seconds, alone.get(record.shape, np.inf))
+    points = [Measured(record.cells, record.ranks, record.seconds,
+                       alone[record.shape] / (record.ranks * record.seconds))
+              for record in records if record.shape in alone]
+    return points, [record for record in records if record.shape not in alone]
+
+
+def most_ranks(replays, least=WELL_USED):
+    """The largest number of ranks up to which all efficiencies are at least this; 1 rank always is well used."""
+    well = 1
+    for one in replays:
+        if one.efficiency < least:
+            break
+        well = one.ranks
+    return well
+
+
+def well_used(curve):
+    """Up to how many ranks, and whether rank 0 is what limits that."""
+    real, ideal = most_ranks(curve.replays), most_ranks(curve.ideal)
+    ranks = f"{real} rank{'s' * (real > 1)}"
+    return f"{ranks}, and up to {ideal} if rank 0 served at once" if ideal > real else f"{ranks}; rank 0 is not what limits it"
+
+
+def text(curves, machine):
+    """The numbers of the picture, and where rank 0 is too slow."""
+    lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 served at once':>26}"]
+    for one in curves:
+        for real, ideal in zip(one.replays, one.ideal):
+            lines.append(f"{one.cells:>9.3g}{real.ranks:>8}{real.seconds:>11.4g}{100 * real.efficiency:>10.1f} %"
+                         f"{100 * ideal.efficiency:>24.1f} %")
+    for one in curves:
+        lines.append(f"{one.cells:.3g} cells: {100 * WELL_USED:.0f} % efficiency up to {well_used(one)}.")
+    scatter = max(real.scatter for one in curves for real in one.replays)
+    if scatter > 0:
+        lines.append("Which rank gets the last dear tile is chance: times are means of up to "
+                     f"{MOST_REPLAYS} replays, which scatter by {100 * scatter:.1f} % at most (standard deviation).")
+    return "\n".join([*lines, assumptions(machine)])
+
+
+def assumptions(machine):
+    return (f"Rank 0 deals {_rate(machine)} runs a second and looks for requests every {1e6 * machine.look:.3g} µs, a "
+            f"message takes {1e6 * machine.latency:.3g} µs; starting up and the file are left out.")
+
+
+def draw(record, curves, measured, machine):
+    """Figure of Curves and Measured points."""
+    handles = [Line2D([], [], color=COLOURS[number % len(COLOURS)], marker=MARKERS[number % len(MARKERS)],
+                      markersize=3.5, linewidth=1.1, label=f"{_power(one.cells)} cells")
+               for number, one in enumerate(curves)]
+    handles.append(Line2D([], [], color="#555555", linestyle=":", linewidth=1.0, label="rank 0 serves at once"))
+    if measured:
+        handles.append(Line2D([], [], **_MEASURED, label="measured"))
+    figure, ax = axes.diagram(WIDTH, HEIGHT, handles)
+    for number, one in enumerate(curves):
+        colour, marker = COLOURS[number % len(COLOURS)], MARKERS[number % len(MARKERS)]
+        ranks = [real.ranks for real in one.replays]
+        ax.plot(ranks, [100 * ideal.efficiency for ideal in one.ideal], color=colour, linestyle=":", linewidth=1.0)
+        ax.plot(ranks, [100 * real.efficiency for real in one.replays], color=colour, marker=marker, markersize=3.5,
+                linewidth=1.1)
+    for point in measured:
+        ax.plot(point.ranks, 100 * point.efficiency, **_MEASURED)
+    axes.log_scale(ax, "x")
+    ax.set_ylim(0, max(105, 105 * max((point.efficiency for point in measured), default=0)))
+    ax.margins(x=0.04)
+    ax.set_xlabel("ranks")
+    ax.set_ylabel("parallel efficiency (%)")
+    axes.write_title(figure, record, f"rank 0 deals {_rate(machine)} runs a second,\n"
+                                     f"a message takes {1e6 * machine.latency:.3g} µs")
+    return figure
+
+
+_MEASURED = {"marker": "*", "linestyle": "none", "markersize": 10, "markerfacecolor": "#F0E442",
+             "markeredgecolor": "black", "markeredgewidth": 0.7, "zorder": 5}
+
+
+def _rate(machine):
+    return f"{float(f'{1 / machine.service:.2g}'):,.0f}".replace(",", " ")
+
+
+def _power(cells):
+    exponent = int(np.floor(np.log10(cells)))
+    factor = cells / 10**exponent
+    return f"$10^{{{exponent}}}$" if abs(factor - 1) < 0.005 else f"${factor:.2g}\\cdot10^{{{exponent}}}$"

@@ -1,0 +1,39 @@
+"""What a finished map file tells of its run: the time of every tile, the ranks, the wall time of all tiles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..maps.map_file import PeterkaFile
+from .tile_costs import tiles_of, whole_tiles
+
+
+@dataclass(frozen=True)
+class RunRecord:
+    path: str
+    title: str
+    shape: tuple  # cells
+    tile_seconds: np.ndarray  # [rows][columns] of tiles, each as if it were a whole one
+    ranks: int
+    seconds: float  # wall time of solving and storing the cells
+
+    @property
+    def cells(self):
+        return self.shape[0] * self.shape[1]
+
+
+def read_record(path):
+    """The RunRecord of the file at this path; NotDrawable where it has none."""
+    with PeterkaFile(path) as file:
+        rows, columns = tiles_of(file.shape)
+        file.data.dataset("run/tile_seconds", (rows * columns,), REAL)
+        file.data.dataset("run/ranks", (), INTEGER)
+        file.data.dataset("run/solve_seconds", (), REAL)
+        seconds = file.data.values("run/tile_seconds", slice(None))
+        ranks, wall = int(file.data.values("run/ranks", ())), float(file.data.values("run/solve_seconds", ()))
+        if not np.all(np.isfinite(seconds) & (seconds >= 0)) or not seconds.sum() > 0:
+            raise file.refusal("lacks the times of some tiles; a finished map is needed")
+        if ranks < 1 or not 0 < wall < np.inf:
+            raise file.refusal(f"says it took {ranks} ranks {wall:g} s; a finished map is needed")
+        return RunRecord(str(file.path), file.title, file.shape, whole_tiles(seconds, file.shape), ranks, wall)

@@ -1,0 +1,151 @@
+"""A study's file, checked before anything in it is believed. Its `table` is that of its topic:
+
+    work_precision   error and time of methods of integration, runs x cells
+    labels           share of changed labels of a small map, one number a run
+    stability        what became of extreme scenes, scenes x engines, and the limit of a rigid stop
+
+Names stand in the file as flag_meanings; here they are arrays of words, "" where nothing is computed. Measured times
+are in the group `run`. Runs are called trials in the file, whose group `run` is what was measured.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..files.opened import OpenedFile
+
+MAX_SIDE = 4096  # runs, cells, scenes, engines or rungs
+MAX_NUMBERS = 2**20
+
+
+@dataclass(frozen=True)
+class WorkPrecision:
+    """Shapes (runs,), (cells,) and (runs, cells)."""
+
+    frequency_ratio: np.ndarray
+    gap_ratio: np.ndarray
+    method: np.ndarray
+    setting: np.ndarray  # tolerance; steps a cycle of a fixed step; 0 where there is none
+    outcome: np.ndarray  # done, failed, other_orbit
+    error_peak_force: np.ndarray  # relative
+    seconds_per_cycle: np.ndarray
+
+
+@dataclass(frozen=True)
+class Labels:
+    """Shape (runs,)."""
+
+    cells: int
+    method: np.ndarray
+    setting: np.ndarray
+    changed_share: np.ndarray
+    unproved_share: np.ndarray
+    seconds_per_cell: np.ndarray
+
+
+@dataclass(frozen=True)
+class Stability:
+    """Shapes (scenes,), (engines,), (scenes, engines) and, of the limit of a rigid stop, (rungs,)."""
+
+    scene: np.ndarray
+    engine: np.ndarray
+    outcome: np.ndarray  # agrees, says_why_not, wrong, not_for_this_scene
+    regime: np.ndarray
+    status: np.ndarray
+    energy_imbalance: np.ndarray
+    contact_stiffness: np.ndarray
+    speed_difference: np.ndarray
+
+
+class StudyFile(OpenedFile):
+    """A checked, open study: topic and table."""
+
+    @cached_property
+    def computed(self):
+        """Share of the results that are there, 0 to 1."""
+        table = self.table
+        return float(np.mean(np.isfinite(table.changed_share) if self.topic == "labels" else table.outcome != ""))
+
+    def check_content(self):
+        self.topic = self.data.attribute("topic")
+        if not isinstance(self.topic, str) or self.topic not in _READERS:
+            raise self.refusal(f"is a study of {shown(self.topic)}; this program draws {', '.join(_READERS)}")
+        self.table = _READERS[self.topic](_Columns(self.data))
+
+
+class _Columns:
+    """Reads whole datasets of known shapes."""
+
+    def __init__(self, data):
+        self._data = data
+
+    def count(self, name):
+        shape = self._data.dataset(name, None, INTEGER + REAL).shape
+        if len(shape) != 1 or not 1 <= shape[0] <= MAX_SIDE:
+            raise self._data.refusal(f"has {name} of shape {shape}; 1 to {MAX_SIDE} can be drawn")
+        return shape[0]
+
+    def numbers(self, name, *shape):
+        self._data.dataset(name, shape, REAL)
+        if np.prod(shape) > MAX_NUMBERS:
+            raise self._data.refusal(f"has {name} of shape {shape}, too large to draw")
+        return np.asarray(self._data.values(name, ...), dtype=float)
+
+    def words(self, name, *shape):
+        self._data.dataset(name, shape, INTEGER)
+        if np.prod(shape) > MAX_NUMBERS:
+            raise self._data.refusal(f"has {name} of shape {shape}, too large to draw")
+        words, values = self._data.words(name), self._data.values(name, ...)
+        return np.array([words.get(int(value), "") for value in values.ravel()], dtype=object).reshape(shape)
+
+    def whole_number(self, name):
+        self._data.dataset(name, (), INTEGER)
+        return int(self._data.values(name, ()))
+
+    def has(self, name):
+        return self._data.has(name)
+
+
+def _work_precision(file):
+    runs, cells = file.count("method"), file.count("frequency_ratio")
+    return WorkPrecision(
+        frequency_ratio=file.numbers("frequency_ratio", cells),
+        gap_ratio=file.numbers("gap_ratio", cells),
+        method=file.words("method", runs),
+        setting=file.numbers("setting", runs),
+        outcome=file.words("outcome", runs, cells),
+        error_peak_force=file.numbers("error_peak_force", runs, cells),
+        seconds_per_cycle=file.numbers("run/seconds_per_cycle", runs, cells),
+    )
+
+
+def _labels(file):
+    runs = file.count("method")
+    return Labels(
+        cells=file.whole_number("cells"),
+        method=file.words("method", runs),
+        setting=file.numbers("setting", runs),
+        changed_share=file.numbers("changed_share", runs),
+        unproved_share=file.numbers("unproved_share", runs),
+        seconds_per_cell=file.numbers("run/seconds_per_cell", runs),
+    )
+
+
+def _stability(file):
+    scenes, engines = file.count("scene"), file.count("engine")
+    rungs = file.count("rung") if file.has("rung") else 0
+    return Stability(
+        scene=file.words("scene", scenes),
+        engine=file.words("engine", engines),
+        outcome=file.words("outcome", scenes, engines),
+        regime=file.words("regime", scenes, engines),
+        status=file.words("status", scenes, engines),
+        energy_imbalance=file.numbers("energy_imbalance", scenes, engines),
+        contact_stiffness=file.numbers("contact_stiffness", rungs) if rungs else np.array([]),
+        speed_difference=file.numbers("speed_difference", rungs) if rungs else np.array([]),
+    )
+
+
+_READERS = {"work_precision": _work_precision, "labels": _labels, "stability": _stability}

@@ -1,0 +1,118 @@
+"""Frequency response of a sweep: peak force against the excitation frequency, a panel for each gap (the paper's Figs. 9
+to 11 and 14 to 16), with jumps and the largest force of z = 1/1: the impact resonance, where it is a maximum inside.
+
+Motions with a period are lines; largest forces of those without one, over the window observed, are single marks.
+"""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import units
+from . import sweep_panels
+from .sweep_panels import LOOKS
+
+MOST_LABELLED = 3  # jumps of a branch
+CLOSE = 0.004  # of the panel's width: marks of both branches that are closer than this are one
+RESONANCE = {"marker": "*", "markersize": 9, "markeredgecolor": "black", "markeredgewidth": 0.7, "linestyle": "none"}
+CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
+
+
+def draw(file, measured):
+    """The response as a Figure; None where no point has a force."""
+    if not any(np.any(branch.force > 0) for branch in file.branches):
+        return None
+    second = _second_scale(file)
+    has_measured = any(point.force is not None for point in measured.points)
+    figure, panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured)
+    for gap, ax in panels.items():
+        for branch in file.at_gap(gap):
+            _draw_branch(ax, file, branch)
+        points = measured.at_gap(gap)
+        top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
+                  + [point.force for point in points if point.force is not None])
+        notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
+        sweep_panels.head_notes(ax, notes, 1.05 * top if top > 0 else 1)
+        sweep_panels.draw_measured(ax, points, lambda point: point.force)
+    return figure
+
+
+def _second_scale(file):
+    if not file.newtons:
+        return None
+    largest = max(np.nanmax(np.nan_to_num(branch.force)) for branch in file.branches)
+    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    return f"peak force ({unit})", file.newtons * factor
+
+
+def _handles(file):
+    handles = []
+    for name in sweep_panels.directions(file):
+        look = LOOKS[name]
+        handles.append(Line2D([], [], label=look.label, color=look.colour, linestyle=look.linestyle,
+                              linewidth=look.linewidth))
+        if any(_scattered(branch).any() for branch in file.branches if branch.direction == name):
+            handles.append(Line2D([], [], label=f"{name}: no period", color=look.colour, marker=look.marker,
+                                  markersize=2.5, linestyle="none"))
+    strongest = [(branch, branch.strongest_single()) for branch in file.branches]
+    found = {branch.is_resonance(at) for branch, at in strongest if at is not None}
+    if True in found:
+        handles.append(Line2D([], [], label="impact resonance ($z = 1/1$)", color="white", **RESONANCE))
+    if False in found:
+        handles.append(Line2D([], [], label="largest of $z = 1/1$, cut off", color="white", **CUT_OFF))
+    if any(branch.jumps() for branch in file.branches):
+        handles.append(Line2D([], [], label="jump", color="black", linewidth=0.7, linestyle=":"))
+    return handles
+
+
+def _scattered(branch):
+    return ~branch.has_period & np.isfinite(branch.force)
+
+
+def _draw_branch(ax, file, branch):
+    look, x = LOOKS[branch.direction], file.frequency_ratio
+    y = np.where(branch.has_period, branch.force, np.nan)
+    # a line ends where the force jumps
+    cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
+    ax.plot(np.insert(x, cuts, np.nan), np.insert(y, cuts, np.nan), color=look.colour, linestyle=look.linestyle,
+            linewidth=look.linewidth, zorder=look.zorder)
+    apart = _scattered(branch)
+    ax.plot(x[apart], branch.force[apart], color=look.colour, marker=look.marker, markersize=1.8, markeredgewidth=0,
+            linestyle="none", zorder=look.zorder - 0.5)
+    for before, after in branch.jumps():
+        middle = (x[before] + x[after]) / 2
+        ax.annotate("", (middle, branch.force[after]), (middle, branch.force[before]), zorder=look.zorder + 1,
+                    arrowprops={"arrowstyle": "-|>", "linestyle": ":", "linewidth": 0.8, "color": look.colour,
+                                "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7})
+
+
+def _jump_notes(file, gap):
+    """The frequencies of the largest jumps."""
+    notes = []
+    for branch in file.at_gap(gap):
+        for before, after in branch.jumps()[:MOST_LABELLED]:
+            middle = (file.frequency_ratio[before] + file.frequency_ratio[after]) / 2
+            highest = max(branch.force[before], branch.force[after])
+            _add(notes, file, (middle, highest, sweep_panels.frequency_text(file, middle), LOOKS[branch.direction].colour))
+    return notes
+
+
+def _mark_strongest(ax, file, gap):
+    """A star at the resonance of each branch, a square at a largest force that is none; gives their notes."""
+    notes = []
+    for branch in file.at_gap(gap):
+        at = branch.strongest_single()
+        if at is None:
+            continue
+        look, sign = (RESONANCE, "★") if branch.is_resonance(at) else (CUT_OFF, "■")
+        x, force = file.frequency_ratio[at], branch.force[at]
+        ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
+        newtons = f" = {units.amount(force * file.newtons, 'N')}" if file.newtons else ""
+        text = f"{sign} {units.number(force)}{newtons} at {sweep_panels.frequency_text(file, x)}"
+        _add(notes, file, (x, force, text, "black"))
+    return notes
+
+
+def _add(notes, file, note):
+    """Unless there is one already for the same place."""
+    if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.frequency_ratio) for other in notes):
+        notes.append(note)

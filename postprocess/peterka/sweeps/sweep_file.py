@@ -1,0 +1,133 @@
+"""A sweep's file, checked before anything in it is believed: branches along the frequency, one for each gap and
+direction, each with the classes and peak forces of a map and with samples of its steady motions.
+
+Layout version 2, on [branch][frequency_ratio]: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
+jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
+impact_displacement [x/A0 at first touch]. What cannot be drawn raises NotDrawable.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.opened import OpenedFile
+from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC, UNRESOLVED, check_labels
+
+MAX_POINTS = 2**20  # of all branches together
+MAX_SAMPLES = 2**27
+DIRECTIONS = ("up", "down", "independent")
+CELLS = {"regime": INTEGER, "impacts": INTEGER, "period": INTEGER, "peak_force_ratio": REAL, "jump": INTEGER}
+SAMPLED = ("stroboscopic_displacement", "impact_displacement")
+WITHOUT_PERIOD = (CHAOTIC, UNRESOLVED)
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Of one gap and direction; every array (points,), along the frequencies."""
+
+    row: int
+    gap_ratio: float
+    direction: str
+    regime: np.ndarray
+    impacts: np.ndarray
+    period: np.ndarray
+    force: np.ndarray  # F/(m g), NaN where there is none
+    jump: np.ndarray  # whether the force jumps on the way here, from the point before in the branch's direction
+
+    @property
+    def has_period(self):
+        return ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
+
+    def jumps(self):
+        """(index of the point before, index of the point after) of each jump, the largest first."""
+        after = np.flatnonzero(self.jump)
+        before = after + 1 if self.direction == "down" else after - 1
+        order = np.argsort(-np.abs(self.force[after] - self.force[before]), kind="stable")
+        return [(int(before[i]), int(after[i])) for i in order]
+
+    def strongest_single(self):
+        """Index of the largest force among z = 1/1; None where no point has one."""
+        single = self._single()
+        return int(np.argmax(np.where(single, self.force, -1.0))) if single.any() else None
+
+    def is_resonance(self, at):
+        """Whether the largest force is a maximum inside its band of z = 1/1; else it may be cut off, by a jump, by another
+        class or by the end of the sweep."""
+        inside = 0 < at < len(self.force) - 1
+        landings = (at, at - 1) if self.direction == "down" else (at, at + 1)
+        return bool(inside and self._single()[at - 1:at + 2].all() and not self.jump[list(landings)].any())
+
+    def _single(self):
+        return (self.regime == PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
+
+
+class SweepFile(OpenedFile):
+    """A checked, open sweep: frequency_ratio (points,), branches, gaps."""
+
+    @cached_property
+    def computed(self):
+        """Share of the points that are computed, 0 to 1."""
+        return float(np.mean([np.mean(branch.regime != NOT_COMPUTED) for branch in self.branches]))
+
+    @property
+    def gaps(self):
+        """Gap ratios in the order of the file, each once."""
+        return list(dict.fromkeys(branch.gap_ratio for branch in self.branches))
+
+    def at_gap(self, gap):
+        return [branch for branch in self.branches if branch.gap_ratio == gap]
+
+    def samples(self, name, branch):
+        """(index of the point, value) of every sample of a branch, two arrays of one length."""
+        values = np.asarray(self.data.values(name, branch.row), dtype=float)
+        points, columns = np.nonzero(np.isfinite(values))
+        return points, values[points, columns]
+
+    def check_content(self):
+        self.frequency_ratio = self._numbers("frequency_ratio")
+        if not (np.isfinite(self.frequency_ratio).all() and np.all(np.diff(self.frequency_ratio) > 0)):
+            raise self.refusal("has a coordinate frequency_ratio that does not ascend")
+        gaps = self._numbers("gap_ratio")
+        if not np.isfinite(gaps).all():
+            raise self.refusal("has a gap_ratio that is no number")
+        shape = (len(gaps), len(self.frequency_ratio))
+        if np.prod(shape) > MAX_POINTS:
+            raise self.refusal(f"has {np.prod(shape)} points; at most {MAX_POINTS} can be drawn")
+        self._check_samples(shape)
+        directions = self._directions(len(gaps))
+        self.branches = [self._branch(row, float(gap), direction, shape)
+                         for row, (gap, direction) in enumerate(zip(gaps, directions))]
+
+    def _numbers(self, name):
+        shape = self.data.dataset(name, None, REAL).shape
+        if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
+            raise self.refusal(f"has {name} of shape {shape}; 1 to {MAX_POINTS} can be drawn")
+        return np.asarray(self.data.values(name, slice(None)), dtype=float)
+
+    def _directions(self, count):
+        self.data.dataset("direction", (count,), INTEGER)
+        numbers = self.data.values("direction", slice(None))
+        if not np.isin(numbers, range(len(DIRECTIONS))).all():
+            raise self.refusal(f"has a direction that is not one of {', '.join(DIRECTIONS)}")
+        return [DIRECTIONS[number] for number in numbers]
+
+    def _check_samples(self, shape):
+        samples = self.data.dataset("sample", None, INTEGER).shape
+        if len(samples) != 1 or np.prod(shape) * samples[0] > MAX_SAMPLES:
+            raise self.refusal(f"has samples of shape {(*shape, *samples)}, too many to draw")
+        for name in SAMPLED:
+            self.data.dataset(name, (*shape, *samples), REAL)
+
+    def _branch(self, row, gap, direction, shape):
+        for name, kinds in CELLS.items():
+            self.data.dataset(name, shape, kinds)
+        cells = {name: self.data.values(name, row) for name in CELLS}
+        check_labels(self.data, cells)
+        if not np.isin(cells["jump"], [0, 1, NOT_COMPUTED]).all():
+            raise self.refusal("has a jump that is neither 0 nor 1")
+        jump = cells["jump"] == 1
+        jump[-1 if direction == "down" else 0] = False  # nothing lies before
+        return Branch(row, gap, direction, cells["regime"], cells["impacts"], cells["period"],
+                      np.asarray(cells["peak_force_ratio"], dtype=float), jump)

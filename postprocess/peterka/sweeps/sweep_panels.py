@@ -1,0 +1,176 @@
+"""What pictures of a sweep share: a panel for each gap, the classes of the motions above it, second scales, measured
+points, and how the directions look.
+
+Directions differ in line, marker and brightness, so that they are told apart without colour, too. Their colours, and that
+of measured points, are those of no class.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+
+WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
+STRIP = 0.085  # height of a branch's row of classes over that of its panel
+ROW, LETTER = 0.085, 0.0093  # height of a line of notes and width of its letters, over those of the panel
+STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
+
+
+@dataclass(frozen=True)
+class Look:
+    """Of a direction."""
+
+    label: str
+    colour: str
+    linestyle: str
+    marker: str
+    linewidth: float
+    zorder: float
+
+
+LOOKS = {
+    "up": Look("frequency rising", "#003355", "-", "^", 1.6, 2.0),
+    "down": Look("frequency falling", "#0099AA", (0, (3.5, 1.8)), "v", 1.1, 2.2),
+    "independent": Look("each from the start", "#003355", "-", "o", 1.3, 2.0),
+}
+MEASURED = {"marker": "D", "markersize": 5, "markerfacecolor": "white", "markeredgecolor": "black",
+            "markeredgewidth": 0.9, "linestyle": "none"}
+
+
+def panels(file, handles, ylabel, second, has_measured):
+    """A figure with an Axes for each gap, the classes of its branches and its gap above it.
+
+    `second` is the (label, factor) of a second scale at the right, or None. Returns figure and {gap: Axes}."""
+    if has_measured:
+        handles = [*handles, Line2D([], [], label="measured", **MEASURED)]
+    figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
+                                    panels=len(file.gaps), columns=4)
+    all_axes = [all_axes] if len(file.gaps) == 1 else all_axes
+    for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
+        ax.set_xlim(file.frequency_ratio[0], file.frequency_ratio[-1])
+        ax.set_ylabel(ylabel)
+        ax.grid(color="#DDDDDD", linewidth=0.5)
+        ax.set_axisbelow(True)
+        ax.tick_params(labelbottom=number == len(all_axes) - 1)
+        _show_classes(ax, file, gap)
+        _second_scales(ax, file, second, top=number == 0)
+        above = 1 + STRIP * len(file.at_gap(gap))
+        ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if number == 0 else 3),
+                    textcoords="offset points", va="bottom", fontsize=8, weight="bold")
+    all_axes[-1].set_xlabel(axes.LABELS["frequency_ratio"])
+    axes.write_title(figure, file, axes.so_far(file).rstrip("\n"))
+    return figure, dict(zip(file.gaps, all_axes))
+
+
+def draw_measured(ax, points, value):
+    """`value` gives the height of a point, None for one that stands only for a frequency."""
+    low, high = ax.get_xlim()
+    points = [point for point in points if low <= point.frequency <= high]
+    marked = [point for point in points if value(point) is not None]
+    if marked:  # matplotlib can't lay out an empty line
+        ax.plot([point.frequency for point in marked], [value(point) for point in marked], zorder=6, clip_on=False,
+                **MEASURED)
+    for point in marked:
+        if point.label:
+            note(ax, point.frequency, value(point), point.label, -8)
+    alone = [point for point in points if point.force is None and point.displacement is None]
+    places = np.array([(point.frequency, np.nan) for point in alone]).reshape(-1, 2)
+    ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(alone)), color="#555555", linewidth=0.7,
+                       linestyle=(0, (1, 2)), transform=ax.get_xaxis_transform(), zorder=1))
+    for point in alone:
+        if point.label:
+            ax.annotate(point.label, (point.frequency, 0.03), xycoords=("data", "axes fraction"), rotation=90,
+                        xytext=(-1, 0), textcoords="offset points", ha="right", va="bottom", fontsize=6.5,
+                        path_effects=axes.outline(2), zorder=7)
+
+
+def note(ax, frequency, height, text, above):
+    """Writes beside a point and so much [pt] above it, on the side where the panel has room."""
+    across = ax.transAxes.inverted().transform(ax.transData.transform((frequency, height)))[0]
+    ax.annotate(text, (frequency, height), xytext=(5 if across < 0.75 else -5, above), textcoords="offset points",
+                ha="left" if across < 0.75 else "right", va="center", fontsize=7, path_effects=axes.outline(2), zorder=8)
+
+
+def head_notes(ax, notes, top):
+    """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
+    line down to its place; the data reach up to `top`."""
+    low, high = ax.get_xlim()
+    placed = []
+    for frequency, height, text, colour in sorted(notes):
+        across = (frequency - low) / (high - low)
+        first = min(across, 1 - LETTER * len(text))
+        # below every note that it would run into: the lines down cross none of them
+        line = max((other[0] + 1 for other in placed if other[1] + LETTER * len(other[4]) > first), default=0)
+        placed.append((line, first, frequency, height, text, colour))
+    head = ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
+    ax.set_ylim(0, top / (1 - head))
+    for line, first, frequency, height, text, colour in placed:
+        foot = 1 - 0.02 - ROW * (line + 1)
+        ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=6.5, color=colour,
+                    path_effects=axes.outline(2), zorder=8)
+        ax.plot([frequency, frequency], [height, foot * ax.get_ylim()[1]], color=colour, linewidth=0.5, zorder=1.5)
+
+
+def frequency_text(file, ratio):
+    hertz = file.positive("natural_frequency_hz")
+    return f"{ratio:.4g}" + (f" ({ratio * hertz:.4g} Hz)" if hertz else "")
+
+
+def directions(file):
+    return list(dict.fromkeys(branch.direction for branch in file.branches))
+
+
+def _gap_text(file, gap):
+    metres = file.positive("cart_amplitude_m")
+    return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
+
+
+def _second_scales(ax, file, second, top):
+    hertz = file.positive("natural_frequency_hz")
+    if hertz and top:
+        scale = ax.secondary_xaxis(1 + STRIP * len(file.at_gap(file.gaps[0])), functions=axes.scale_functions(hertz))
+        scale.set_xlabel("excitation frequency (Hz)", fontsize=8)
+    if second:
+        label, factor = second
+        right = ax.secondary_yaxis("right", functions=axes.scale_functions(factor))
+        right.set_ylabel(label, fontsize=8)
+
+
+def _classes(branch):
+    return classify(branch.regime, branch.impacts, branch.period)
+
+
+def _class_handles(file):
+    present = np.unique(np.concatenate([_classes(branch) for branch in file.branches]))
+    missing = INDEX["not computed yet"]
+    return [axes.legend_patch(CLASSES[i].label, CLASSES[i].colour, hatched=i == missing) for i in present]
+
+
+def _show_classes(ax, file, gap):
+    """A row of classes for each branch, the first one at the bottom, each with the mark of its direction."""
+    edges = _edges(file.frequency_ratio)
+    for place, branch in enumerate(file.at_gap(gap)):
+        strip = ax.inset_axes([0, 1 + STRIP * place, 1, STRIP])
+        strip.set(xlim=ax.get_xlim(), ylim=(0, 1), xticks=[], yticks=[])
+        numbers = _classes(branch)
+        changes = np.flatnonzero(np.diff(numbers)) + 1
+        for first, last in zip([0, *changes], [*changes, len(numbers)]):
+            entry = CLASSES[numbers[first]]
+            strip.axvspan(edges[first], edges[last], color=entry.colour, linewidth=0)
+            width = (edges[last] - edges[first]) / (edges[-1] - edges[0])
+            if width > STRIP_LETTERS * (len(entry.label) + 1):
+                strip.text((edges[first] + edges[last]) / 2, 0.46, entry.label, ha="center", va="center", fontsize=6.5,
+                           color=axes.letter_colour(entry.colour))
+        look = LOOKS[branch.direction]
+        strip.plot(-0.008, 0.5, marker=look.marker, markersize=3, color=look.colour, clip_on=False,
+                   transform=strip.transAxes)
+
+
+def _edges(centres):
+    if len(centres) == 1:
+        return np.array([centres[0] - 0.5, centres[0] + 0.5])
+    inner = (centres[:-1] + centres[1:]) / 2
+    return np.concatenate([centres[:1], inner, centres[-1:]])

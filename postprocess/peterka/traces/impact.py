@@ -1,0 +1,60 @@
+"""The hardest impact closely: force of the stop with its jump at first touch and its peak, and the hammer's
+acceleration."""
+
+import numpy as np
+
+from ..look import axes
+from . import trace_look
+
+WIDTH, HEIGHT = 3.7, 4.2  # in
+
+
+def draw(file):
+    """The picture of the hardest impact as a Figure; None where nothing impacts."""
+    if file.impact is None:
+        return None
+    figure = axes.new_figure(WIDTH, HEIGHT)
+    above, below = figure.subplots(2, 1, sharex=True)
+    motion, impacts, number = file.impact.motion, file.impacts, file.impact.number
+    milliseconds = 1000 * motion["time_from_touch"]
+    force, unit = trace_look.force(file, motion["force_ratio"])
+    above.plot(milliseconds, force, **trace_look.FORCE_LINE)
+    if file.impact.peak_time is not None:
+        _label_peak(above, file, impacts["touch_time"][number])
+        _label_jump(above, file, impacts["touch_force_ratio"][number])
+        above.set_ylim(top=1.28 * np.max(force))
+    above.set_ylabel(f"force ({unit})")
+    trace_look.second_force_scale(above, file)
+    below.plot(milliseconds, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
+    below.set_ylabel(r"$\ddot{x}$ (m/s²)")
+    below.set_xlabel("time since first touch (ms)")
+    for ax in (above, below):
+        trace_look.grid(ax)
+    above.set_xlim(milliseconds[0], milliseconds[-1])
+    figure.align_ylabels([above, below])
+    trace_look.write_title(figure, file, _facts(file))
+    return figure
+
+
+def _label_peak(ax, file, touch_time):
+    peak, unit = trace_look.force(file, file.impact.peak_force_ratio)
+    at = 1000 * (file.impact.peak_time - touch_time)
+    ax.plot([at], [peak], marker="o", markersize=3.5, color="black", zorder=5)
+    ax.annotate(f"peak {peak:.4g} {unit}\nafter {at:.3g} ms", (at, peak), xytext=(8, 3), textcoords="offset points",
+                fontsize=8, va="bottom")
+
+
+def _label_jump(ax, file, ratio):
+    jump, unit = trace_look.force(file, ratio)
+    if jump <= 0:
+        return
+    ax.annotate(f"jump to\n{jump:.4g} {unit}", (0, jump), xytext=(-6, 0), textcoords="offset points", fontsize=8,
+                ha="right", va="center")
+
+
+def _facts(file):
+    impacts, number = file.impacts, file.impact.number
+    facts = [f"at {impacts['touch_time'][number]:.4g} s with {impacts['impact_speed'][number]:.3g} m/s"]
+    if np.isfinite(impacts["peak_force_ratio"][number]):
+        facts.append(f"pressed for {1000 * impacts['contact_time'][number]:.3g} ms")
+    return ", ".join(facts)

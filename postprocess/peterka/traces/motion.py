@@ -1,0 +1,71 @@
+"""A trace over time: displacements of hammer and cart, acceleration of the hammer, force of the stop.
+
+The dotted line is where the stop is: the hammer touches it where both lines meet. At gap 0 it is the cart's own.
+Each impact's exact peak belongs to the line of the force, which is sampled elsewhere."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from . import trace_look
+
+WIDTH, HEIGHT = 5.2, 5.0  # in, without the legend
+PEAK = {"marker": "o", "markersize": 3, "color": "black", "linestyle": "none"}
+
+
+def draw(file):
+    """The picture of a trace as a Figure."""
+    motion = file.motion
+    at_cart = ", stop" if file.number("gap_ratio") == 0 else ""
+    handles = [Line2D([], [], label="hammer $x$", **trace_look.HAMMER_LINE),
+               Line2D([], [], label=f"cart $y${at_cart}", **trace_look.CART_LINE),
+               Line2D([], [], label="stop, $y + \\mathrm{gap}$", **trace_look.STOP_LINE)]
+    peaks = [] if file.impacts is None else [Line2D([], [], label="peak of an impact", **PEAK)]
+    shows_stop = _near_the_hammer(file)
+    figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=3, columns=4)
+    time = motion["time"]
+    _draw_displacements(panels[0], file, time, shows_stop)
+    panels[1].plot(time, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
+    panels[1].set_ylabel(r"$\ddot{x}$ (m/s²)")
+    force, unit = trace_look.force(file, motion["force_ratio"])
+    touches, maxima = [], []
+    if file.impacts is not None:
+        touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
+    places = np.searchsorted(time, touches)
+    panels[2].plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
+    panels[2].plot(touches, maxima, **PEAK)
+    panels[2].set_ylabel(f"force ({unit})")
+    trace_look.second_force_scale(panels[2], file)
+    panels[2].set_xlabel("time (s)")
+    for ax in panels:
+        trace_look.grid(ax)
+        ax.set_xlim(time[0], time[-1])
+    for ax in panels[:-1]:
+        ax.tick_params(labelbottom=False)
+    _cycles_on_top(panels[0], motion, file)
+    figure.align_ylabels(panels)
+    trace_look.write_title(figure, file)
+    return figure
+
+
+def _near_the_hammer(file):
+    """Whether the stop has a line of its own, near enough not to squeeze the motion. At gap 0 it moves on the cart's."""
+    gap, reach = file.number("gap_ratio"), np.max(file.motion["relative_displacement_ratio"])
+    return gap is not None and gap != 0 and gap < 2 * max(reach, 1)
+
+
+def _draw_displacements(ax, file, time, shows_stop):
+    motion = file.motion
+    for name, line in (("hammer", trace_look.HAMMER_LINE), ("cart", trace_look.CART_LINE)):
+        values, unit = trace_look.displacement(file, motion[f"{name}_displacement_ratio"])
+        ax.plot(time, values, **line)
+    if shows_stop:
+        stop, unit = trace_look.displacement(file, motion["cart_displacement_ratio"] + file.number("gap_ratio"))
+        ax.plot(time, stop, **trace_look.STOP_LINE)
+    ax.set_ylabel(f"displacement ({unit})")
+
+
+def _cycles_on_top(ax, motion, file):
+    per_second = (motion["cycle"][-1] - motion["cycle"][0]) / (motion["time"][-1] - motion["time"][0])
+    top = ax.secondary_xaxis("top", functions=(lambda t: t * per_second, lambda n: n / per_second))
+    top.set_xlabel("forcing cycles" if file.excitation_hz else "natural periods", fontsize=8)

@@ -1,0 +1,83 @@
+"""A trace's file, checked before anything in it is believed.
+
+    motion    over the time of the trace: MOTION, each (samples,)
+    impacts   IMPACTS, each (impacts,); none where nothing impacts
+    impact    the hardest of them closely: MOTION and time_from_touch over a time of its own, with its peak
+    spectrum, impact_spectrum   of the motion, and of the hardest impact with the flight after it
+Displacements are in A0 and forces over the hammer's weight in the file; `millimetres` and `newtons` are the factors to
+mm and N. What cannot be drawn raises NotDrawable.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.opened import OpenedFile
+
+MOTION = ("time", "cycle", "hammer_displacement_ratio", "cart_displacement_ratio", "relative_displacement_ratio",
+          "hammer_velocity", "cart_velocity", "relative_velocity", "hammer_acceleration", "force_ratio")
+IMPACTS = ("touch_time", "impact_speed", "touch_force_ratio", "peak_force_ratio", "impulse", "contact_time", "work")
+SPECTRUM = ("frequency", "force_amplitude", "acceleration_amplitude")
+IMPACT_SPECTRUM = ("frequency", "force_spectrum", "flight_acceleration_amplitude")
+MAX_ROWS = 10_000_000
+
+
+@dataclass(frozen=True)
+class HardestImpact:
+    """One impact closely: its motion, its number among the impacts, and its peak (None on a rigid stop)."""
+
+    motion: dict[str, np.ndarray]
+    number: int
+    peak_time: float | None  # s since the trace began
+    peak_force_ratio: float | None
+
+
+class TraceFile(OpenedFile):
+    """A checked, open trace: motion, impacts, impact, spectrum, impact_spectrum (None where the file has none)."""
+
+    computed = 1  # it is written whole
+
+    def check_content(self):
+        self.motion = self._columns("", MOTION)
+        if not np.all(np.diff(self.motion["time"]) > 0):
+            raise self.refusal("has a time that does not ascend")
+        self.impacts = self._columns("impacts/", IMPACTS) if self.data.has("impacts") else None
+        self.impact = self._hardest() if self.data.has("impact") else None
+        self.spectrum = self._columns("spectrum/", SPECTRUM)
+        self.impact_spectrum = self._columns("impact_spectrum/", IMPACT_SPECTRUM) if self.data.has(
+            "impact_spectrum") else None
+
+    @property
+    def millimetres(self):
+        """mm in A0; None where the file doesn't tell."""
+        metres = self.positive("cart_amplitude_m")
+        return 1000 * metres if metres else None
+
+    @property
+    def excitation_hz(self):
+        """Of the cart; None for one at rest."""
+        ratio, natural = self.positive("frequency_ratio"), self.positive("natural_frequency_hz")
+        return ratio * natural if ratio and natural else None
+
+    def _columns(self, group, names):
+        shape = self.data.dataset(group + names[0], None, REAL).shape
+        if len(shape) != 1 or not 1 <= shape[0] <= MAX_ROWS:
+            raise self.refusal(f"has {group}{names[0]} of shape {shape}; 1 to {MAX_ROWS} can be drawn")
+        return {name: self._numbers(group + name, shape) for name in names}
+
+    def _numbers(self, name, shape):
+        self.data.dataset(name, shape, REAL)
+        values = np.asarray(self.data.values(name, ...), dtype=float)
+        if not name.startswith("impacts/") and not np.isfinite(values).all():
+            raise self.refusal(f"has a {name} that is not finite")
+        return values
+
+    def _hardest(self):
+        self.data.dataset("impact/impact", (), INTEGER)
+        number = int(self.data.values("impact/impact", ()))
+        if self.impacts is None or not 0 <= number < len(self.impacts["touch_time"]):
+            raise self.refusal("shows an impact closely that its list does not have")
+        peak = [float(self._numbers(f"impact/{name}", ())) if self.data.has(f"impact/{name}") else None
+                for name in ("peak_time", "peak_force_ratio")]
+        return HardestImpact(self._columns("impact/", MOTION + ("time_from_touch",)), number, *peak)

@@ -1,0 +1,58 @@
+"""What the pictures of a trace share: lines and their look, and axes in mm, N and seconds."""
+
+import numpy as np
+
+from ..look import axes, units
+
+HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
+HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
+CART_LINE = {"color": CART, "linewidth": 0.9, "linestyle": (0, (5, 2))}
+STOP_LINE = {"color": STOP, "linewidth": 0.8, "linestyle": (0, (1, 1.5))}
+FORCE_LINE = {"color": FORCE, "linewidth": 1.0}
+ACCELERATION_LINE = {"color": HAMMER, "linewidth": 0.8}
+
+
+def displacement(file, ratio):
+    """(values, label unit) in mm where the file knows the amplitude."""
+    return (ratio * file.millimetres, "mm") if file.millimetres else (ratio, "$A_0$")
+
+
+def force(file, ratio):
+    """(values, label unit) in N where the file knows the mass; all of a trace with the same prefix."""
+    factor, unit = _force_scale(file)
+    return factor * ratio, unit
+
+
+def _force_scale(file):
+    if not file.newtons:
+        return 1.0, "$mg$"
+    forces = [file.motion["force_ratio"]] + ([] if file.impacts is None else [file.impacts["peak_force_ratio"]])
+    largest = max(np.max(np.nan_to_num(values), initial=0) for values in forces)
+    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    return factor * file.newtons, unit
+
+
+def second_force_scale(ax, file):
+    """F/mg at the right of a scale in N."""
+    if file.newtons:
+        weight = _force_scale(file)[0]
+        right = ax.secondary_yaxis("right", functions=(lambda force: force / weight, lambda ratio: ratio * weight))
+        right.set_ylabel("$F/(mg)$", fontsize=8)
+
+
+def grid(ax):
+    ax.grid(color="#DDDDDD", linewidth=0.5)
+    ax.set_axisbelow(True)
+
+
+def place(file):
+    """Where in the plane the trace is, for a title."""
+    hertz, gap = file.excitation_hz, file.number("gap_ratio")
+    parts = [f"{hertz:.4g} Hz (Ω/ω = {file.number('frequency_ratio'):.4g})" if hertz else "cart at rest"]
+    if gap is not None:
+        parts.append(f"gap {gap * file.millimetres:.3g} mm" if file.millimetres else f"gap/A₀ = {gap:.4g}")
+    return ", ".join(parts)
+
+
+def write_title(figure, file, extra=""):
+    axes.write_title(figure, file, "\n".join(filter(None, [place(file), extra])))
