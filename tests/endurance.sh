@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for every commit: faults by the hundred, two hosts, a scheduler, another MPI, memory checks.
-#   tests/endurance.sh             every part; writes what happened into the table in README.md
+#   tests/endurance.sh             every part; writes what happened into the table in tests/README.md
 #   tests/endurance.sh PART...     only these parts; the table keeps the rows of the others
 #   tests/endurance.sh --list      the parts
 #   PETERKA_BINARY=.../peterka tests/endurance.sh ...   with this program, instead of building one into build/
@@ -43,7 +43,7 @@ for part in "${parts[@]}"; do
         failed+=("$part")
         echo "the whole part | 1 | **failed with code $code**" >>"$ENDURANCE_ROWS"
     fi
-    [ ! -s "$ENDURANCE_ROWS" ] || /usr/bin/python3 tests/endurance/table.py README.md "$part" "$ENDURANCE_ROWS"
+    [ ! -s "$ENDURANCE_ROWS" ] || /usr/bin/python3 tests/endurance/table.py tests/README.md "$part" "$ENDURANCE_ROWS"
     rm -f "$ENDURANCE_ROWS"
 done
 [ ${#failed[@]} = 0 ] || { echo "endurance.sh: not as it should be: ${failed[*]}" >&2; exit 1; }

@@ -1,33 +1,35 @@
-"""The folders of src show the data's way: a folder includes only what stands before it."""
+"""The folders of src show the data's way: a folder includes only what stands before it in the table of src/README.md."""
 
-import re
-from pathlib import Path
-
-SOURCE = Path(__file__).resolve().parents[2] / "src"
-ORDER = ["support", "job", "scene", "motion", "trajectory", "integrators", "batch", "regime", "parallel", "refine", "hdf5",
-         "quantities", "findings", "map_file", "study", "trace", "page", "report", "run"]
-INCLUDE = re.compile(r'^#include "(\w+)/', re.MULTILINE)
+import architecture
+from architecture import PAGE, SOURCE, drawing, order, with_drawing
 
 
-def upward_includes(source):
-    found = []
-    for file in sorted(source.glob("*/*.?pp")):
-        own = ORDER.index(file.parent.name)
-        for folder in INCLUDE.findall(file.read_text()):
-            if folder in ORDER and ORDER.index(folder) > own:
-                found.append(f"{file.parent.name}/{file.name} includes {folder}/")
-    return found
+def upward_includes(source, folders):
+    return [f"{folder} includes {name}" for folder, names in architecture.includes(source).items() for name in sorted(names)
+            if folders.index(name) > folders.index(folder)]
 
 
 def test_every_folder_has_its_place():
-    assert sorted(folder.name for folder in SOURCE.iterdir() if folder.is_dir()) == sorted(ORDER)
+    assert sorted(folder.name for folder in SOURCE.iterdir() if folder.is_dir()) == sorted(order())
 
 
 def test_data_flows_one_way():
-    assert upward_includes(SOURCE) == []
+    assert upward_includes(SOURCE, order()) == []
 
 
 def test_an_upward_include_would_be_seen(tmp_path):
-    (tmp_path / "motion").mkdir()
+    for folder in ("motion", "scene", "map_file"):
+        (tmp_path / folder).mkdir()
     (tmp_path / "motion" / "wrong.hpp").write_text('#include "scene/scene.hpp"\n#include "map_file/map_file.hpp"\n')
-    assert upward_includes(tmp_path) == ["motion/wrong.hpp includes map_file/"]
+    assert upward_includes(tmp_path, order()) == ["motion includes map_file"]
+
+
+def test_the_drawing_is_that_of_the_includes():
+    assert PAGE.read_text() == with_drawing(PAGE.read_text(), drawing()), "run tests/documents/architecture.py"
+
+
+def test_the_drawing_leaves_out_what_other_arrows_imply(tmp_path):
+    for folder, included in (("a", ""), ("b", "a"), ("c", "ab")):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "x.hpp").write_text("".join(f'#include "{name}/x.hpp"\n' for name in included))
+    assert drawing(tmp_path) == "```mermaid\nflowchart BT\n    a\n    b --> a\n    c --> b\n```\n"

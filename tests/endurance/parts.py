@@ -14,7 +14,7 @@ if "ENDURANCE_ROWS" not in os.environ or len(sys.argv) > 1:
 
 
 def row(fault, tried, what_happened):
-    """A row of the table in README.md."""
+    """A row of the table in tests/README.md."""
     print(f"{fault}: tried {tried} times: {what_happened}", flush=True)
     with open(os.environ["ENDURANCE_ROWS"], "a") as rows:
         rows.write(f"{fault} | {tried} | {what_happened}\n")
