@@ -1,0 +1,95 @@
+"""A table as a CSV file from anybody: a line with the names of its columns, then one line for each row.
+
+Columns are parted by commas, by semicolons or by tabs, whichever the first line has; with semicolons or tabs numbers may
+have decimal commas. Empty lines and lines that begin with # are passed over. What can't be read raises NotDrawable.
+"""
+
+import csv
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from peterka_pictures.checked_hdf5 import NotDrawable
+from peterka_pictures.harmless import harmless
+
+SEPARATORS = (";", "\t", ",")
+LONGEST_LINE = 10_000
+
+
+@dataclass(frozen=True)
+class CsvTable:
+    """`rows`: (line number, {column: text}), one at least."""
+
+    path: Path
+    names: tuple[str, ...]
+    rows: list
+    decimal_commas: bool
+
+    def refusal(self, reason, line=None):
+        """The exception to raise: 'FILE:line reason'."""
+        return NotDrawable(f"{self.path}{'' if line is None else f':{line}'} {reason}")
+
+    def number(self, line, cells, name):
+        """The finite number in a cell; None where it is empty."""
+        text = cells[name].strip()
+        if not text:
+            return None
+        try:
+            number = float(text.replace(",", ".") if self.decimal_commas else text)
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            raise self.refusal(f"has '{harmless(text, 40)}' as {name}; a number is needed", line)
+        return number
+
+
+def read_csv_table(path, known, what, largest_bytes):
+    """The table of a file; `known` are the names that columns may have, `what` says what the rows are."""
+    text = _text(path, what, largest_bytes)
+    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
+             if line.strip() and not line.startswith("#")]
+    if len(lines) < 2:
+        raise NotDrawable(f"{path} has no {what}; it needs a line with the names of its columns and one for each of them")
+    separator = next((mark for mark in SEPARATORS if mark in lines[0][1]), ",")
+    try:
+        cells = list(csv.reader([line for _, line in lines], delimiter=separator))
+    except csv.Error as error:
+        raise NotDrawable(f"{path} is no list of {what}: {error}") from error
+    names = tuple(name.strip() for name in cells[0])
+    _check_names(path, names, known)
+    for (number, _), row in zip(lines[1:], cells[1:]):
+        if len(row) != len(names):
+            raise NotDrawable(f"{path}:{number} has {len(row)} cells, and its first line names {len(names)} columns")
+    rows = [(number, dict(zip(names, row))) for (number, _), row in zip(lines[1:], cells[1:])]
+    return CsvTable(path, names, rows, separator != ",")
+
+
+def column_names(path):
+    """Those that the file's first line has, whatever they mean."""
+    try:
+        with open(path, encoding="utf-8-sig", errors="replace") as file:
+            first = next((line for line in file if line.strip() and not line.startswith("#")), "")[:LONGEST_LINE]
+    except OSError as error:
+        raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
+    separator = next((mark for mark in SEPARATORS if mark in first), ",")
+    return [name.strip() for name in first.split(separator)]
+
+
+def _text(path, what, largest_bytes):
+    try:
+        if path.stat().st_size > largest_bytes:
+            raise NotDrawable(f"{path} is too large for a list of {what}")
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
+    except UnicodeDecodeError as error:
+        raise NotDrawable(f"{path} is not a text in UTF-8; save it as CSV") from error
+
+
+def _check_names(path, names, known):
+    for name in names:
+        if name not in known:
+            raise NotDrawable(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(known)}")
+    twice = [name for name in names if names.count(name) > 1]
+    if twice:
+        raise NotDrawable(f"{path} has {min(twice)} twice; each quantity has one column")

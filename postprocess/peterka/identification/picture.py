@@ -1,0 +1,102 @@
+"""A recording and the motion fitted to it: all of it, the hardest impact closely, and what is left of each signal."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+from peterka_pictures import axes, units
+from peterka_pictures.linear_ticks import LinearNumbers, LinearTicks
+
+WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
+RECORDED = {"color": "#8C8C8C", "marker": "o", "markersize": 1.8, "markeredgewidth": 0, "linestyle": "none"}
+FITTED = {"color": "#D55E00", "linewidth": 1.1}
+LEFT = {"color": "#003355", "marker": "o", "markersize": 1.4, "markeredgewidth": 0, "linestyle": "none"}
+NAMES = {"force": ("force", "N"), "acceleration": ("acceleration", "m/s²"), "displacement": ("displacement", "m")}
+AROUND = 0.8  # of the contact, shown before and after it
+
+
+class _Titled:
+    """What a title is written from."""
+
+    def __init__(self, title):
+        self.title = title
+
+
+def draw(recording, fits, title):
+    """The picture of the Fits [one, or one for each impact] of a Recording as a Figure."""
+    names = [name for name in NAMES if name in fits[0].fitted]
+    figure = axes.new_figure(WIDTH, HEAD + ROW * len(names))
+    layout = figure.add_gridspec(2 * len(names) + 1, 2, height_ratios=[3, 1.2] * len(names) + [0.001])
+    grid = np.empty((2 * len(names), 2), dtype=object)
+    for row, column in np.ndindex(grid.shape):
+        grid[row, column] = figure.add_subplot(layout[row, column], sharex=grid[0, column])
+        grid[row, column].tick_params(labelbottom=row == len(grid) - 1)
+    hardest = max(fits, key=_strength)
+    zoom = _window(hardest)
+    for row, name in enumerate(names):
+        factor, unit = units.with_prefix(float(np.max(np.abs(recording.signals[name]))), NAMES[name][1])
+        for column, (pieces, inside) in enumerate(((fits, None), ([hardest], zoom))):
+            upper, lower = grid[2 * row:2 * row + 2, column]
+            _draw_signal(upper, recording, pieces, name, factor, inside, (1, 1e3)[column])
+            _draw_left(lower, pieces, name, factor, inside, (1, 1e3)[column])
+            for ax in (upper, lower):
+                _plain(ax)
+            if column == 0:
+                upper.set_ylabel(f"{NAMES[name][0]} ({unit})")
+                lower.set_ylabel(f"left ({unit})")
+    grid[-1, 0].set_xlabel("time (s)")
+    grid[-1, 1].set_xlabel(f"time from {zoom[0]:.6g} s (ms), the hardest impact")
+    figure.align_ylabels(grid[:, 0])
+    handles = [Line2D([], [], label="recorded", **RECORDED | {"markersize": 3}), Line2D([], [], label="fitted", **FITTED),
+               Line2D([], [], label="left (recorded less fitted)", **LEFT | {"markersize": 3})]
+    below = figure.add_subplot(layout[-1, :])
+    below.axis("off")
+    below.legend(handles=handles, ncol=3, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False)
+    axes.write_title(figure, _Titled(title))
+    return figure
+
+
+def _strength(fit):
+    return max(np.ptp(values) for name, values in fit.fitted.items() if name != "displacement" or len(fit.fitted) == 1)
+
+
+def _window(fit):
+    """(begin, end) of the first impact of a motion, which is its hardest, with some time around it [s]."""
+    begin, end = fit.motion.contacts()[0]
+    around = AROUND * (end - begin)
+    return begin - around, end + around
+
+
+def _draw_signal(ax, recording, fits, name, factor, inside, per_second):
+    begin, keep = inside[0] if inside else 0.0, _inside(recording.time, inside)
+    ax.plot(per_second * (recording.time[keep] - begin), factor * recording.signals[name][keep],
+            rasterized=bool(keep.sum() > 5000), **RECORDED | ({"markersize": 3} if inside else {}))
+    for fit in fits:
+        time, values = fit.recording.time, fit.fitted[name]
+        if inside:  # as it is between the samples, too
+            time = np.linspace(*inside, 2000)
+            values = fit.model_between(time)[name]
+        ax.plot(per_second * (time - begin), factor * values, rasterized=len(time) > 5000, **FITTED)
+
+
+def _draw_left(ax, fits, name, factor, inside, per_second):
+    for fit in fits:
+        keep = _inside(fit.recording.time, inside)
+        begin = inside[0] if inside else 0.0
+        ax.plot(per_second * (fit.recording.time[keep] - begin),
+                factor * (fit.recording.signals[name] - fit.fitted[name])[keep], rasterized=bool(keep.sum() > 5000),
+                **LEFT | ({"markersize": 3} if inside else {}))
+    ax.axhline(0, color="black", linewidth=0.5)
+    largest = np.nanquantile(np.abs(np.concatenate([(fit.recording.signals[name] - fit.fitted[name])[
+        _inside(fit.recording.time, inside)] for fit in fits])), 0.999)
+    ax.set_ylim(-1.3 * factor * largest, 1.3 * factor * largest)
+
+
+def _inside(time, inside):
+    return np.ones(len(time), dtype=bool) if inside is None else (time >= inside[0]) & (time <= inside[1])
+
+
+def _plain(ax):
+    ax.grid(color="#DDDDDD", linewidth=0.5)
+    ax.set_axisbelow(True)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(LinearTicks())
+        axis.set_major_formatter(LinearNumbers())
