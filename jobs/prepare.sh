@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 packages=(g++ cmake ninja-build git
     libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libsundials-dev libeigen3-dev libfmt-dev libxxhash-dev
     libcli11-dev libtomlplusplus-dev libhwy-dev libgtest-dev
-    python3 python3-numpy python3-h5py python3-xarray python3-netcdf4 python3-h5netcdf python3-matplotlib python3-xxhash
+    python3 python3-numpy python3-h5py python3-xarray python3-netcdf4 python3-h5netcdf python3-matplotlib python3-scipy python3-xxhash
     python3-pytest "$@")
 
 missing=()

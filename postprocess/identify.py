@@ -20,21 +20,21 @@ import argparse
 import sys
 from pathlib import Path
 
-import peterka_pictures.interpreter  # noqa: F401, I001: before all that needs packages
+import peterka.program.interpreter  # noqa: F401, I001: before all that needs packages
 
 import numpy as np
 from peterka.files.csv_table import column_names
+from peterka.files.opened import NotDrawable
 from peterka.identification import picture
 from peterka.identification.fit import fit, fit_each
-from peterka.identification.impact_table import fault_of, from_impact, read_impacts
+from peterka.identification.impact_table import COLUMNS, fault_of, from_impact, read_impacts
 from peterka.identification.numbers_found import Number, combined, combined_impacts
 from peterka.identification.recording import read_recording
 from peterka.identification.rig_file import rig_text
 from peterka.identification.words import recording_lines, result_lines
-from peterka_pictures.command_line import (
+from peterka.program.command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
-from peterka_pictures.opened import NotDrawable
 
 
 def main():
@@ -72,7 +72,7 @@ def identify(arguments):
     if arguments.contact_time_ms:
         found.append(from_impact(arguments.mass_kg, *single_impact(arguments)))
     for path in (*arguments.files, *arguments.driven):
-        if not {"time_s", "time_ms"} & set(column_names(path)) and path in arguments.files:
+        if set(COLUMNS) & set(column_names(path)) and path in arguments.files:
             found.append(from_impact(arguments.mass_kg, *read_impacts(path)))
             continue
         recording = read_recording(path, arguments.begin, arguments.end)

@@ -4,6 +4,7 @@
 import numpy as np
 from ..traces.trace_file import TraceFile
 
+from ..identification.contact_pulse import identified
 from .folder import read_job
 from .record import CLOSED_FORM, RANGE, SHARE, claim, near, not_computed, percent
 
@@ -54,16 +55,6 @@ class Strike:
             self.peak_n = hardest["peak_force_ratio"] * file.newtons
             self.touch_n = hardest["touch_force_ratio"] * file.newtons
             self.frequency, self.force, self.flight = file.impact_spectrum.values()
-
-
-def identified(mass, restitution, contact_s):
-    """(stiffness, damping) of the spring and dashpot that send a free mass back so fast after so long a contact.
-
-    With a damping ratio cos φ the restitution is exp(-2 φ/tan φ), and contact lasts 2 φ/(ω sin φ)."""
-    angles = np.linspace(np.pi / 2, 1e-6, 100_001)
-    angle = np.interp(-np.log(restitution) / 2, angles / np.tan(angles), angles)
-    omega = 2 * angle / (contact_s * np.sin(angle))
-    return float(mass * omega**2), float(2 * np.cos(angle) * mass * omega)
 
 
 def peaks(frequency, spectrum, least):

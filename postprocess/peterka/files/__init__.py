@@ -3,5 +3,6 @@
 checked_hdf5, own_objects, seal   single attributes and datasets of a file nobody vouches for; its checksums
 opened     a file of any kind with a checked header
 regimes    the numbers of `regime`
+csv_table  tables that people write: CSV with commas, semicolons or tabs
 harmless   texts out of a file, made safe to show
 """

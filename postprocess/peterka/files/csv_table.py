@@ -9,8 +9,8 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
-from peterka_pictures.checked_hdf5 import NotDrawable
-from peterka_pictures.harmless import harmless
+from .checked_hdf5 import NotDrawable
+from .harmless import harmless
 
 SEPARATORS = (";", "\t", ",")
 LONGEST_LINE = 10_000

@@ -6,7 +6,8 @@ A recording that can't tell is refused in words: no impact, clipped, or too coar
 from dataclasses import dataclass
 
 import numpy as np
-from peterka_pictures.checked_hdf5 import NotDrawable
+
+from ..files.checked_hdf5 import NotDrawable
 
 OVER_NOISE = 8  # an impact stands out of the noise by so many of its standard deviations
 WEAKEST = 0.03  # of the hardest impact
@@ -88,7 +89,7 @@ def _pulses(values, noise):
     while (above := np.flatnonzero(values[begin:] > limit)).size:
         pulse = _pulse_around(values, begin + int(above[0]), begin, 3 * noise)
         found.append(pulse)
-        begin = pulse.last + 1
+        begin = 2 * pulse.last - pulse.first  # its tail is no impact
     return found
 
 

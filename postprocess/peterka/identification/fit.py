@@ -10,9 +10,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from peterka_pictures.checked_hdf5 import NotDrawable
 from scipy.optimize import least_squares
 
+from ..files.checked_hdf5 import NotDrawable
 from .first_guess import FEWEST_IN_CONTACT, look
 from .jumps import WITHIN_STEP, away_from_touches, off_jumps, sharp_jumps
 from .model import DAMPING, DAMPING_RATIO, LEAST_NOISE, OMEGA, SHARP, Model
@@ -27,6 +27,8 @@ OTHERWISE, OTHERWISE_ERRORS = 0.1, 4  # by how much, and by how many standard er
 UNEXPLAINED = 0.2  # of a signal's variance
 FREE = 1e-3  # springs that swing by so much during a recording are none
 SLICE, WEAKEST_ALONE = 1.5, 0.2  # impacts by themselves: time before and after in contacts, force over the hardest one's
+FARTHEST = (8.0, 50.0, 5.0, 5.0, 2.0, 0.99)  # from the first guess of each parameter but offsets
+SCANNED = 60
 WINDOWS = 4  # impacts that the window takes in one by one
 
 
@@ -101,53 +103,53 @@ def fit_each(recording, mass, guess=None):
 
 def _fit_to_known_springs(recording, guess, mass, gap, springs):
     model = Model(recording, guess, mass, gap, springs or (FREE / np.ptp(recording.time), 0.0))
-    return _finished(model, *_grown(model, model.start(1.0), springs=False))
+    return _finished(model, *_grown(model, _first_impact(model, model.start(1.0)), springs=False))
 
 
 def _with_springs(model):
     """(parameters, covariance) of the best fit with the springs free; None where they can't be told."""
-    best = None
-    for omega in _first_omegas(model):
+    first = _first_impact(model, model.start(np.pi / (model.guess.flights or [np.ptp(model.recording.time)])[0]))
+    solved = []
+    for omega in _first_omegas(model, first):
+        begun = first.copy()
+        begun[OMEGA] = np.log(omega / model.omega)
         try:
-            solved = _grown(model, model.start(omega), springs=True)
-        except (ValueError, np.linalg.LinAlgError):  # it led nowhere
-            continue
-        cost = _cost(model, solved[0])
-        if best is None or cost < best[0]:
-            best = cost, solved, (model.omega, model.speed)
-    if best is None:
+            solved.append(_grown(model, begun, springs=True))
+        except (ValueError, np.linalg.LinAlgError):
+            pass  # it led nowhere
+    if not solved:
         return None
-    model.omega, model.speed = best[2]
-    errors = np.sqrt(np.diag(best[1][1]))
-    return best[1] if errors[OMEGA] < UNKNOWN else None
+    best = min(solved, key=lambda found: _cost(model, found[0]))
+    return best if 0 <= best[1][OMEGA, OMEGA] < UNKNOWN**2 else None
 
 
-def _first_omegas(model):
-    flights = model.guess.flights
-    if flights:
-        return [_omega_of_flight(model, flights[0])]
-    return [np.pi / np.ptp(model.recording.time) * factor for factor in (0.5, 1, 2, 4, 8)]
+def _first_omegas(model, parameters):
+    """With which the second impact comes when it was recorded; without one, what the recording could be long enough for."""
+    if not model.guess.flights:
+        return [np.pi / np.ptp(model.recording.time) * factor for factor in (0.5, 1, 2, 4, 8)]
+    flight = model.guess.flights[0]
+    omegas, late = np.pi / flight * np.linspace(0.8, 2.1, SCANNED), []
+    for omega in omegas:
+        moved = parameters.copy()
+        moved[OMEGA] = np.log(omega / model.omega)
+        touches = model.motion(moved, model.guess.touch_time + 3 * flight).touches
+        late.append(touches[1] - touches[0] - flight if len(touches) > 1 else np.nan)
+    late = np.array(late)
+    passes = np.flatnonzero(late[:-1] * late[1:] <= 0)
+    return [omegas[i] + (omegas[i + 1] - omegas[i]) * late[i] / (late[i] - late[i + 1]) for i in passes] or [np.pi / flight]
 
 
-def _omega_of_flight(model, flight):
-    """With which the second impact comes when it was recorded."""
-    omega = np.pi / flight
-    for _ in range(20):
-        touches = model.motion(model.start(omega), model.guess.touch_time + 10 * flight).touches
-        if len(touches) < 2:
-            break  # of a gap that the guess doesn't come back to
-        omega *= (touches[1] - touches[0]) / flight
-    return omega
+def _first_impact(model, parameters):
+    time, begin, contact = model.recording.time, model.guess.touch_time, model.guess.contact_s
+    return _solved(model, parameters, np.abs(time - begin) <= 4 * contact, springs=False)[0]
 
 
 def _grown(model, parameters, springs):
-    """(parameters, covariance), from a window around the first impact to the whole recording."""
-    time, begin, contact = model.recording.time, model.guess.touch_time, model.guess.contact_s
-    ends = begin + np.cumsum([0, *model.guess.flights])[:WINDOWS] + 4 * contact
-    windows = [(begin - 4 * contact, ends[0], False)]
-    windows += [(time[0], end, springs) for end in [*ends[1:], time[-1]]]
-    for first, last, free_springs in windows:
-        parameters, covariance = _solved(model, parameters, (time >= first) & (time <= last), free_springs)
+    """(parameters, covariance), from a window over the first impacts to the whole recording."""
+    time = model.recording.time
+    ends = model.guess.touch_time + np.cumsum(model.guess.flights)[:WINDOWS] + 4 * model.guess.contact_s
+    for end in [*ends, time[-1]]:
+        parameters, covariance = _solved(model, parameters, time <= end, springs)
     for name, left in _residuals(model, parameters).items():
         model.noise[name] = max(float(np.sqrt(np.mean(left**2))), LEAST_NOISE * model.ranges[name])
     return _solved(model, parameters, np.ones(len(time), dtype=bool), springs)
@@ -157,8 +159,8 @@ def _solved(model, parameters, inside, springs):
     time = model.recording.time[inside]
     recorded = {name: values[inside] for name, values in model.recording.signals.items()}
     free = model.free(springs)
-    lower, upper = (np.full(len(parameters), limit) for limit in (-np.inf, np.inf))
-    lower[DAMPING], lower[DAMPING_RATIO], upper[DAMPING_RATIO] = 0, 0, 0.99
+    upper = np.append(FARTHEST, np.ones(len(model.names)))
+    lower = np.where(np.isin(np.arange(len(upper)), (DAMPING, DAMPING_RATIO)), 0, -upper)
     before = None
     for _ in range(ROUNDS):
         used = away_from_touches(model, parameters, time)

@@ -52,7 +52,7 @@ def propagated(function, values, covariance):
         ends[0][column] = max(ends[0][column] - step, 0)
         ends[1][column] += step
         slopes[:, column] = (np.array(function(*ends[1])) - np.array(function(*ends[0]))) / (ends[1][column] - ends[0][column])
-    errors = np.sqrt(np.diag(slopes @ covariance @ slopes.T))
+    errors = np.sqrt(np.maximum(np.diag(slopes @ covariance @ slopes.T), 0))
     return [Number(float(value), float(error)) for value, error in zip(middle, errors)]
 
 

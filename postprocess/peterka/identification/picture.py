@@ -2,8 +2,9 @@
 
 import numpy as np
 from matplotlib.lines import Line2D
-from peterka_pictures import axes, units
-from peterka_pictures.linear_ticks import LinearNumbers, LinearTicks
+
+from ..look import axes, units
+from ..look.linear_ticks import LinearNumbers, LinearTicks
 
 WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
 RECORDED = {"color": "#8C8C8C", "marker": "o", "markersize": 1.8, "markeredgewidth": 0, "linestyle": "none"}

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from peterka_pictures.opened import STANDARD_GRAVITY
 
+from ..files.opened import STANDARD_GRAVITY
 from ..files.csv_table import read_csv_table
 
 TIMES = {"time_s": 1.0, "time_ms": 1e-3}

@@ -120,7 +120,8 @@ def _end_of_contact(rig, contact):
     step = 0.05 / abs(contact.roots[1])  # the faster one where it creeps
     for _ in range(LONGEST_SEARCH):
         if force(contact.begin + 1.3 * step) <= 0:
-            return brentq(force, contact.begin + step, contact.begin + 1.3 * step, xtol=1e-15)
+            begin = contact.begin + (step if force(contact.begin + step) > 0 else 0.0)
+            return brentq(force, begin, contact.begin + 1.3 * step, xtol=1e-15)
         step *= 1.3
     raise ValueError("a contact that never ends")
 

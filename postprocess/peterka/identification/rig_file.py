@@ -1,7 +1,6 @@
 """The rig that was found, as a TOML file that jobs name by rig = "...": hammer, contact, and the cart where it is told."""
 
-from peterka_pictures.harmless import harmless
-
+from ..files.harmless import harmless
 from .words import number_text
 
 KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error would be chance

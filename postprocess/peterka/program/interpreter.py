@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-PACKAGES = ("numpy", "h5py", "matplotlib")
+PACKAGES = ("numpy", "h5py", "matplotlib", "scipy")
 OLDEST = (3, 11)
 SYSTEMS = "/usr/bin/python3"
 BAD_INTERPRETER = 2
@@ -24,7 +24,7 @@ def use_one_with_packages():
     if sys.executable != SYSTEMS and has_packages(SYSTEMS):
         os.execv(SYSTEMS, [SYSTEMS, *sys.argv])
     print(f"{Path(sys.argv[0]).name}: {sys.executable or 'this Python'} lacks {lacking}, and so does {SYSTEMS}; install "
-          "that (Debian: python3-numpy python3-h5py python3-matplotlib), or start this with another one: "
+          "that (Debian: python3-numpy python3-h5py python3-matplotlib python3-scipy), or start this with another one: "
           f"PYTHON {sys.argv[0]} ...", file=sys.stderr)
     sys.exit(BAD_INTERPRETER)
 
