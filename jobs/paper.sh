@@ -14,7 +14,7 @@ program=$(realpath -m "$(dirname "$0")/../build/peterka")
 [ -z "${PETERKA_BINARY:-}" ] || program=$(program_argument PETERKA_BINARY)
 cd "$(dirname "$0")/.."
 
-[ -n "${PETERKA_BINARY:-}" ] || jobs/prepare.sh
+[ -n "${PETERKA_BINARY:-}" ] || jobs/prepare.sh --program
 . jobs/mpi_environment.sh
 
 # full or quick

@@ -1,19 +1,23 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds peterka into build/. Safe to repeat. Used by quickstart.sh and tests/run.sh.
-#   [BUILD_TESTING=OFF] jobs/prepare.sh [EXTRA_PACKAGE...]      on Debian 12, Ubuntu 24.04 or later; as root or with sudo
+# Installs what is missing and builds peterka into build/, with its tests. Safe to repeat. Used by the other scripts.
+#   jobs/prepare.sh [--program | --packages] [EXTRA_PACKAGE...]     on Debian 12, Ubuntu 24.04 or later; as root or with sudo
+#   --program    the program alone, without its tests
+#   --packages   installs, and builds nothing
 set -euo pipefail
 . "$(dirname "$0")/arguments.sh"
-read_arguments "" 1000 "$@"
-for package in "$@"; do
+read_arguments "--program --packages" 1000 "$@"
+for package in "${words[@]}"; do
     [[ $package =~ ^[a-z0-9][a-z0-9.+-]+$ ]] || refuse "$package is no name of a package"
 done
 cd "$(dirname "$0")/.."
 
 packages=(g++ cmake ninja-build git
     libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libsundials-dev libeigen3-dev libfmt-dev libxxhash-dev
-    libcli11-dev libtomlplusplus-dev libhwy-dev libgtest-dev
-    python3 python3-numpy python3-h5py python3-xarray python3-netcdf4 python3-h5netcdf python3-matplotlib python3-scipy python3-xxhash
-    python3-pytest "$@")
+    libcli11-dev libtomlplusplus-dev libhwy-dev
+    python3 python3-numpy python3-h5py python3-xarray python3-h5netcdf python3-matplotlib python3-scipy python3-xxhash
+    "${words[@]}")
+tests=OFF
+has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pytest); }
 
 missing=()
 for package in "${packages[@]}"; do
@@ -35,6 +39,7 @@ if [ ${#missing[@]} -gt 0 ]; then
         -o DPkg::Lock::Timeout=300 "${missing[@]}" >/dev/null
 fi
 
-configure build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING="${BUILD_TESTING:-ON}" \
+! has_option --packages || exit 0
+configure build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=$tests \
     -DPETERKA_UNITY_TESTS=ON
 cmake --build build

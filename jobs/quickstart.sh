@@ -10,7 +10,7 @@ job=${words[0]:-$(dirname "$0")/peterka_170mm.toml}
 job=$(realpath "$job")
 cd "$(dirname "$0")/.."
 
-jobs/prepare.sh
+jobs/prepare.sh --program
 . jobs/mpi_environment.sh
 
 map=$(basename "$job" .toml).h5

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests of every commit: C++ units, MPI tests, the program under mpirun, the pictures,
-# formatting and static analysis. Safe to repeat.
+# Installs what is missing, builds, and runs the tests of every commit: C++ units, MPI tests, the program under mpirun, the
+# pictures, the page. Safe to repeat. tests/style.sh has formatting and static analysis.
 #   tests/run.sh                  everything
-#   tests/run.sh -R PATTERN       only the tests whose name matches, without static analysis
-#   tests/run.sh --rerun-failed   only those that failed the last time, without static analysis
+#   tests/run.sh -R PATTERN       only the tests whose name matches
+#   tests/run.sh --rerun-failed   only those that failed the last time
 set -euo pipefail
 . "$(dirname "$0")/../jobs/arguments.sh"
 read_arguments "-R --rerun-failed" 1 "$@"
@@ -13,9 +13,6 @@ cd "$(dirname "$0")/.."
 
 # The page of explore.py: what builds its engine, and a browser.
 # shellcheck disable=SC2046
-jobs/prepare.sh clang-format clang-tidy $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
+jobs/prepare.sh $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
 . jobs/mpi_environment.sh
 ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"
-[ $# = 0 ] || exit 0
-
-tests/style.sh

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Formatting and static analysis of the C++ code: clang-format must change nothing, clang-tidy must find nothing.
 # Each folder of src is read as one unit, headers once, so names must be unique in their folder.
+# Installs both where they are missing.
 #   tests/style.sh [--deep]
 #   --deep: with the path-sensitive analyzer, too, file by file, which takes four times as long
 set -euo pipefail
 . "$(dirname "$0")/../jobs/arguments.sh"
 read_arguments --deep 0 "$@"
 cd "$(dirname "$0")/.."
+jobs/prepare.sh --packages clang-format clang-tidy
 build=build/style unity=ON checks=(--checks=-clang-analyzer-*)
 ! has_option --deep || { build=build/deep_style unity=OFF checks=(); }
 
