@@ -18,9 +18,9 @@ CAUSES = ("No space left", "Input/output error", "Disk quota exceeded", "Interru
 NAME = "job.h5"
 
 KINDS = {
-    "map": jobs.small_map(20, 20) + "[audit]\ncells = 2\n",
-    "basin": jobs.small_basin(20),
-    "sweep": jobs.small_sweep(5, "up", "[1.5]"),
+    "map": jobs.small_map(18, 3) + "[audit]\ncells = 2\n",
+    "basin": jobs.small_basin(5),
+    "sweep": jobs.small_sweep(3, "up", "[1.5]"),
     "trace": jobs.trace(2.0, settings="cycles = 2"),
     "study": jobs.small_label_study(2),
 }
