@@ -91,11 +91,6 @@ std::vector<double**> fields(Lanes& l) {
             &l.jacobian[3]};
 }
 
-scene::Oscillator<double> without_cubic(scene::Oscillator<double> rig) {
-    rig.cubic = 0;
-    return rig;
-}
-
 // Whether the kernel's closed forms are fit for a motion.
 bool is_regular(const motion::LinearMotion<double>& motion) {
     return motion.oscillates() && !motion.near_critical() && !motion.resonant();

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <tuple>
 
+#include "regime/same_orbit.hpp"
+
 namespace peterka::findings {
 
 namespace {
 
 using regime::Regime;
-
-// Newton leaves 1e-11 on an orbit's point, while coexisting orbits lie far apart: anything between would do.
-constexpr double orbit_tolerance = 1e-6;
-
-bool close(double a, double b) {
-    return std::abs(a - b) <= orbit_tolerance * (1 + std::max(std::abs(a), std::abs(b)));
-}
 
 auto canonical_key(const Attractor& attractor) {
     const quantities::StoredCell& cell = attractor.cell;
@@ -44,8 +39,7 @@ bool has_attractor(const quantities::StoredCell& cell) {
 bool same_attractor(const quantities::StoredCell& a, const quantities::StoredCell& b) {
     if (a.regime != b.regime) return false;
     if (a.regime != Regime::periodic) return true;
-    return a.period == b.period && a.impacts == b.impacts &&
-           close(a.orbit_displacement, b.orbit_displacement) && close(a.orbit_velocity, b.orbit_velocity);
+    return regime::same_orbit(a, b);
 }
 
 std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell) {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "regime/same_orbit.hpp"
 #include "regime/scalar_engine.hpp"
 
 namespace peterka::regime {
 
 namespace {
 
-constexpr double same_point = 1e-6;          // relative; coexisting orbits lie much farther apart
 constexpr std::size_t most_attractors = 64;  // that are told apart; few scenes have ten
 constexpr std::int64_t most_places = 8;      // of one orbit
 constexpr double saved_cycles = 2;           // by a start that ends in a neighbourhood, at the very least
@@ -23,15 +23,6 @@ bool has_orbit(const CellResult& result) {
     const bool settled = result.regime == Regime::periodic || result.regime == Regime::sustained_contact;
     return settled && result.period > 0 && std::isfinite(result.orbit_displacement) &&
            std::isfinite(result.orbit_velocity);
-}
-
-bool close(double a, double b) {
-    return std::abs(a - b) <= same_point * (1 + std::max(std::abs(a), std::abs(b)));
-}
-
-bool same_orbit(const CellResult& a, const CellResult& b) {
-    return a.regime == b.regime && a.period == b.period && a.impacts == b.impacts &&
-           close(a.orbit_displacement, b.orbit_displacement) && close(a.orbit_velocity, b.orbit_velocity);
 }
 
 scene::Oscillator<double> with_cubic(scene::Oscillator<double> scene, double cubic) {

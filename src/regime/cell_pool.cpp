@@ -141,17 +141,14 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     enter(std::move(cell));
 }
 
-// The batch of a spring-dashpot stop that its engine has. The absolute form of a cubic spring gains nothing in
-// one.
+// Where its engine has one.
 std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
     const EngineSettings& settings = desk.settings();
-    const Engine engine = settings.engine;
     const scene::Oscillator<double>& scene = desk.scene();
-    if (!std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) return std::nullopt;
-    if (engine == Engine::exact || (engine == Engine::split && scene.cubic == 0)) {
+    if (!has_batch(scene, settings.engine)) return std::nullopt;
+    if (settings.engine == Engine::exact || scene.cubic == 0) {
         return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(scene.frequency)};
     }
-    if (engine != Engine::split || scene.cubic_form != job::CubicForm::relative) return std::nullopt;
     const int steps = trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
     if (steps == 0) return std::nullopt;
     return Batch{batch::Springs::split, steps};

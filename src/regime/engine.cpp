@@ -87,9 +87,40 @@ Engine fit_with_cubic(const scene::Oscillator<double>& scene, const job::Solver&
 
 }  // namespace
 
-EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
-                                 double largest_displacement) {
-    return {fit_with_cubic(scene, solver, largest_displacement), solver.tolerance, largest_displacement};
+bool has_batch(const scene::Oscillator<double>& scene, Engine engine) {
+    if (!std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) return false;
+    const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
+    return engine == Engine::exact || (engine == Engine::split && relative);
+}
+
+bool may_use_batch(const scene::Oscillator<double>& scene, const job::Solver& solver) {
+    switch (solver.engine) {
+        case job::EngineChoice::automatic:
+            if (scene.cubic == 0 || solver.omit_tolerance > 0) return has_batch(scene, Engine::exact);
+            return has_batch(scene, Engine::split);
+        case job::EngineChoice::exact:
+            return has_batch(scene, Engine::exact);
+        case job::EngineChoice::split:
+            return has_batch(scene, Engine::split);
+        case job::EngineChoice::cvode:
+        case job::EngineChoice::arkode:
+            break;
+    }
+    return false;
+}
+
+void EngineByReach::choose(double largest_displacement) {
+    settings_ = {fit_with_cubic(scene_, solver_, largest_displacement), solver_.tolerance,
+                 largest_displacement};
+    if (settings_.engine == Engine::split) settings_.tolerance = split_tolerance_;
+}
+
+bool EngineByReach::must_change(double reached) {
+    constexpr int most_changes = 2;  // one does, unless the reach itself hangs on the kicks
+    if (changes_ == most_changes || !goes_too_far(scene_, settings_, reached)) return false;
+    ++changes_;
+    choose(reached);
+    return true;
 }
 
 bool goes_too_far(const scene::Oscillator<double>& scene, const EngineSettings& chosen, double displacement) {

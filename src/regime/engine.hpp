@@ -40,11 +40,46 @@ bool has_nonlinear_contact(const scene::Oscillator<double>& scene);
 // Adams; in stiff contacts cvode's BDF is cheaper than arkode's implicit method.
 Engine cheaper_integrator(const scene::Oscillator<double>& scene);
 
-// The engine that keeps the cubic term: what the job names, or the cheapest that is fit for its strength.
-EngineSettings engine_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
-                                 double largest_displacement);
+// Whether the batched kernel carries a scene with this engine: a spring-dashpot stop, in closed form or with
+// the relative cubic as kicks.
+bool has_batch(const scene::Oscillator<double>& scene, Engine engine);
+// Whether cells of a job with this solver may be carried by it.
+bool may_use_batch(const scene::Oscillator<double>& scene, const job::Solver& solver);
 
-// Whether a motion went further than its engine was chosen for: the kicks of `split` hang on that.
+// The engine that keeps every term of a scene, for a motion whose reach shows only once it has been followed:
+// the kicks of `split` hang on that. What the job names, or the cheapest that is fit for the cubic's strength.
+//     do follow(engine.settings()); while (engine.must_change(reach));
+class EngineByReach {
+  public:
+    // largest_displacement: of |u|, as far as is known.
+    EngineByReach(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                  double largest_displacement)
+        : scene_(scene), solver_(solver), split_tolerance_(solver.tolerance) {
+        choose(largest_displacement);
+    }
+    // The same with another tolerance for `split`.
+    EngineByReach(const scene::Oscillator<double>& scene, const job::Solver& solver,
+                  double largest_displacement, double split_tolerance)
+        : scene_(scene), solver_(solver), split_tolerance_(split_tolerance) {
+        choose(largest_displacement);
+    }
+
+    [[nodiscard]] const EngineSettings& settings() const { return settings_; }
+    // Whether the motion is to be followed again, by other settings, as it went further than assumed. Not for
+    // ever.
+    [[nodiscard]] bool must_change(double reached);
+
+  private:
+    void choose(double largest_displacement);
+
+    scene::Oscillator<double> scene_;
+    job::Solver solver_;
+    double split_tolerance_;
+    EngineSettings settings_;
+    int changes_ = 0;
+};
+
+// Whether a motion went further than its engine was chosen for.
 bool goes_too_far(const scene::Oscillator<double>& scene, const EngineSettings& chosen, double displacement);
 
 }  // namespace peterka::regime

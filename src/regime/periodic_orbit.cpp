@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "regime/orbit_round.hpp"
+#include "regime/same_orbit.hpp"
 
 namespace peterka::regime {
 
@@ -39,6 +40,20 @@ bool has_smaller_period(const PeriodicOrbit& orbit) {
         if (orbit.period() % divisor == 0 && returns_after(orbit, divisor)) return true;
     }
     return false;
+}
+
+std::size_t put_lowest_point_first(PeriodicOrbit& orbit) {
+    std::vector<Point>& points = orbit.points;
+    double lowest = points.front()[0];
+    for (const Point& point : points) lowest = std::min(lowest, point[0]);
+    auto first = points.end();
+    for (auto point = points.begin(); point != points.end(); ++point) {
+        if (!coincide((*point)[0], lowest)) continue;
+        if (first == points.end() || (*point)[1] < (*first)[1]) first = point;
+    }
+    const std::ptrdiff_t before = first - points.begin();
+    std::rotate(points.begin(), first, points.end());  // clang 14 has no std::ranges::rotate
+    return static_cast<std::size_t>(before);
 }
 
 // Each correction is about the square of the one before, times what the map's curvature makes of it: so two of
@@ -123,6 +138,13 @@ ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPatte
     in_a_row_ = 0;
     const bool grows = norm_(error_) > norm_(before);
     return grows || ++failures_ >= allowed_failures ? Verdict::refuted : Verdict::open;
+}
+
+ConvergenceTest::Verdict ConvergenceTest::follow(const Passage& cycle) {
+    pattern_ = append(pattern_, cycle.pattern);
+    if (++followed_ < orbit_.period()) return Verdict::open;
+    followed_ = 0;
+    return advance(cycle.end, std::exchange(pattern_, 0));
 }
 
 }  // namespace peterka::regime

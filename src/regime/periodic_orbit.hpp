@@ -38,6 +38,10 @@ bool is_stable(const PeriodicOrbit& orbit);
 // Whether the orbit returns to its point, or nearly, after a divisor of its period.
 bool has_smaller_period(const PeriodicOrbit& orbit);
 
+// One of the q points names the orbit, whatever start and phase led to it: the lowest, and of those that are
+// alike the slowest. It comes first from now on; how many points came before it.
+std::size_t put_lowest_point_first(PeriodicOrbit& orbit);
+
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
@@ -56,6 +60,8 @@ class ConvergenceTest {
     [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
     // The state one orbit period later, and the pattern of the cycles in between.
     Verdict advance(const Point& state, EventPattern pattern);
+    // One cycle more. It stays open up to the end of a period.
+    Verdict follow(const Passage& cycle);
 
   private:
     PeriodicOrbit orbit_;
@@ -64,6 +70,8 @@ class ConvergenceTest {
     Point error_;
     int in_a_row_ = 0;
     int failures_ = 0;
+    std::int64_t followed_ = 0;  // cycles of the present period
+    EventPattern pattern_ = 0;   // of these
 };
 
 }  // namespace peterka::regime

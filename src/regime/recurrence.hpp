@@ -7,12 +7,12 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <tuple>
 #include <vector>
 
 #include "regime/orbit_round.hpp"
+#include "regime/pattern_marks.hpp"
 #include "regime/stroboscopic_map.hpp"
 
 namespace peterka::regime {
@@ -25,7 +25,8 @@ class Recurrence {
     Recurrence(std::int64_t longest, bool untouched)
         : longest_(longest),
           ring_(std::bit_ceil(static_cast<std::size_t>(2 * longest + 1))),
-          untouched_(untouched) {
+          untouched_(untouched),
+          marks_(static_cast<std::size_t>(2 * longest + late_repeats)) {
         states_.reserve(16);
         passages_.reserve(16);
     }
@@ -42,7 +43,7 @@ class Recurrence {
             states_[place(recorded_)] = cycle.end;
             passages_[place(recorded_)] = now;
         }
-        mark(cycle.pattern);
+        marks_.add(cycle.pattern);
     }
 
     // At the end of the last cycle, and q cycles before.
@@ -91,12 +92,11 @@ class Recurrence {
     [[nodiscard]] std::int64_t candidate() {
         const bool late = recorded_ > early_cycles;
         const Point now = state();
-        const std::uint16_t* ago = &marks_[newest_];
         Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  // of the last `carried` cycles
         std::int64_t carried = 0;
         for (std::int64_t q = 1; q <= longest_ && 2 * q < recorded_; ++q) {
-            if (ago[q] != ago[0]) continue;
-            if (late && std::memcmp(ago + q, ago, late_repeats * sizeof *ago) != 0) continue;
+            if (!marks_.repeats(q)) continue;
+            if (late && !marks_.repeat(late_repeats, q)) continue;
             if (recorded_ - last_touch_ >= q && !untouched_) continue;
             const double distance = (now - state(q)).lpNorm<Eigen::Infinity>();
             if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q)) continue;
@@ -139,24 +139,9 @@ class Recurrence {
         return tried_at_.empty() ? first_distance : tried_at_[static_cast<std::size_t>(q)];
     }
 
-    // Marks lie newest first, so that marks_[newest_ + q] is that of q cycles ago, and are added in front.
-    void mark(EventPattern pattern) {
-        const auto kept = static_cast<std::size_t>(2 * longest_ + late_repeats);
-        if (newest_ == 0) {
-            const std::size_t room = kept;
-            std::vector<std::uint16_t> moved(room + kept);
-            std::copy_n(marks_.begin(), std::min(kept, marks_.size()),
-                        moved.begin() + static_cast<std::ptrdiff_t>(room));
-            marks_.swap(moved);
-            newest_ = room;
-        }
-        marks_[--newest_] = static_cast<std::uint16_t>(pattern ^ (pattern >> 16U) ^ (pattern >> 32U));
-    }
-
     // The last q patterns equal the q before.
     [[nodiscard]] bool patterns_repeat(std::int64_t q) const {
-        const std::uint16_t* ago = &marks_[newest_];
-        if (std::memcmp(ago, ago + q, static_cast<std::size_t>(q) * sizeof *ago) != 0) return false;
+        if (!marks_.repeat(q, q)) return false;
         for (std::int64_t i = 0; i < q; ++i) {
             if (passage(recorded_ - i).pattern != passage(recorded_ - q - i).pattern) return false;
         }
@@ -169,8 +154,7 @@ class Recurrence {
     std::vector<Point> states_;  // apart, as a search for candidates looks at many
     std::vector<Kept> passages_;
     std::vector<double> tried_at_;
-    std::vector<std::uint16_t> marks_;  // of patterns: 16 bits, for a first look at many lags
-    std::size_t newest_ = 0;
+    PatternMarks marks_;
     std::int64_t recorded_ = 0;
     std::int64_t last_touch_ = 0;
 };

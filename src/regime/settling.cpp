@@ -11,11 +11,6 @@ namespace peterka::regime {
 
 namespace {
 
-scene::Oscillator<double> without_cubic(scene::Oscillator<double> scene) {
-    scene.cubic = 0;
-    return scene;
-}
-
 Task<Passage> one_cycle(StroboscopicMap& map, Point from, Recorder<double>& recorder) {
     co_return co_await map.cycle(from, &recorder);
 }

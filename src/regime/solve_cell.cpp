@@ -11,11 +11,6 @@
 
 namespace peterka::regime {
 
-Budget budget_of(const job::SteadyState& steady) {
-    return {
-        .max_cycles = steady.max_cycles, .max_period = steady.max_period, .chaos_cycles = steady.chaos_cycles};
-}
-
 namespace {
 
 // Not asked for, not computed.
@@ -28,9 +23,6 @@ Measures measures_of(const job::Output& output) {
             output.has(OptionalField::force_per_cycle)};
 }
 
-// Growth from which on a label hangs on rounding: errors of 1e-16 become 1e-7, and any choice on the way may
-// turn.
-constexpr double rounding_decides = 20;
 // A disturbance that grew to this share of the motion may have turned a choice on the way.
 constexpr double harmless = 0.1;
 
@@ -52,7 +44,7 @@ class Solution {
         : desk_(desk),
           cell_(std::move(cell)),
           solver_(job.solver),
-          budget_(budget_of(job.steady_state)),
+          budget_(job.steady_state),
           attractors_(attractors),
           measures_(measures_of(job.output)) {
         measures_.motion = motion;
@@ -67,7 +59,7 @@ class Solution {
         if (!automatic || keeps_all) {
             result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
         } else {
-            result = co_await search(linear(), cell_.start, exact());
+            result = co_await search(without_cubic(cell_.oscillator), cell_.start, exact());
             if (!is_linear) result = co_await with_cubic_where_it_matters(result);
         }
         if (has_lasting_proof(result) && result.status == Status::proved &&
@@ -116,19 +108,14 @@ class Solution {
     }
 
     // Keeps every term, in a search with this tolerance; an orbit found has the one asked for. The engine and
-    // its steps hang on the largest displacement; where the result goes further than was assumed, it is solved
-    // again.
+    // its steps hang on the largest displacement.
     Task<CellResult> with_all_terms(double largest_displacement, double tolerance) {
-        constexpr int most_rounds = 3;
+        EngineByReach engine(cell_.oscillator, solver_, largest_displacement, tolerance);
         CellResult result;
-        for (int round = 0; round < most_rounds; ++round) {
-            EngineSettings engine = engine_with_cubic(cell_.oscillator, solver_, largest_displacement);
-            if (engine.engine == Engine::split) engine.tolerance = tolerance;
-            searched_with_ = engine;
-            result = co_await search(cell_.oscillator, cell_.start, engine);
-            if (!goes_too_far(cell_.oscillator, engine, result.largest_displacement)) break;
-            largest_displacement = result.largest_displacement;
-        }
+        do {
+            searched_with_ = engine.settings();
+            result = co_await search(cell_.oscillator, cell_.start, searched_with_);
+        } while (engine.must_change(result.largest_displacement));
         co_return result;
     }
 
@@ -143,7 +130,7 @@ class Solution {
         constexpr double last_bit = std::numeric_limits<double>::epsilon();
         scene::State<double> moved = cell_.start;
         for (double& coordinate : moved) coordinate -= last_bit * std::max(1.0, std::abs(coordinate));
-        return result.engine == Engine::exact ? again(linear(), moved, exact())
+        return result.engine == Engine::exact ? again(without_cubic(cell_.oscillator), moved, exact())
                                               : again(cell_.oscillator, moved, searched_with_);
     }
 
@@ -160,19 +147,14 @@ class Solution {
         return !(loop < 1) || reach * (1 + loop / 3 / (1 - loop)) >= cell_.oscillator.gap;
     }
 
-    [[nodiscard]] scene::Oscillator<double> linear() const {
-        scene::Oscillator<double> scene = cell_.oscillator;
-        scene.cubic = 0;
-        return scene;
-    }
     [[nodiscard]] EngineSettings exact() const { return {.tolerance = solver_.tolerance}; }
     // To tell what the term does, not to solve with it.
     [[nodiscard]] double coarse() const { return std::max(solver_.tolerance, solver_.omit_tolerance / 30); }
     [[nodiscard]] bool cubic_splits() const {
         job::Solver solver = solver_;
         solver.tolerance = coarse();
-        return engine_with_cubic(cell_.oscillator, solver, EngineSettings{}.largest_displacement).engine ==
-               Engine::split;
+        const EngineByReach with(cell_.oscillator, solver, EngineSettings{}.largest_displacement);
+        return with.settings().engine == Engine::split;
     }
     // As far as a search for the motion may go, on its way, too.
     static double reach_of(const CellResult& result) {
@@ -192,10 +174,8 @@ class Solution {
     // For its label alone. It gives up where errors grow more than most_growth.
     Task<CellResult> again(scene::Oscillator<double> scene, scene::State<double> start, EngineSettings engine,
                            double most_growth = std::numeric_limits<double>::infinity()) {
-        Budget budget = budget_;
-        budget.most_growth = most_growth;
-        const CellResult result =
-            co_await find_steady_state(desk_, scene, start, budget, engine, {}, {attractors_.known, nullptr});
+        const CellResult result = co_await find_steady_state(desk_, scene, start, budget_, engine, {},
+                                                             {attractors_.known, nullptr}, most_growth);
         spent_ += result.cycles;
         co_return result;
     }
@@ -203,7 +183,7 @@ class Solution {
     CycleDesk& desk_;
     scene::Cell cell_;
     job::Solver solver_;
-    Budget budget_;
+    job::SteadyState budget_;
     Attractors attractors_;
     Measures measures_;
     std::int64_t spent_ = 0;
@@ -218,7 +198,7 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
     const scene::Cell cell = scene.cell(row, column);
     const Engine cheaper = cheaper_integrator(cell.oscillator);
     const Engine other = cheaper == Engine::cvode ? Engine::arkode : Engine::cvode;
-    return find_steady_state(cell.oscillator, cell.start, budget_of(scene.job().steady_state),
+    return find_steady_state(cell.oscillator, cell.start, scene.job().steady_state,
                              {.engine = cheaper == first_engine ? other : cheaper,
                               .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
 }

@@ -10,8 +10,6 @@
 
 namespace peterka::regime {
 
-[[nodiscard]] Budget budget_of(const job::SteadyState& steady);
-
 // With engines of its own, or as a task whose cycles others serve at the desk.
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
 Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,

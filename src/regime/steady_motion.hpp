@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "scene/oscillator.hpp"
 #include "support/latest.hpp"
@@ -22,6 +23,44 @@ struct SteadyMotion {
         {};  // (delta, delta') at forcing phase 0, after whole cycles from the
              // start: the point of the orbit to which the trajectory contracts,
              // or where it is when the search gives up; none where it failed
+};
+
+// Writes a motion down for who wants it, and nothing where nobody does.
+class MotionLog {
+  public:
+    using State = scene::State<double>;
+
+    // motion: nullptr where nobody wants it; outlives the log.
+    explicit MotionLog(SteadyMotion* motion) : motion_(motion) { forget(); }
+
+    [[nodiscard]] bool is_wanted() const { return motion_ != nullptr; }
+    [[nodiscard]] Latest<trajectory::Touch<double>>* touches() const {
+        return is_wanted() ? &motion_->touches : nullptr;
+    }
+    // One more point of a motion without a proof.
+    void add(const State& point) {
+        if (is_wanted()) motion_->stroboscopic.add(point);
+    }
+    // The motion is an orbit; `reached`: the number of the point that the trajectory is close to.
+    void settle_on(std::span<const State> points, std::size_t reached) {
+        if (!is_wanted()) return;
+        motion_->stroboscopic.clear();
+        for (const State& point : points) motion_->stroboscopic.add(point);
+        motion_->end = points[reached];
+    }
+    void forget_touches() {
+        if (is_wanted()) motion_->touches.clear();
+    }
+    // The search gave up here.
+    void end_at(const State& state) {
+        if (is_wanted()) motion_->end = state;
+    }
+    void forget() {
+        if (is_wanted()) *motion_ = SteadyMotion(motion_->touches.capacity());
+    }
+
+  private:
+    SteadyMotion* motion_;
 };
 
 }  // namespace peterka::regime

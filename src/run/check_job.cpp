@@ -20,9 +20,11 @@
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
 #include "regime/branch.hpp"
+#include "regime/engine.hpp"
 #include "report/starts_inside.hpp"
 #include "run/run_plan.hpp"
 #include "run/traced_cell.hpp"
+#include "scene/scene.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
 
@@ -31,11 +33,8 @@ namespace {
 
 // What hundreds of cells in hand take, where they are solved side by side [bytes]; as measured.
 std::int64_t cells_in_hand_bytes(const job::Job& job) {
-    using enum job::EngineChoice;
-    const job::EngineChoice engine = job.solver.engine;
-    const bool side_by_side = std::holds_alternative<job::KelvinVoigt>(job.contact) &&
-                              (engine == automatic || engine == exact || engine == split);
-    if (!side_by_side || job.kind == job::Kind::sweep) return 0;
+    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
+    if (job.kind == job::Kind::sweep || !regime::may_use_batch(rig, job.solver)) return 0;
     return job.kind == job::Kind::basin ? 4'000'000 : 17'000'000;
 }
 

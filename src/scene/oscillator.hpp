@@ -45,4 +45,11 @@ struct Oscillator {
     [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }
 };
 
+// The same hammer with linear springs.
+template <class Real>
+[[nodiscard]] Oscillator<Real> without_cubic(Oscillator<Real> scene) {
+    scene.cubic = 0;
+    return scene;
+}
+
 }  // namespace peterka::scene

@@ -58,8 +58,8 @@ Labels::Result Labels::solve(std::int64_t task) const {
     regime::EngineSettings settings{.engine = run.engine};
     if (run.engine != Engine::exact) settings.tolerance = run.run.setting;
     const Stopwatch stopwatch;
-    const regime::CellResult solved = regime::find_steady_state(
-        cell.oscillator, cell.start, regime::budget_of(scene_.job().steady_state), settings);
+    const regime::CellResult solved =
+        regime::find_steady_state(cell.oscillator, cell.start, scene_.job().steady_state, settings);
     return {solved.regime, solved.impacts, solved.period, stopwatch.seconds()};
 }
 

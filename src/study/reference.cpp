@@ -85,7 +85,7 @@ Extended ReferenceOrbit::largest_displacement() const {
 
 // Newton's method with a Jacobian of lower precision: each step gains about ten digits.
 std::optional<ReferenceOrbit> reference_orbit(const Oscillator<double>& scene, const State<double>& start,
-                                              const regime::Budget& budget) {
+                                              const job::SteadyState& budget) {
     constexpr int most_steps = 12;
     constexpr Extended close_enough = 1e-17L;
     const auto engine = scene.cubic == 0 ? regime::Engine::exact : regime::Engine::arkode;

@@ -42,6 +42,6 @@ struct ReferenceOrbit {
 // The orbit to which this start leads, polished in extended precision; nothing where it leads to none.
 [[nodiscard]] std::optional<ReferenceOrbit> reference_orbit(const scene::Oscillator<double>& scene,
                                                             const scene::State<double>& start,
-                                                            const regime::Budget& budget);
+                                                            const job::SteadyState& budget);
 
 }  // namespace peterka::study

@@ -47,17 +47,31 @@ bool fits(Engine engine, const Oscillator<double>& scene, const EngineSettings& 
     return true;
 }
 
-// The kicks of `split` hang on the largest displacement, which shows only in the result.
-CellResult solve(const scene::Cell& cell, const regime::Budget& budget, EngineSettings& settings) {
-    constexpr int most_rounds = 3;
-    CellResult result;
-    for (int round = 0; round < most_rounds; ++round) {
-        result = regime::find_steady_state(cell.oscillator, cell.start, budget, settings);
-        if (settings.engine != Engine::split) break;
-        if (!(result.largest_displacement > 1.1 * settings.largest_displacement)) break;
-        settings.largest_displacement = result.largest_displacement;
-        if (!fits(settings.engine, cell.oscillator, settings)) break;
+job::EngineChoice choice_of(Engine engine) {
+    switch (engine) {
+        case Engine::exact:
+            break;
+        case Engine::split:
+            return job::EngineChoice::split;
+        case Engine::cvode:
+            return job::EngineChoice::cvode;
+        case Engine::arkode:
+            return job::EngineChoice::arkode;
     }
+    return job::EngineChoice::exact;
+}
+
+// The settings are those of the last search.
+CellResult solve(const scene::Cell& cell, const job::SteadyState& budget, EngineSettings& settings) {
+    regime::EngineByReach engine(cell.oscillator,
+                                 {.engine = choice_of(settings.engine), .tolerance = settings.tolerance},
+                                 settings.largest_displacement);
+    CellResult result;
+    do {
+        result = regime::find_steady_state(cell.oscillator, cell.start, budget, engine.settings());
+    } while (engine.must_change(result.largest_displacement) &&
+             fits(settings.engine, cell.oscillator, engine.settings()));
+    settings = engine.settings();
     return result;
 }
 
@@ -171,7 +185,7 @@ Result Stability::solve(std::int64_t task) const {
 
 Result Stability::solve_scene(std::int64_t number) const {
     const scene::Cell cell = cell_of(battery()[static_cast<std::size_t>(number)], job_);
-    const regime::Budget budget = regime::budget_of(job_.steady_state);
+    const job::SteadyState& budget = job_.steady_state;
     const Verdict verdict = judge(cell.oscillator, cell.start);
     Result result;
     for (std::size_t n = 0; n < engines; ++n) {

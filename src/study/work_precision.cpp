@@ -59,7 +59,7 @@ Result compared(const std::vector<Observation>& cycles, const ReferenceOrbit& or
 
 WorkPrecision::WorkPrecision(const job::Job& job)
     : study_(job.study),
-      budget_(regime::budget_of(job.steady_state)),
+      budget_(job.steady_state),
       force_ratio_(scene::scales_of(job).force_ratio()),
       runs_(runs(scene::oscillator_of(job).cubic != 0, study_.tolerances, study_.steps_per_cycle)) {
     for (std::size_t n = 0; n < study_.frequency_ratio.size(); ++n) {

@@ -60,7 +60,7 @@ class WorkPrecision {
     [[nodiscard]] std::optional<Followed> follow(const Run& run, std::size_t cell) const;
 
     job::Study study_;
-    regime::Budget budget_;
+    job::SteadyState budget_;
     double force_ratio_;  // F/(m g0) per F/(k A0)
     std::vector<Run> runs_;
     std::vector<Cell> cells_;

@@ -15,7 +15,7 @@ struct Carrier {
 inline Carrier carrier_of(const regime::CycleDesk& desk, const regime::CellResult& result) {
     Carrier carrier{desk.scene(), desk.settings()};
     if (result.engine == regime::Engine::exact) {
-        carrier.scene.cubic = 0;
+        carrier.scene = without_cubic(carrier.scene);
         carrier.settings = {};
     }
     return carrier;

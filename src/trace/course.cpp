@@ -7,7 +7,7 @@
 #include <numbers>
 #include <variant>
 
-#include "regime/growth.hpp"
+#include "regime/followed_trajectory.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
 #include "support/errors.hpp"
@@ -75,17 +75,18 @@ void choose_engine(Course& course, const job::Solver& solver) {
     Watcher nobody;
     double reach = EngineSettings{}.largest_displacement;
     if (may_omit) {
-        course.scene.cubic = 0;
+        course.scene = without_cubic(whole);
         if (whole.cubic == 0) return;
         reach = follow(course, nobody).displacement_bound;
         if (regime::effect_of_cubic(whole, reach) <= solver.omit_tolerance) return;
     }
     course.scene = whole;
-    course.settings = regime::engine_with_cubic(whole, solver, reach);
-    reach = follow(course, nobody).displacement_bound;
-    if (regime::goes_too_far(whole, course.settings, reach)) {
-        course.settings = regime::engine_with_cubic(whole, solver, reach);
-    }
+    regime::EngineByReach engine(whole, solver, reach);
+    do {
+        course.settings = engine.settings();
+        reach = follow(course, nobody).displacement_bound;
+    } while (engine.must_change(reach));
+    course.settings = engine.settings();
 }
 
 Course at_rest(const scene::Scene& scene) {
@@ -94,11 +95,6 @@ Course at_rest(const scene::Scene& scene) {
     Course course{cell.oscillator, {}, cell.start, job.trace.duration_s * scene.scales().frequency_rad_per_s};
     choose_engine(course, job.solver);
     return course;
-}
-
-// Cycles of a motion without a period that a map doesn't count.
-std::int64_t settling_cycles(const job::SteadyState& steady) {
-    return std::min<std::int64_t>(regime::Growth::settling_cycles, steady.max_cycles / 2);
 }
 
 void skip(Course& course, std::int64_t cycles) {
@@ -121,7 +117,7 @@ Course driven(const scene::Scene& scene) {
         course.start = {result.orbit_displacement - course.scene.gap, result.orbit_velocity};
         course.period = result.period;
     } else {
-        skip(course, settling_cycles(job.steady_state));
+        skip(course, regime::first_that_counts(job.steady_state));
     }
     return course;
 }

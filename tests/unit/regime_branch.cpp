@@ -130,7 +130,7 @@ TEST(Branch, HandsOnTheAbsoluteState) {
     scene::Cell second = scene.cell(0, 1);
     second.start = *points[0].motion.end;
     second.start[1] += 2.0 - 2.5;
-    const CellResult by_hand = find_steady_state(second.oscillator, second.start, Budget{});
+    const CellResult by_hand = find_steady_state(second.oscillator, second.start, job::SteadyState{});
     EXPECT_EQ(points[1].cell.cycles, by_hand.cycles);
     EXPECT_EQ(points[1].cell.peak_force, by_hand.peak_force);
 }
@@ -200,7 +200,7 @@ TEST(Branch, GoesOnFromWhereAMotionWithoutAProofEnded) {
     second.start = *points[0].motion.end;
     second.start[1] -= 0.25;
     EXPECT_EQ(points[1].cell.peak_force,
-              find_steady_state(second.oscillator, second.start, budget_of(job.steady_state)).peak_force);
+              find_steady_state(second.oscillator, second.start, job.steady_state).peak_force);
 }
 
 TEST(Branch, AFailedPointIsData) {

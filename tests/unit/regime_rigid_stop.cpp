@@ -23,7 +23,7 @@ scene::Oscillator<double> rigid(double restitution, double frequency, double gap
 }
 
 CellResult solved(const scene::Oscillator<double>& scene, const scene::State<double>& start,
-                  const Budget& budget = {}) {
+                  const job::SteadyState& budget = {}) {
     return find_steady_state(scene, start, budget, {}, {.detail = Detail::contacts});
 }
 

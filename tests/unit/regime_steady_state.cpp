@@ -121,7 +121,7 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
                                std::uniform_real_distribution(0.0, 1.0)(random));
         if (n % 3 == 2) scene.contact = scene::Restitution<double>{0.3 + 0.001 * n};
         const auto detail = n % 3 == 1 ? trajectory::Detail::contacts : trajectory::Detail::force;
-        Budget budget;
+        job::SteadyState budget;
         if (n % 2 == 1)
             budget = {.max_cycles = 186 + n % 14, .max_period = 64, .chaos_cycles = 150};  // any turn
         const auto start = testing::start_at(scene);

@@ -45,7 +45,7 @@ inline scene::State<double> start_at(const scene::Oscillator<double>& scene, dou
 }
 
 inline regime::CellResult solve(const scene::Oscillator<double>& scene, double displacement = 0,
-                                double velocity = 0, const regime::Budget& budget = {}) {
+                                double velocity = 0, const job::SteadyState& budget = {}) {
     return regime::find_steady_state(scene, start_at(scene, displacement, velocity), budget);
 }
 

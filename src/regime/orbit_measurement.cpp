@@ -1,0 +1,52 @@
+#include "regime/orbit_measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace peterka::regime {
+
+Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Observation& observation) {
+    constexpr int most_rounds = 6;
+    constexpr double at_rest = 1e-13;  // a move, relative, that changes no digit that is told
+    const std::size_t q = orbit.points.size();
+    bool was_open = false;
+    for (int n = 0;; ++n) {
+        observation.begin_again();
+        OrbitRound round(orbit.period());
+        for (std::size_t point = 0; point < q; ++point) {
+            const Passage cycle = co_await map.cycle(orbit.points[point], &observation.recorder());
+            if (!cycle.ok) co_return MeasuredOrbit{round, cycle.outcome};
+            round.add(cycle, orbit.points[(point + 1) % q]);
+            observation.end_cycle();
+        }
+        const bool opens = observation.is_open() && !was_open;
+        was_open = observation.is_open();
+        orbit.jacobian = round.jacobian();
+        orbit.multiplier = spectral_radius(orbit.jacobian);
+        std::vector<Point> moved = orbit.points;
+        const double last = orbit.error;
+        orbit.error = round.correct(moved).value_or(1);
+        const bool rests = orbit.error < std::max(at_rest, map.noise()) || orbit.error > last / 2;
+        if ((rests && !opens) || n == most_rounds) co_return MeasuredOrbit{round};
+        if (!rests) orbit.points = std::move(moved);
+    }
+}
+
+// What is left of Newton's moves, grown within a cycle, is an error of the speed of an impact, and the force of
+// a spring and dashpot follows that.
+double force_error(const StroboscopicMap& map, const PeriodicOrbit& orbit, const OrbitRound& round,
+                   double force) {
+    const auto* stop = std::get_if<scene::KelvinVoigt<double>>(&map.scene().contact);
+    if (stop == nullptr || map.noise() > 0) return 0;
+    double largest = 0;
+    for (const Point& point : orbit.points) {
+        largest = std::max(largest, map.unscaled(Point(Point::Constant(magnitude(point)))).maxCoeff());
+    }
+    const double speed_error = orbit.error * round.largest_stretch() * largest;
+    return speed_error * std::max(stop->damping, std::sqrt(stop->stiffness)) / force;
+}
+
+}  // namespace peterka::regime

@@ -1,0 +1,24 @@
+// When two points, or two orbits, count as one. One tolerance for all who ask.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace peterka::regime {
+
+// Relative: orbits that coexist lie much farther apart, and the points of one are known much better.
+inline constexpr double same_point = 1e-6;
+
+// Whether two coordinates of points are the same.
+[[nodiscard]] inline bool coincide(double a, double b) {
+    return std::abs(a - b) <= same_point * (1 + std::max(std::abs(a), std::abs(b)));
+}
+
+// Whether two cells that have an orbit have the same one. As solved or as stored.
+template <class Cell>
+[[nodiscard]] bool same_orbit(const Cell& a, const Cell& b) {
+    return a.regime == b.regime && a.period == b.period && a.impacts == b.impacts &&
+           coincide(a.orbit_displacement, b.orbit_displacement) && coincide(a.orbit_velocity, b.orbit_velocity);
+}
+
+}  // namespace peterka::regime
