@@ -209,7 +209,7 @@ const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, doubl
 void BatchedCycleMap::use_lanes(std::size_t size) {
     for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_.in_use[slot] = 0;
     size_ = size;
-    lanes_.size = rounded_up(size);
+    lanes_.size = size;
 }
 
 void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {

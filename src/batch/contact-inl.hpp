@@ -20,8 +20,18 @@ struct Force {
     V value, slope, curvature, jerk, snap;
 };
 
+// A point of a contact: its homogeneous part, kept for the force, which would cancel without, and the forcing's
+// phase.
+struct ContactPoint {
+    V x, v, sine, cosine;
+};
+
+// cubic: with a cubic spring. Such a contact is followed for a step of the grid at most.
+template <bool cubic>
 class Contact {
   public:
+    using Point = ContactPoint;
+
     HWY_INLINE Contact(const Rig& rig, const Lanes& lanes, const Cells& cells, const Moment& start)
         : rig_(rig),
           cells_(cells),
@@ -34,12 +44,11 @@ class Contact {
           force_re_(mul_sub(all(rig.stiffness), re_, all(rig.damping) * cells.eta * im_)),
           force_im_(mul_add(all(rig.stiffness), im_, all(rig.damping) * cells.eta * re_)) {}
 
-    // A point of this contact; its homogeneous part is kept for the force, which would cancel without.
-    struct Point {
-        V x, v, sine, cosine;
-    };
     [[nodiscard]] HWY_INLINE Point start() const { return {x_, v_, start_.sine, start_.cosine}; }
-    [[nodiscard]] HWY_INLINE Point at(V t) const { return carried(flow_for(t), sine_cosine(cells_.eta * t)); }
+    [[nodiscard]] HWY_INLINE Point at(V t) const {
+        const V angle = cells_.eta * t;
+        return carried(flow_for(t), cubic ? small_sine_cosine(angle) : sine_cosine(angle));
+    }
     [[nodiscard]] HWY_INLINE FlowOf flow_for(V t) const {
         return flow(sine_cosine(cells_.contact_rate * t), exp_of(all(-rig_.contact_decay) * t),
                     all(rig_.contact_decay), cells_.contact_square, cells_.inverse_contact_rate);
@@ -84,8 +93,10 @@ class Contact {
         return sqrt(mul_add(p.x, p.x, quadrature * quadrature));
     }
 
-    // A short time t after one of the rig's own times, whose flow is known, by the rig's series.
+    // A short time t after one of the rig's own times, whose flow is known, by the rig's series; a cell with a
+    // cubic spring has a flow of its own.
     [[nodiscard]] HWY_INLINE Point near(double time, const Flow& until, V t) const {
+        if constexpr (cubic) return at(all(time) + t);
         constexpr std::size_t last = Rig::series_length - 1;
         V sine = all(rig_.series[last]);
         V slope = all(rig_.slope_series[last]);
@@ -151,7 +162,7 @@ HWY_INLINE Root taylor_root(V value, V slope, V curvature, V jerk, V snap) {
     return {t, max(abs(t), abs(first))};
 }
 
-HWY_INLINE Contact::Point choose(Mask which, const Contact::Point& yes, const Contact::Point& no) {
+HWY_INLINE ContactPoint choose(Mask which, const ContactPoint& yes, const ContactPoint& no) {
     return {choose(which, yes.x, no.x), choose(which, yes.v, no.v), choose(which, yes.sine, no.sine),
             choose(which, yes.cosine, no.cosine)};
 }

@@ -45,7 +45,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
         track.leg_amplitude = choose(which, flight.amplitude(), track.leg_amplitude);
         track.leg_energy = choose(which, sqrt(mul_add(u, u, speed * speed)), track.leg_energy);
     }
-    if constexpr (measure || jacobian) track.leg_start = choose(which, time, track.leg_start);
+    if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
     push(cells.index, zero, time, m, real_ & ~sure & which, queues_.turns);
     which = which & sure;
 
@@ -53,7 +53,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
     const V grid_point =
         cubic ? all(until_) : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
     const V length = mul_sub(grid_point, cells.step, time);
-    const Moment end = flight.at(length);
+    const Moment end = end_of(flight, length);
     const Mask goes_on = length <= leaving;  // the cycle, or with kicks the step, ends before it is out
     const V margin = hull_margin(fourth, length);
     const Hull hull(m.delta, m.velocity, end.delta, end.velocity, length, margin);
@@ -66,7 +66,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
         if constexpr (measure) {
             track.raise_displacement(hull.displacement_bound(cells.gap, m.delta, margin), which);
         }
-        if constexpr (jacobian) track.carry(flight_flow(rig_, cells, length), free);
+        if constexpr (jacobian) track.carry(flown(cells, length), free);
         arrive(cells, end.delta, end.velocity, grid_point, fourth, free & ~held);
     } else {
         arrive(cells, end.delta, end.velocity, grid_point, fourth, free);
@@ -94,7 +94,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
     const Found force = seek_force(rig_, cells, w.moment, length, fourth, every());
     const Mask resumes = force.found & (force.moment.delta > zero);
     const Mask has_left = force.found & (force.moment.delta < zero);
-    const Moment end = flight.at(length);
+    const Moment end = end_of(flight, length);
     const Mask quiet = ~(force.found | force.unsure);
     const Mask flies = quiet & (end.delta < zero);
     const Mask held = quiet & (end.delta >= zero) & (grid_point >= all(until_));
@@ -106,7 +106,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
     }
 
     if constexpr (cubic) {
-        if constexpr (jacobian) track.carry(flight_flow(rig_, cells, length), flies | held);
+        if constexpr (jacobian) track.carry(flown(cells, length), flies | held);
         hold(cells, end.delta, end.velocity, held, queues_.held_releases);
         arrive(cells, end.delta, end.velocity, grid_point, fourth, flies);
     } else {
@@ -123,8 +123,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
                 min(track.swing + track.leg_amplitude, mul_add(cells.drive, force.time, track.leg_energy)),
                 resumes);
         }
-        if constexpr (jacobian) track.carry(flight_flow(rig_, cells, force.time), resumes);
-        if constexpr (measure || jacobian) track.leg_start = choose(resumes, time, track.leg_start);
+        if constexpr (jacobian) track.carry(flown(cells, force.time), resumes);
+        if constexpr (keeps_legs) track.leg_start = choose(resumes, time, track.leg_start);
         track.pattern = choose(resumes, append(track.pattern, trajectory::Phase::contact), track.pattern);
         put(all(1), lanes_.touched, cells.index, resumes);
         push(cells.index, zero, time, force.moment, real_ & resumes, queues_.contacts);

@@ -68,13 +68,13 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
     const Mask touches = found.found;
     const Mask stays_below = ~(found.unsure | touches);
     if (any(stays_below)) {
-        const Moment end = flight.at(length);
+        const Moment end = end_of(flight, length);
         const Mask below = end.delta < all(0);
         arrive(cells, end.delta, end.velocity, w.end, fourth, stays_below & below);
         leave_to_twin(cells, ~below & stays_below);
         if constexpr (cubic && jacobian) {
             Gathered track(lanes_, w.lanes);
-            track.carry(flight_flow(rig_, cells, mul_sub(w.end, cells.step, track.leg_start)), stays_below);
+            track.carry(flown(cells, mul_sub(w.end, cells.step, track.leg_start)), stays_below);
             track.keep(lanes_, w.lanes);
         }
     }
@@ -113,51 +113,74 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::touch(const Cells& cells, V time
             min(track.swing + track.leg_amplitude, mul_add(drive, duration, track.leg_energy)), which);
     }
     if constexpr (jacobian) {
-        track.carry(flight_flow(rig_, cells, time - track.leg_start), which);
+        track.carry(flown(cells, time - track.leg_start), which);
         track.jump(rig_.damping, which);
     }
-    if constexpr (measure || jacobian) track.leg_start = choose(which, time, track.leg_start);
+    if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
 
-    Mask is_short = none();
-    if constexpr (!cubic) is_short = touch_shortly(cells, time, m, which, track);
+    const Mask is_short = touch_shortly(cells, time, m, which, track);
     push(cells.index, all(0), time, m, real_ & ~is_short & which, queues_.contacts);
 }
 
-// Those of the touches that are over soon, and what follows.
+// Those of the touches that are over soon, or but for the next kick would be, and what follows.
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells, V time, const Moment& m,
                                                               Mask which, Gathered& track) {
     const V drive = cells.drive;
-    const V pull = mul_sub(drive, m.sine, cells.gap);
+    const V springs = cubic ? cells.square * cells.rest : cells.gap;  // how they pull at the stop
+    const V pull = mul_sub(drive, m.sine, springs);
     const V speed = m.velocity;
+    V jerk = drive * cells.eta;
+    if constexpr (cubic) {
+        // It pulls by (square - 1) delta more than the rig's contacts know of, and the hammer stays slower than
+        // by as much as the pull adds to twice its speed at first.
+        const V fastest = mul_add(abs(pull), all(rig_.latest_exit), all(2) * speed);
+        jerk = mul_add(abs(cells.square - all(1)), fastest, jerk);
+    }
     const Mask like_unforced = (pull >= all(rig_.least_pull) * speed) &
                                (pull <= all(rig_.largest_pull) * speed) &
-                               (drive * cells.eta <= all(rig_.largest_jerk) * speed);
+                               (jerk <= all(rig_.largest_jerk) * speed);
     const Mask ends_before = time + all(rig_.latest_exit) < all(steps_) * cells.step;
     const Mask small_angle = cells.eta * all(rig_.latest_exit) < all(0.78);  // pi/4, the range of the series
-    const Mask may_be_short = like_unforced & ends_before & small_angle;
+    // up to the next kick
+    const V left = mul_sub(all(until_), cells.step, time);
+    const Mask may_be_short = (cubic ? like_unforced : like_unforced & ends_before) & small_angle;
     Mask is_short = which & may_be_short;
     if (any(is_short)) {
-        const Contact contact(rig_, lanes_, cells, m);
+        const Contact<cubic> contact(rig_, lanes_, cells, m);
         // the pull half-way
         const V later = mul_add(cells.eta * all(rig_.exit_time / 2), m.cosine, m.sine);
-        const V mean_pull = mul_sub(drive, later, cells.gap) / m.velocity * all(1 / rig_.pull_scale);
+        const V mean_pull = mul_sub(drive, later, springs) / m.velocity * all(1 / rig_.pull_scale);
         const V bounded = max(min(mean_pull, all(1)), all(-1));
         const Release end = short_release(rig_, contact, bounded, is_short);
         is_short = is_short & end.sure;
+        const Mask goes_on = cubic ? is_short & (end.time >= left) : none();  // at the stop, at the next kick
+        const V duration = cubic ? min(end.time, left) : end.time;
+        const ContactPoint point = cubic && any(goes_on) ? contact.at(left) : end.point;
         if constexpr (measure) {
-            const Peak peak = short_peak(rig_, contact, bounded, is_short);
+            const ShortPeak peak = short_peak(rig_, contact, bounded, is_short);
             is_short = is_short & peak.sure;
-            track.peak_force = choose(is_short, max(track.peak_force, peak.force), track.peak_force);
+            const Mask rises = goes_on & (peak.time > left);
+            const V largest =
+                cubic && any(rises) ? choose(rises, contact.force(point).value, peak.force) : peak.force;
+            track.peak_force = choose(is_short, max(track.peak_force, largest), track.peak_force);
             const V reach = gather(lanes_.contact_swing, cells.index) + contact.amplitude(contact.start());
-            const V energy = sqrt(mul_add(contact.rest(), contact.rest(),
-                                          m.velocity * m.velocity * all(1 / rig_.contact_square)));
-            const V work = drive * end.time * all(1 / rig_.contact_frequency);
+            const V contact_period = cubic ? all(1) / cells.contact_frequency : all(1 / rig_.contact_frequency);
+            const V square_of_it = cubic ? contact_period * contact_period : all(1 / rig_.contact_square);
+            const V energy =
+                sqrt(mul_add(contact.rest(), contact.rest(), m.velocity * m.velocity * square_of_it));
+            const V work = drive * duration * contact_period;
             track.raise_displacement(abs(contact.rest() + cells.gap) + min(reach, energy + work), is_short);
         }
-        if constexpr (jacobian) track.carry(contact.flow_for(end.time), is_short);
-        track.pattern = choose(is_short, append(track.pattern, trajectory::Phase::unloaded), track.pattern);
-        release(cells, time + end.time, let_go(contact.moment(end.point)), is_short, track);
+        if constexpr (jacobian) track.carry(contact.flow_for(duration), is_short);
+        Mask leaves = is_short;
+        if constexpr (cubic) {
+            const Moment last = contact.moment(point);
+            hold(cells, last.delta, last.velocity, is_short & goes_on, queues_.held_contacts);
+            leaves = leaves & ~goes_on;
+        }
+        track.pattern = choose(leaves, append(track.pattern, trajectory::Phase::unloaded), track.pattern);
+        release(cells, time + end.time, let_go(contact.moment(end.point)), leaves, track);
     }
     return is_short;
 }
@@ -167,7 +190,7 @@ template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::stay() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
-    const Contact contact(rig_, lanes_, cells, w.moment);
+    const Contact<cubic> contact(rig_, lanes_, cells, w.moment);
     const V length = mul_sub(all(until_), cells.step, w.time);
     const V zero = all(0);
     Sought end = seek(cells, contact, 0, all(-1), zero, contact.start(), length, every());
@@ -195,7 +218,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::stay() {
             hold(cells, last.delta, last.velocity, stays, queues_.held_contacts);
         } else {
             arrive(cells, last.delta, last.velocity, all(steps_), zero, stays);
-            if constexpr (measure || jacobian) track.leg_start = choose(stays, all(-1), track.leg_start);
+            if constexpr (keeps_legs) track.leg_start = choose(stays, all(-1), track.leg_start);
         }
     }
     const Mask leaves = sure & end.found;

@@ -119,6 +119,14 @@ HWY_INLINE FlowOf flight_flow(const Rig& rig, const Cells& cells, V t) {
                 cells.square, cells.inverse_rate);
 }
 
+// The same within one step of the grid.
+HWY_INLINE FlowOf soon_flow(const Rig& rig, const Cells& cells, V t) {
+    const V exponent = all(-rig.damping_ratio) * t;
+    const V decay = rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
+    return flow(small_sine_cosine(cells.rate * t), decay, all(rig.damping_ratio), cells.square,
+                cells.inverse_rate);
+}
+
 class Flight {
   public:
     HWY_INLINE Flight(const Rig& rig, const Cells& cells, const Moment& start)
@@ -198,11 +206,14 @@ struct Hull {
           b4(delta1) {
         b2 = mul_add(all(2.0 / 3), b1 + b3, mul_add(all(-1.0 / 6), b0 + b4, margin));
     }
+    // A lower bound of delta.
+    [[nodiscard]] HWY_INLINE V lowest(V margin) const {
+        return min(min(min(b0, b1), min(b3, b4)), neg_mul_add(all(2), margin, b2));
+    }
     // Largest |delta + gap|, for delta known to stay below `highest`.
     [[nodiscard]] HWY_INLINE V displacement_bound(V gap, V highest, V margin) const {
-        const V lowest = min(min(min(b0, b1), min(b3, b4)), neg_mul_add(all(2), margin, b2));
         const V top = min(max(max(max(b0, b1), max(b3, b4)), b2), highest);
-        return max(abs(top + gap), abs(lowest + gap));
+        return max(abs(top + gap), abs(lowest(margin) + gap));
     }
     // At the time t of a stretch with `rest` after it, times the fourth power of its length.
     [[nodiscard]] HWY_INLINE V scaled_at(V s, V r) const {

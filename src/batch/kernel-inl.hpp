@@ -15,8 +15,8 @@
 //   hop         flights that may rise above     -> touch, or nothing happened
 //
 // With a cubic spring (`cubic`; see trajectory/split_cycle_map.hpp) each grid point brings a kick, and events
-// are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick.
-// The linear equations are each lane's own, so that all its contacts are treated as those of any length.
+// are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick,
+// as a contact of any length. The linear equations are each lane's own.
 //
 // Each decision is proved (no event is taken for the first, or for absent, on the strength of samples); where a
 // proof fails the lane is left to the scalar twin (trajectory/exact_cycle_map.hpp or split_cycle_map.hpp),
@@ -77,7 +77,8 @@ class Kernel {
     }
 
   private:
-    using Gathered = Track<measure, jacobian>;
+    using Gathered = Track<measure, jacobian, cubic>;
+    static constexpr bool keeps_legs = Gathered::keeps_legs;
 
     HWY_ATTR void begin();
     HWY_ATTR void step(int n);
@@ -108,6 +109,13 @@ class Kernel {
         const Waiting waiting = batch::HWY_NAMESPACE::take(queue);
         real_ = waiting.real;
         return waiting;
+    }
+    // The flow of a stretch of flight, and its end. With a cubic spring no stretch is longer than a step.
+    HWY_INLINE FlowOf flown(const Cells& cells, V length) const {
+        return cubic ? soon_flow(rig_, cells, length) : flight_flow(rig_, cells, length);
+    }
+    HWY_INLINE static Moment end_of(const Flight& flight, V length) {
+        return cubic ? flight.soon(length) : flight.at(length);
     }
     // An elastic stop lets go at delta = 0, give or take a rounding error.
     HWY_ATTR static Moment let_go(const Moment& m) {
@@ -142,7 +150,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
     queues_.twin.size = 0;
     next_ = 0;
     real_ = every();
-    for (std::size_t i = 0; i < lanes_.size; i += width()) {
+    for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const Index index = index_from(i);
         const V delta = load(lanes_.delta[0] + i);
         const V velocity = load(lanes_.velocity[0] + i);
@@ -178,13 +186,15 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
         store(choose(contact, all(1), zero), lanes_.touched + i);
         store(choose(flight, all(1), zero), lanes_.separated + i);
         if constexpr (measure) {
-            const V u = delta + gap;
             store(zero, lanes_.peak_force + i);
             store(zero, lanes_.largest_displacement + i);
+        }
+        if constexpr (Gathered::bounds_legs) {
+            const V u = delta + gap;
             store(amplitude, lanes_.leg_amplitude + i);
             store(sqrt(mul_add(u, u, velocity * velocity)), lanes_.leg_energy + i);
         }
-        if constexpr (measure || jacobian) store(zero, lanes_.leg_start + i);
+        if constexpr (keeps_legs) store(zero, lanes_.leg_start + i);
         if constexpr (jacobian) {
             for (const std::size_t n : {0U, 1U, 2U, 3U}) store(all(n % 3 == 0 ? 1 : 0), lanes_.jacobian[n] + i);
         }
@@ -217,20 +227,23 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
     const V cosine = all(grid_.cosine[static_cast<std::size_t>(n)]);
     const V here = all(n);
     const V cubic_part = all(n == 0 ? rig_.cubic / 2 : rig_.cubic);  // of it that acts in this kick
+    const std::size_t size = in_vectors(lanes_.size);
     const Lanes lanes = lanes_;  // so that the compiler knows that no store changes them
-    for (std::size_t word = 0; word < lanes.size; word += 64) {
+    for (std::size_t word = 0; word < size; word += 64) {
         std::uint64_t rises = 0;  // a bit per lane: above the stop at the step's end; or perhaps in between
         std::uint64_t hops = 0;
-        for (std::size_t i = word; i < std::min(word + 64, lanes.size); i += width()) {
+        for (std::size_t i = word; i < std::min(word + 64, size); i += width()) {
             const V x0 = load(delta + i);
             V v0 = load(velocity + i);
             const V h = load(lanes.step + i);
             V margin = load(lanes.margin + i);
             const Mask active = load(lanes.next + i) <= here;
-            const V impulse = cubic_part * h;
+            const V gap = load(lanes.gap + i);
+            V kick_slope = all(0);
             if constexpr (cubic) {
-                const Kick kick(impulse, load(lanes.gap + i), x0);
+                const Kick kick(cubic_part * h, gap, x0);
                 v0 = choose(active, v0 - kick.speed, v0);
+                kick_slope = choose(active, kick.slope, all(0));
                 margin = mul_add(abs(kick.speed), load(lanes.margin_per_speed + i), margin);
                 store(v0, velocity + i);
                 store(margin, lanes.margin + i);
@@ -247,13 +260,14 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
             const V v1 = neg_mul_add(fall, x0, mul_add(slope, v0, kick_by));
             const Hull hull(x0, v0, x1, v1, h, margin);
             const Mask above = active & (x1 > all(0));
-            const Mask between = active & (max(max(hull.b1, hull.b2), hull.b3) > all(0));
+            const V inside = max(max(hull.b1, hull.b2), hull.b3);
+            const Mask between = active & (inside > all(0));
             store(choose(active, x1, x0), next_delta + i);
             store(choose(active, v1, v0), next_velocity + i);
             if constexpr (cubic && measure) {
                 // in flight it stays below the stop
-                const V gap = load(lanes.gap + i);
-                const V bound = hull.displacement_bound(gap, all(0), margin);
+                const V highest = min(max(inside, max(x0, x1)), all(0));
+                const V bound = max(abs(highest + gap), abs(hull.lowest(margin) + gap));
                 const V largest = load(lanes.largest_displacement + i);
                 store(choose(active, max(largest, bound), largest), lanes.largest_displacement + i);
             }
@@ -262,9 +276,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
                 const V j01 = load(lanes.jacobian[1] + i);
                 const V j10 = load(lanes.jacobian[2] + i);
                 const V j11 = load(lanes.jacobian[3] + i);
-                const Kick kick(impulse, load(lanes.gap + i), x0);
-                const V k10 = choose(active, neg_mul_add(kick.slope, j00, j10), j10);
-                const V k11 = choose(active, neg_mul_add(kick.slope, j01, j11), j11);
+                const V k10 = neg_mul_add(kick_slope, j00, j10);
+                const V k11 = neg_mul_add(kick_slope, j01, j11);
                 const Mask flies = active & ~(above | between);  // events carry the others
                 const FlowOf f{c, s, -fall, slope};
                 store(choose(flies, f.position(j00, k10), j00), lanes.jacobian[0] + i);
@@ -295,7 +308,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::finish() {
     const V zero = all(0);
-    for (std::size_t i = 0; i < lanes_.size; i += width()) {
+    for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_.impacts + i);
         store(choose(impacts > zero, all(1), load(lanes_.touched + i)), lanes_.touched + i);
         if constexpr (measure || jacobian) {

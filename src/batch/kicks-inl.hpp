@@ -38,10 +38,11 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
         const Kick kick(all(part * rig_.cubic) * cells.step, cells.gap, w.moment.delta);
         const V velocity = w.moment.velocity - kick.speed;
         if constexpr (jacobian) {
-            Gathered track(lanes_, w.lanes);
-            track.j10 = neg_mul_add(kick.slope, track.j00, track.j10);
-            track.j11 = neg_mul_add(kick.slope, track.j01, track.j11);
-            track.keep(lanes_, w.lanes);
+            for (const std::size_t n : {0U, 1U}) {
+                double* below = lanes_.jacobian[2 + n];
+                const V above = gather(lanes_.jacobian[n], w.lanes);
+                scatter(neg_mul_add(kick.slope, above, gather(below, w.lanes)), below, w.lanes);
+            }
         }
         // a kick that made the force change its sign would be an event
         const V force = mul_add(all(rig_.stiffness), w.moment.delta, all(rig_.damping) * velocity);
@@ -56,7 +57,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
 // The half kick at the cycle's end.
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::finish_kicks() {
-    for (std::size_t i = 0; i < lanes_.size; i += width()) {
+    for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_.impacts + i);
         store(choose(impacts > all(0), all(1), load(lanes_.touched + i)), lanes_.touched + i);
         const Mask flies = load(lanes_.next + i) <= all(steps_);

@@ -13,7 +13,7 @@ constexpr double never = 1e9;              // as a grid point: the lane takes no
 
 // Pointers into one slab of memory, each to `size` numbers. Grid point n is the forcing phase 2 pi n/steps.
 struct Lanes {
-    std::size_t size = 0;  // a multiple of widest_vector
+    std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
 
     // The cell: its forcing, and the harmonic responses u = Im(response exp(i theta)) in flight and contact.
     double* frequency;

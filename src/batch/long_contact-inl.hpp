@@ -16,12 +16,13 @@ namespace peterka::batch::HWY_NAMESPACE {
 // times the sign.
 struct Sought {
     V time;
-    Contact::Point point;
+    ContactPoint point;
     Mask found;
     Mask unsure;
 };
-HWY_INLINE Sought seek(const Cells& cells, const Contact& contact, int order, V sign, V from,
-                       const Contact::Point& start, V end, Mask which) {
+template <bool cubic>
+HWY_INLINE Sought seek(const Cells& cells, const Contact<cubic>& contact, int order, V sign, V from,
+                       const ContactPoint& start, V end, Mask which) {
     const V zero = all(0);
     const V w = cells.contact_frequency;
     const V power = order == 0 ? cells.contact_square : cells.contact_square * w;
@@ -29,7 +30,7 @@ HWY_INLINE Sought seek(const Cells& cells, const Contact& contact, int order, V 
     const V swing = contact.force_swing() * eta_power;
 
     V time = from;
-    Contact::Point point = start;
+    ContactPoint point = start;
     Mask active = which;
     Mask found = none();
     Mask unsure = none();
@@ -83,10 +84,10 @@ HWY_INLINE Sought seek(const Cells& cells, const Contact& contact, int order, V 
         active = ~(arrived | absent | stuck) & active;
         if (!any(active)) break;
         time = choose(active, time + choose(newton, correction, better), time);
-        const Contact::Point moved = contact.at(time);
+        const ContactPoint moved = contact.at(time);
         point = choose(active, moved, point);
     }
-    const Contact::Point finish = contact.next(point, last);
+    const ContactPoint finish = contact.next(point, last);
     time = choose(found, time + last, time);
     point = choose(found, finish, point);
     return {time, point, found, unsure | active};
@@ -94,10 +95,11 @@ HWY_INLINE Sought seek(const Cells& cells, const Contact& contact, int order, V 
 
 // Largest force of a contact up to its end: its maxima one after another, for as long as what is left of the
 // transient could still exceed the largest seen (as in trajectory/peak_force.hpp).
-HWY_INLINE Peak long_peak(const Cells& cells, const Contact& contact, V end, Mask which) {
+template <bool cubic>
+HWY_INLINE Peak long_peak(const Cells& cells, const Contact<cubic>& contact, V end, Mask which) {
     const V highest = contact.force_rest() + contact.force_swing();
     V time = all(0);
-    Contact::Point point = contact.start();
+    ContactPoint point = contact.start();
     Force f = contact.force(point);
     V largest = f.value;
     V sign = choose(f.slope > all(0), all(-1), all(1));  // of the slope whose rise is sought

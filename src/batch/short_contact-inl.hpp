@@ -21,18 +21,19 @@ HWY_INLINE V guess(const std::array<double, Rig::guess_terms>& shift, V x) {
 
 struct Release {
     V time;  // since the contact began
-    Contact::Point point;
+    ContactPoint point;
     Mask sure;
 };
 
 // End of a contact whose force is surely like the unforced one's (see rig.hpp). pull: acceleration by forcing
 // over speed, over pull_scale.
-HWY_INLINE Release short_release(const Rig& rig, const Contact& contact, V pull, Mask which) {
+template <bool cubic>
+HWY_INLINE Release short_release(const Rig& rig, const Contact<cubic>& contact, V pull, Mask which) {
     const V close = all(2.5e-3 / rig.contact_frequency);  // its fifth power, over 120, is left out
     const V earliest = all(rig.falls_from - rig.exit_time);
     const V latest = all(rig.latest_exit - rig.exit_time);
     V time = max(min(guess(rig.exit_shift, pull), latest), earliest);
-    Contact::Point point = contact.near(rig.exit_time, rig.exit_flow, time);
+    ContactPoint point = contact.near(rig.exit_time, rig.exit_flow, time);
     Force f = contact.force(point);
     Root root = taylor_root(f.value, f.slope, f.curvature, f.jerk, f.snap);
     V t = root.time;
@@ -50,10 +51,17 @@ HWY_INLINE Release short_release(const Rig& rig, const Contact& contact, V pull,
     return {all(rig.exit_time) + time, contact.next(point, t), sure & inside};
 }
 
+struct ShortPeak {
+    V force;
+    V time;  // since the contact began
+    Mask sure;
+};
+
 // Largest force of such a contact.
-HWY_INLINE Peak short_peak(const Rig& rig, const Contact& contact, V pull, Mask which) {
+template <bool cubic>
+HWY_INLINE ShortPeak short_peak(const Rig& rig, const Contact<cubic>& contact, V pull, Mask which) {
     const Force first = contact.force(contact.start());
-    if (rig.falls_from == 0) return {first.value, every()};
+    if (rig.falls_from == 0) return {first.value, all(0), every()};
     const Mask falls = first.slope <= all(0);
     const V close = all(4e-3 / rig.contact_frequency);  // an error of the time counts squared
     const V earliest = all(-rig.peak_time);
@@ -71,9 +79,10 @@ HWY_INLINE Peak short_peak(const Rig& rig, const Contact& contact, V pull, Mask 
         sure = sure | (root.reach <= close);
     }
     const V high = mul_add(t, f.snap * all(1.0 / 24), f.jerk * all(1.0 / 6));
-    const V cubic = mul_add(t, high, f.curvature * all(0.5));
-    const V top = mul_add(t, mul_add(t, cubic, f.slope), f.value);
-    return {choose(falls, first.value, max(first.value, top)), sure};
+    const V third = mul_add(t, high, f.curvature * all(0.5));
+    const V top = mul_add(t, mul_add(t, third, f.slope), f.value);
+    return {choose(falls, first.value, max(first.value, top)),
+            choose(falls, all(0), all(rig.peak_time) + time + t), sure};
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

@@ -30,18 +30,24 @@ HWY_INLINE Pattern append(Pattern p, trajectory::Phase phase) {
 }
 static_assert(trajectory::append(1, 0) == (1ULL << 40) + 256 + 128 + 32 + 16 + 2 + 1);
 
-template <bool measure, bool jacobian>
+template <bool measure, bool jacobian, bool cubic>
 struct Track {
+    // With a cubic spring the displacement is bounded from step to step.
+    static constexpr bool bounds_legs = measure && !cubic;
+    static constexpr bool keeps_legs = bounds_legs || jacobian;
+
     HWY_INLINE Track(const Lanes& lanes, Index which)
         : pattern(gather(lanes.pattern, which)), impacts(gather(lanes.impacts, which)) {
         if constexpr (measure) {
             peak_force = gather(lanes.peak_force, which);
             largest = gather(lanes.largest_displacement, which);
+        }
+        if constexpr (bounds_legs) {
             leg_amplitude = gather(lanes.leg_amplitude, which);
             leg_energy = gather(lanes.leg_energy, which);
             swing = gather(lanes.swing, which);
         }
-        if constexpr (measure || jacobian) leg_start = gather(lanes.leg_start, which);
+        if constexpr (keeps_legs) leg_start = gather(lanes.leg_start, which);
         if constexpr (jacobian) {
             j00 = gather(lanes.jacobian[0], which);
             j01 = gather(lanes.jacobian[1], which);
@@ -55,10 +61,12 @@ struct Track {
         if constexpr (measure) {
             scatter(peak_force, lanes.peak_force, which);
             scatter(largest, lanes.largest_displacement, which);
+        }
+        if constexpr (bounds_legs) {
             scatter(leg_amplitude, lanes.leg_amplitude, which);
             scatter(leg_energy, lanes.leg_energy, which);
         }
-        if constexpr (measure || jacobian) scatter(leg_start, lanes.leg_start, which);
+        if constexpr (keeps_legs) scatter(leg_start, lanes.leg_start, which);
         if constexpr (jacobian) {
             scatter(j00, lanes.jacobian[0], which);
             scatter(j01, lanes.jacobian[1], which);

@@ -42,6 +42,11 @@ HWY_INLINE std::size_t width() {
     return 2 * half();
 }
 
+// Rounded up to whole vectors.
+HWY_INLINE std::size_t in_vectors(std::size_t lanes) {
+    return (lanes + width() - 1) / width() * width();
+}
+
 HWY_INLINE V all(double x) {
     const auto one = hn::Set(Tag(), x);
     return {one, one};
