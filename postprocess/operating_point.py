@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Finds where to operate a rig: the place of a map whose worst value over a drift and over the starts is the best.
+
+    operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
+                       [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
+
+A place guarantees a value where the motion is one and the same p/q in all cells within --hz and --mm to either side, from all
+starts that are admitted: any (of the map's [starts] and its own; the default), at least a share of them above one half, or the
+job's own alone. Prints the best place in Hz, mm, N and W, and the ten best separate ones; draws STEM_operating_point, the
+guaranteed value over the map. --verify computes the box around the best place once more on a finer grid, with the same starts,
+by build/peterka (or --peterka PROGRAM), into the folder of the pictures, and says whether the guarantee holds, and by how much.
+Exit codes: 0 done, whatever came out; 2 a file cannot be read or guarantees nothing, or bad arguments; 3 a picture or the box
+cannot be written.
+"""
+
+import argparse
+import os
+import re
+import sys
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+
+import numpy as np  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.files.regimes import PERIODIC  # noqa: E402
+from peterka.maps.comparison import label_codes  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.operating import picture, verify, words  # noqa: E402
+from peterka.operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of  # noqa: E402
+from peterka.operating.drift import guaranteed, reach  # noqa: E402
+from peterka.operating.places import best_places  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
+)
+
+
+def main():
+    arguments = read_arguments()
+    try:
+        with PeterkaFile(arguments.map) as file:
+            return operate(file, arguments)
+    except (NotDrawable, verify.NotVerified) as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    except OSError as error:
+        complain_of_folder(arguments.output_dir, error)
+        return BAD_OUTPUT
+
+
+def operate(file, arguments):
+    """The whole of it, of an open map; the exit code."""
+    if file.kind != "map":
+        raise file.refusal(f"is a {file.kind}; a map is needed")
+    starts = arguments.starts
+    if starts is None:
+        starts = ANY if has_starts(file) else JOB
+        if starts == JOB:
+            tell(f"{file.path} was computed from one start alone: what other starts lead to isn't known")
+    quantity = quantity_of(file, arguments.quantity)
+    reaches = tuple(reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    found = admitted(file, starts, quantity.name)
+    guarantee = guaranteed(found, *reaches, codes_of(arguments.regime))
+    places = best_places(guarantee, found, *reaches)
+    what = words.starts_in_words(starts), words.drift_in_words(file, *reaches)
+    if not places:
+        raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
+                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}; allow less drift, or "
+                           "fewer starts")
+    tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: guaranteed in "
+         f"{100 * float(np.mean(np.isfinite(guarantee))):.3g} % of the map")
+    for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
+        tell(line)
+    for line in words.best_lines(file, places[0], quantity, fields_at(file, places[0])):
+        tell(line)
+    if file.is_refined:
+        tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
+    save_all(picture.draw(file, guarantee, places, *reaches, (quantity, *what)), arguments.output_dir,
+             f"{file.path.stem}_operating_point", arguments.formats)
+    if arguments.verify:
+        checked = verify.verify(file, places[0], reaches, starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
+        tell(verify.text_of(file, places[0], checked, quantity))
+    return DONE
+
+
+def fields_at(file, place):
+    """{dataset: value} of a cell."""
+    names = ["regime", *(name for name in QUANTITIES.values() if name == "peak_force_ratio" or name in file.quantities)]
+    band = file.band(names, place.row, place.row + 1)
+    return {name: float(band[name][0, place.column]) for name in names[1:]}
+
+
+def codes_of(regimes):
+    """Codes of ["p/q"]; None for any."""
+    if regimes is None:
+        return None
+    p, q = np.array([list(map(int, regime.split("/"))) for regime in regimes]).T
+    return set(label_codes(np.full(len(p), PERIODIC), p, q).tolist())
+
+
+def read_arguments():
+    parser = OneLineParser(__doc__)
+    parser.add_argument("map", metavar="MAP.h5", type=Path)
+    parser.add_argument("--hz", type=read_drift, default=0.5, help="drift of the frequency to either side; default: 0.5")
+    parser.add_argument("--mm", type=read_drift, default=0.1, help="drift of the gap to either side; default: 0.1")
+    parser.add_argument("--starts", metavar="WHICH", nargs="+", help="any, share S, or job")
+    parser.add_argument("--quantity", choices=list(QUANTITIES), default="peak_force")
+    parser.add_argument("--regime", metavar="P/Q,...", type=read_regimes)
+    parser.add_argument("--verify", action="store_true")
+    parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
+    parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
+    parser.add_picture_arguments()
+    arguments = parser.parse_args()
+    arguments.starts = read_starts(arguments.starts, parser)
+    return arguments
+
+
+def read_starts(which, parser):
+    if which is None or which in (["any"], ["job"]):
+        return which[0] if which else None
+    if which[0] == "share" and len(which) == 2:
+        try:
+            share = float(which[1])
+        except ValueError:
+            share = np.nan
+        if 0.5 < share <= 1:
+            return share
+    return parser.error(f"--starts {' '.join(which)}: any, job, or share and a number above 0.5 up to 1")
+
+
+def read_drift(text):
+    try:
+        drift = float(text)
+    except ValueError:
+        drift = np.nan
+    if not 0 <= drift < 1e100:
+        raise argparse.ArgumentTypeError(f"'{text}' is not 0 or a number above")
+    return drift
+
+
+def read_regimes(text):
+    regimes = text.split(",")
+    if not all(re.fullmatch(r"[1-9]\d{0,8}/[1-9]\d{0,8}", regime) for regime in regimes):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of p/q such as 1/1,1/2")
+    return regimes
+
+
+def read_count(text):
+    if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**6):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of ranks")
+    return int(text)
+
+
+if __name__ == "__main__":
+    sys.exit(exit_code(main()))

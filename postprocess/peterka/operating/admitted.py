@@ -1,0 +1,150 @@
+"""The one regime that the admitted starts of each cell of a map end in, and the worst value over them.
+
+A map with [starts] tells all attractors of a cell: on [attractor][rows][columns] attractor_regime int8, attractor_impacts
+and attractor_period int32, attractor_peak_force_ratio f64 and basin_share f64 (share of the starts; empty slots have 0 and
+regime -128), and on [rows][columns] start_attractor int32, the slot in which the job's own start ends, -1 for none of them.
+Which starts are admitted:
+
+    any      all of them, and the job's own: each must end in that regime
+    share s  at least the share s of them, s above one half
+    job      the job's own start alone, as in a map without [starts]
+
+Only proved orbits with impacts count: a largest force that was seen in chaos guarantees nothing.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.regimes import PERIODIC, check_labels
+from ..maps.comparison import label_codes
+
+ANY, JOB = "any", "job"
+MOST_SLOTS = 64
+ROUNDING = 1e-9  # of a sum of shares
+NO_REGIME = -1  # less than any label's code
+SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
+         "attractor_peak_force_ratio": REAL, "basin_share": REAL}
+QUANTITIES = {"peak_force": "peak_force_ratio", "contact_power": "contact_power_w", "impact_speed": "impact_speed"}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What is guaranteed: `name` of QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
+
+    name: str
+    title: str
+    factor: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Admitted:
+    """On [rows][columns]: `code` of the regime (label_codes; NO_REGIME where there is no single one), the worst `value` [as
+    stored; NaN where the file doesn't tell], and the `share` of the starts that end in it (1 for `job`)."""
+
+    code: np.ndarray
+    value: np.ndarray
+    share: np.ndarray
+
+
+def quantity_of(file, name):
+    """The Quantity of this name in a map."""
+    dataset = QUANTITIES[name]
+    if dataset != "peak_force_ratio" and dataset not in file.quantities:
+        raise file.refusal(f'has no {dataset}; compute it with --set \'output.fields=["{dataset}"]\'')
+    if name == "peak_force":
+        return Quantity(name, "peak force", file.newtons or 1.0, "N" if file.newtons else "F/(m g)")
+    return Quantity(name, {"contact_power": "power into the contact", "impact_speed": "impact speed"}[name], 1.0,
+                    "W" if name == "contact_power" else "m/s")
+
+
+def has_starts(file):
+    return file.data.has("basin_share")
+
+
+def admitted(file, starts, name):
+    """The Admitted of a map; `starts` is ANY, JOB or a share."""
+    slots = 0
+    if starts != JOB:
+        slots = _check_slots(file)
+    pieces = [_band(file, first, band, starts, name, slots) for first, band in file.bands(_names(name))]
+    return Admitted(*(np.concatenate([piece[n] for piece in pieces]) for n in range(3)))
+
+
+def read_code(code):
+    """(p, q) of a code of an orbit."""
+    orbit = int(code) - int(label_codes(np.array([PERIODIC]), np.array([0]), np.array([0]))[0])
+    return orbit >> 32, orbit & 0xFFFFFFFF
+
+
+def _names(name):
+    return list(dict.fromkeys(["regime", "impacts", "period", "peak_force_ratio", QUANTITIES[name]]))
+
+
+def _check_slots(file):
+    if not has_starts(file):
+        raise file.refusal("was computed from one start alone; compute it with [starts], or ask for --starts job")
+    shape = file.data.dataset("basin_share", None, REAL).shape
+    if len(shape) != 3 or shape[1:] != file.shape or not 1 <= shape[0] <= MOST_SLOTS:
+        raise file.refusal(f"has basin_share of shape {shape} over cells of shape {file.shape}")
+    for dataset, kinds in SLOTS.items():
+        file.data.dataset(dataset, shape, kinds)
+    file.data.dataset("start_attractor", file.shape, INTEGER)
+    for dataset in QUANTITIES.values():
+        if file.data.has(f"attractor_{dataset}"):
+            file.data.dataset(f"attractor_{dataset}", shape, REAL)
+    return shape[0]
+
+
+def _band(file, first, band, starts, name, slots):
+    own = label_codes(band["regime"], band["impacts"], band["period"])
+    value = band[QUANTITIES[name]]
+    if starts == JOB:
+        code = np.where(_strikes(band["regime"], band["impacts"]), own, NO_REGIME)
+        return code, value, np.ones(code.shape)
+    rows = slice(first, first + len(own))
+    stored = {key: file.data.values(key, (slice(0, slots), rows)) for key in SLOTS}
+    shares = stored["basin_share"]
+    if not np.all((shares >= 0) & (shares <= 1 + ROUNDING)):
+        raise file.refusal("has a basin_share that is no share")
+    regime, impacts, period = (stored[f"attractor_{key}"] for key in ("regime", "impacts", "period"))
+    check_labels(file.data, {"regime": regime, "impacts": impacts, "period": period})
+    codes = np.where(_strikes(regime, impacts) & (shares > 0), label_codes(regime, impacts, period), NO_REGIME)
+    least = 1.0 if starts == ANY else starts
+    code, share = _common(codes, shares, least - ROUNDING)
+    here = (codes == code) & (code != NO_REGIME)
+    kept = file.data.values("start_attractor", rows)
+    worst = _worst(file, QUANTITIES[name], stored, here, (value, kept), (slice(0, slots), rows))
+    if starts == ANY:
+        code = np.where(own == code, code, NO_REGIME)
+        worst = np.minimum(worst, value)  # NaN stays NaN
+    return code, worst, share
+
+
+def _strikes(regime, impacts):
+    return (regime == PERIODIC) & (impacts > 0)
+
+
+def _common(codes, shares, least):
+    """The code that so much of the starts have, NO_REGIME where none has, and its share."""
+    code, share = np.full(codes.shape[1:], NO_REGIME, dtype=np.int64), np.zeros(codes.shape[1:])
+    for slot in range(len(codes)):
+        total = np.where(codes == codes[slot], shares, 0).sum(axis=0)
+        holds = (codes[slot] != NO_REGIME) & (total >= least)
+        code, share = np.where(holds, codes[slot], code), np.where(holds, total, share)
+    return code, share
+
+
+def _worst(file, dataset, stored, here, own, index):
+    """The smallest value over the slots that are meant; NaN where the file doesn't tell one of them."""
+    if dataset == "peak_force_ratio":
+        values = stored["attractor_peak_force_ratio"]
+    elif file.data.has(f"attractor_{dataset}"):
+        values = file.data.values(f"attractor_{dataset}", index)
+    else:  # the file has that of the attractor alone on which the job's own start ends
+        value, kept = own
+        values = np.where(np.arange(len(here))[:, None, None] == kept, value, np.nan)
+    smallest = np.where(here, values, np.inf).min(axis=0)  # NaN goes through
+    return np.where(np.isinf(smallest), np.nan, smallest)

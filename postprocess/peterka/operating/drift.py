@@ -1,0 +1,86 @@
+"""How far a drift reaches on a map's axes, and the worst over the box that it makes around each cell.
+
+The box reaches at least as far as the drift: where that ends between two cells, the farther one belongs to it. Cells whose
+box leaves the map have no guarantee, as nobody computed what lies there.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
+
+from .admitted import NO_REGIME
+
+TOUCH = 1e-9  # of a step: rounding
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Along an axis: `width` in the axis' own numbers, `cells` (n,) that the box has on each side of a cell, and whether it
+    lies `inside` the map, (n,)."""
+
+    width: float
+    cells: np.ndarray
+    inside: np.ndarray
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Of an axis: what one of its numbers is in `unit`."""
+
+    factor: float
+    unit: str
+    what: str
+
+
+def unit_of(file, name):
+    """The Unit in which people set an axis, Hz or mm; None for an axis of something else."""
+    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
+    known = {"frequency_ratio": hertz and Unit(hertz, "Hz", "frequency"), "frequency_hz": Unit(1.0, "Hz", "frequency"),
+             "gap_ratio": metres and Unit(1000 * metres, "mm", "gap"), "gap_m": Unit(1000.0, "mm", "gap")}
+    if name in known and not known[name]:
+        raise file.refusal(f"doesn't say what a {name} of 1 is in {'Hz' if name.startswith('frequency') else 'mm'}")
+    return known.get(name)
+
+
+def reach(file, axis, hz, mm):
+    """The Reach of a drift by so much to either side; an axis that is neither a frequency nor a gap doesn't drift."""
+    unit = unit_of(file, axis.name)
+    width = 0.0 if unit is None else {"Hz": hz, "mm": mm}[unit.unit] / unit.factor
+    values, step = axis.values, float(np.diff(axis.values).min())
+    slack = TOUCH * step
+    inside = (values - width >= values[0] - slack) & (values + width <= values[-1] + slack)
+    here = np.arange(len(values))
+    left = here - np.searchsorted(values, values - width + slack, side="right") + 1
+    right = np.searchsorted(values, values + width - slack, side="left") - here
+    cells = np.maximum(left, right).clip(0)
+    return Reach(width, np.where(inside, cells, 0), inside)
+
+
+def guaranteed(admitted, rows, columns, codes=None):
+    """The worst value over the box around each cell, (rows, columns): NaN where its regime isn't one, or isn't one of
+    `codes`."""
+    labels, number = np.unique(admitted.code, return_inverse=True)
+    number = number.reshape(admitted.code.shape).astype(float)
+    sound = (admitted.code != NO_REGIME) & np.isfinite(admitted.value)
+    if codes is not None:
+        sound &= np.isin(admitted.code, list(codes))
+    worst = over_box(np.where(sound, admitted.value, -np.inf), rows, columns, minimum_filter1d)
+    lowest, highest = (over_box(number, rows, columns, each) for each in (minimum_filter1d, maximum_filter1d))
+    inside = rows.inside[:, None] & columns.inside[None, :]
+    return np.where(inside & (lowest == highest) & np.isfinite(worst), worst, np.nan)
+
+
+def over_box(values, rows, columns, filtered):
+    """A filter over the box around each cell: along the rows, then along the columns, for each size that occurs."""
+    for axis, along in ((0, rows), (1, columns)):
+        wide = np.empty_like(values)
+        for cells in np.unique(along.cells):
+            places = along.cells == cells
+            taken = filtered(values, 2 * int(cells) + 1, axis=axis, mode="nearest")
+            if axis == 0:
+                wide[places] = taken[places]
+            else:
+                wide[:, places] = taken[:, places]
+        values = wide
+    return values

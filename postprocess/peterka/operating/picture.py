@@ -1,0 +1,58 @@
+"""The guaranteed value over the plane of a map, with the best separate places and the box of the best one."""
+
+import numpy as np
+from matplotlib.patches import Rectangle
+
+from ..look import axes, units
+from ..look.notes import write_beside
+from ..maps.reduce import block_size, largest, with_edges
+
+WIDTH = 3.7  # in
+COLOURS, NOTHING = "viridis", "#F2F2F2"
+
+
+def draw(file, guarantee, places, rows, columns, what):
+    """As a Figure; `what`: the Quantity, and in words the starts and the drift."""
+    quantity, starts, drift = what
+    block = block_size(file.shape)
+    reduced = with_edges(file, largest(guarantee, block), block)
+    entries = [axes.legend_patch("nothing guaranteed", NOTHING)]
+    if file.computed < 1:
+        entries.append(axes.legend_patch("not computed yet", None, hatched=True))
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(entries, 2, None)], bar=True)
+    axes.hatch_background(ax)
+    _show_computed(ax, file, block)
+    factor, unit = units.with_prefix(quantity.factor * max(place.worst for place in places), quantity.unit)
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image) * quantity.factor * factor,
+                         cmap=COLOURS, vmin=0, vmax=quantity.factor * factor * places[0].worst, rasterized=True)
+    axes.label_axes(ax, file)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(f"guaranteed {quantity.title} ({unit})", fontsize=8)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file, f"{axes.so_far(file)}{starts}; {drift}")
+    _mark(ax, file, places, rows, columns, quantity)
+    return figure
+
+
+def _show_computed(ax, file, block):
+    """A pale ground under all cells that are computed."""
+    pieces = [largest(np.where(band["regime"] < 0, np.nan, 0.0), block) for _, band in file.bands(["regime"], block)]
+    ground = with_edges(file, np.concatenate(pieces), block)
+    ax.pcolormesh(ground.column_edges, ground.row_edges, np.ma.masked_invalid(ground.image), cmap=axes.ListedColormap([NOTHING]),
+                  rasterized=True)
+
+
+def _mark(ax, file, places, rows, columns, quantity):
+    for number, place in reversed(list(enumerate(places, 1))):
+        x, y = file.columns.values[place.column], file.rows.values[place.row]
+        box = Rectangle((x - columns.width, y - rows.width), 2 * columns.width, 2 * rows.width, fill=False, zorder=5,
+                        edgecolor="black", linewidth=1.0 if number == 1 else 0.5, path_effects=axes.outline(2))
+        ax.add_patch(box)
+        if number > 1:
+            ax.text(x, y, str(number), ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,
+                    clip_on=True)
+    best = places[0]
+    x, y = file.columns.values[best.column], file.rows.values[best.row]
+    ax.plot(x, y, marker="x", markersize=4, markeredgewidth=1.1, color="black", path_effects=axes.outline(2.4), zorder=7)
+    write_beside(ax, x, y, f"{best.orbit[0]}/{best.orbit[1]}, {units.amount(quantity.factor * best.worst, quantity.unit)}")

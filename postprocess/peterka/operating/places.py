@@ -1,0 +1,46 @@
+"""The best separate places of a map: those whose boxes have no cell in common."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import minimum_filter1d
+
+from .admitted import read_code
+from .drift import over_box
+
+MOST = 10
+
+
+@dataclass(frozen=True)
+class Place:
+    """A cell: its indices, what its box guarantees and what it has itself [as stored], its orbit (p, q), and the smallest
+    share of the starts in its box that end in it."""
+
+    row: int
+    column: int
+    worst: float
+    value: float
+    orbit: tuple[int, int]
+    share: float
+
+
+def best_places(guarantee, admitted, rows, columns, most=MOST):
+    """The Places with the largest guarantee, the best first; none where nothing is guaranteed."""
+    left = np.where(guarantee > 0, guarantee, -np.inf)
+    shares = over_box(admitted.share, rows, columns, minimum_filter1d)
+    found = []
+    while len(found) < most and np.isfinite(left.max()):
+        row, column = (int(n) for n in np.unravel_index(_middle_of_best(left), left.shape))
+        found.append(Place(row, column, float(guarantee[row, column]), float(admitted.value[row, column]),
+                           read_code(admitted.code[row, column]), float(shares[row, column])))
+        near_rows, near_columns = (np.abs(np.arange(len(along.cells)) - at) <= along.cells + along.cells[at]
+                                   for along, at in ((rows, row), (columns, column)))
+        left[np.ix_(near_rows, near_columns)] = -np.inf
+    return found
+
+
+def _middle_of_best(values):
+    """Where several neighbours are equally good, the middle one: the worst cell of all their boxes is the same."""
+    best = np.argwhere(values == values.max())
+    away = np.abs(best - np.median(best, axis=0)).sum(axis=1)
+    return np.ravel_multi_index(tuple(best[np.argmin(away)]), values.shape)

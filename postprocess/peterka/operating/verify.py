@@ -1,0 +1,124 @@
+"""The box around a place once more, by the program itself: the job of the map on a finer grid, with the same starts."""
+
+import os
+import subprocess
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..maps.map_file import PeterkaFile
+from .admitted import admitted, read_code
+
+FINER, FEWEST, MOST = 4, 17, 129  # points for one of the map's steps, and along a side
+NARROW = 1e-6  # of a step: the width of a box along an axis that doesn't drift
+BINARY = Path(__file__).resolve().parents[3] / "build" / "peterka"
+
+
+class NotVerified(Exception):
+    """The program didn't compute the box; the message says why."""
+
+
+@dataclass(frozen=True)
+class Verified:
+    """`cells` of the finer box, how many of them have `another` regime or none from the admitted starts, and the smallest
+    value of the others with its place (row, column) [as stored, axes' numbers]; NaN where none has a value."""
+
+    cells: int
+    another: int
+    worst: float
+    at: tuple[float, float]
+
+    def holds(self, place):
+        return self.another == 0 and self.worst >= place.worst
+
+
+def verify(file, place, reaches, starts, quantity, folder, ranks=1, binary=None):
+    """The Verified of a Place; its job and file are put into `folder`."""
+    text = file.data.attribute("job")
+    paths = axis_paths(file, text)
+    sizes = {}
+    for name, axis, along, at in (("columns", file.columns, reaches[1], place.column),
+                                  ("rows", file.rows, reaches[0], place.row)):
+        sizes[paths[name]] = _finer(axis, along, at)
+    folder.mkdir(parents=True, exist_ok=True)
+    job, box = folder / f"{file.path.stem}_box.toml", folder / f"{file.path.stem}_box.h5"
+    job.write_text(text, encoding="utf-8")
+    _run(job, box, sizes, file, ranks, binary)
+    with PeterkaFile(box) as finer:
+        found = admitted(finer, starts, quantity.name)
+        same = np.array([[read_code(code) == place.orbit for code in row] for row in found.code])
+        values = np.where(same, found.value, np.nan)
+        another = int(np.sum(~np.isfinite(values)))
+        if another == values.size:
+            return Verified(values.size, another, np.nan, (np.nan, np.nan))
+        row, column = np.unravel_index(np.nanargmin(values), values.shape)
+        return Verified(values.size, another, float(values[row, column]),
+                        (float(finer.rows.values[row]), float(finer.columns.values[column])))
+
+
+def axis_paths(file, text):
+    """{"rows", "columns": the axis' table in the job}; the first axis of a job is that of the columns."""
+    try:
+        found = list(_tables(tomllib.loads(text)["axes"], "axes"))
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
+        raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
+    by_name = {_coordinate(path): path for path in found}
+    try:
+        return {"columns": by_name[file.columns.name], "rows": by_name[file.rows.name]}
+    except KeyError as error:
+        raise file.refusal(f"has no axis {error} in its job") from error
+
+
+def text_of(file, place, found, quantity):
+    """What the finer box says, in words."""
+    worst, unit = quantity.factor * found.worst, quantity.unit
+    if found.another:
+        return (f"the guarantee doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
+                "than one")
+    share = 100 * (found.worst / place.worst - 1)
+    if found.holds(place):
+        return f"the guarantee holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
+    return (f"the guarantee falls short by {-share:.2g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
+            f"has {worst:.4g} {unit}, at {file.columns.name} {found.at[1]:.6g}, {file.rows.name} {found.at[0]:.6g}")
+
+
+def _tables(table, path):
+    for name, value in table.items():
+        if isinstance(value, dict):
+            if "points" in value:
+                yield f"{path}.{name}"
+            else:
+                yield from _tables(value, f"{path}.{name}")
+
+
+def _coordinate(path):
+    """The name in the file of an axis in the job: axes.contact.damping_ns_per_m is contact_damping_ns_per_m."""
+    return "_".join(path.split(".")[1:])
+
+
+def _finer(axis, along, at):
+    """(from, to, points) of the box around a place."""
+    step = float(np.diff(axis.values).min())
+    width = max(along.width, NARROW * step)
+    points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if along.width else 2
+    return axis.values[at] - width, axis.values[at] + width, points
+
+
+def _run(job, box, sizes, file, ranks, binary):
+    program = Path(binary or os.environ.get("PETERKA_BINARY") or BINARY)
+    launcher = [] if ranks == 1 else [os.environ.get("MPIEXEC", "mpirun"), "-n", str(ranks)]
+    changes = {"audit.cells": 0, "refine.levels": 0}
+    for path, (first, last, points) in sizes.items():
+        changes |= {f"{path}.from": repr(float(first)), f"{path}.to": repr(float(last)), f"{path}.points": points,
+                    f"{path}.scale": "linear"}
+    command = [*launcher, str(program), "run", str(job), "--output", str(box), "--fresh", "--quiet"]
+    command += [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise NotVerified(f"{program} cannot be started ({error.strerror}); build it, or name it with --peterka") from error
+    if done.returncode not in (0, 4):
+        told = [line for line in done.stderr.splitlines() if line.strip()]
+        raise NotVerified(f"the box of {file.path} was not computed: {' '.join(told)[-600:] or f'exit code {done.returncode}'}")

@@ -1,0 +1,78 @@
+"""What was found, in words and as a table."""
+
+from ..look import units
+from .admitted import ANY, JOB
+from .drift import unit_of
+
+
+def starts_in_words(starts):
+    if starts == JOB:
+        return "from the job's own start"
+    return "from every start" if starts == ANY else f"from {100 * starts:g} % of the starts"
+
+
+def drift_in_words(file, rows, columns):
+    """Of both axes, those that people set in Hz and mm first of all."""
+    words = []
+    for axis, along in ((file.columns, columns), (file.rows, rows)):
+        unit = unit_of(file, axis.name)
+        if unit is not None and along.width > 0:
+            words.append(f"±{along.width * unit.factor:.4g} {unit.unit}")
+        elif unit is None:
+            words.append(f"{axis.name} as it is set")
+    return "drift " + (", ".join(words) or "none")
+
+
+def place_in_words(file, place):
+    """Where a place is."""
+    return ", ".join(_coordinate(file, axis, at) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
+
+
+def table(file, places, quantity, with_share):
+    """Lines with the Places."""
+    heads = [_head(file, file.columns), _head(file, file.rows)]
+    names = ["", "z", *heads, f"guaranteed [{quantity.unit}]", f"at the place [{quantity.unit}]"]
+    names += ["smallest share"] if with_share else []
+    lines = []
+    for number, place in enumerate(places, 1):
+        cells = [str(number), f"{place.orbit[0]}/{place.orbit[1]}",
+                 *(f"{_number(file, axis, at):.5g}" for axis, at in ((file.columns, place.column), (file.rows, place.row))),
+                 units.number(quantity.factor * place.worst, 4), units.number(quantity.factor * place.value, 4)]
+        lines.append(cells + ([f"{100 * place.share:.4g} %"] if with_share else []))
+    widths = [max(len(line[n]) for line in [names, *lines]) for n in range(len(names))]
+    return ["  ".join(cell.rjust(width) for cell, width in zip(line, widths)) for line in [names, *lines]]
+
+
+def best_lines(file, place, quantity, fields):
+    """On the best place; `fields` {dataset: what the file has there}."""
+    newtons = file.newtons
+    lines = [f"best: {place_in_words(file, place)}, z = {place.orbit[0]}/{place.orbit[1]}: at least "
+             f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)}"]
+    there = []
+    if "peak_force_ratio" in fields:
+        force = fields["peak_force_ratio"]
+        there.append(f"peak force {units.amount(force * newtons, 'N', 4)}" if newtons else f"peak force {force:.4g} F/(m g)")
+    if "contact_power_w" in fields:
+        there.append(f"power into the contact {units.amount(fields['contact_power_w'], 'W', 4)}")
+    if "impact_speed" in fields:
+        there.append(f"impact speed {units.amount(fields['impact_speed'], 'm/s', 4)}")
+    return [*lines, "  there, from the job's own start: " + ", ".join(there)]
+
+
+def _head(file, axis):
+    unit = unit_of(file, axis.name)
+    return f"{unit.what} [{unit.unit}]" if unit else axis.name
+
+
+def _number(file, axis, at):
+    unit = unit_of(file, axis.name)
+    return axis.values[at] * (unit.factor if unit else 1.0)
+
+
+def _coordinate(file, axis, at):
+    unit = unit_of(file, axis.name)
+    value = f"{_number(file, axis, at):.5g}"
+    if unit is None:
+        return f"{axis.name} = {value}"
+    ratio = f" ({axis.name} {axis.values[at]:.5g})" if axis.name.endswith("_ratio") else ""
+    return f"{unit.what} {value} {unit.unit}{ratio}"
