@@ -6,6 +6,8 @@ maps       maps and basins: the checked file, reduction to what a picture can sh
 sweeps     sweeps: frequency response and bifurcation, measured points over them
 traces     one cell in time: motion, phase plane, impact, spectra
 studies    engines compared: work and precision, labels, stability
+export     maps and basins for other programs: CSV, VTK, MATLAB
+operating  where to operate a rig: the worst over a drift and over the starts, the best places, the box computed anew
 identification   stop and springs from recordings and measured impacts
 scaling    parallel efficiency: times of tiles, the replay of their dealing, the picture
 claims     the paper's claims and the page that tells how they fare

@@ -16,12 +16,18 @@ TOUCH = 1e-9  # of a step: rounding
 
 @dataclass(frozen=True)
 class Reach:
-    """Along an axis: `width` in the axis' own numbers, `cells` (n,) that the box has on each side of a cell, and whether it
-    lies `inside` the map, (n,)."""
+    """Along an axis: `width` in the axis' own numbers, how many cells the box has `before` and `after` each cell, (n,), and
+    whether it lies `inside` the map, (n,)."""
 
     width: float
-    cells: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
     inside: np.ndarray
+
+    def meets(self, at):
+        """Whether the box of each cell has cells in common with that of the cell `at`, (n,)."""
+        here = np.arange(len(self.before))
+        return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
 
 
 @dataclass(frozen=True)
@@ -51,10 +57,9 @@ def reach(file, axis, hz, mm):
     slack = TOUCH * step
     inside = (values - width >= values[0] - slack) & (values + width <= values[-1] + slack)
     here = np.arange(len(values))
-    left = here - np.searchsorted(values, values - width + slack, side="right") + 1
-    right = np.searchsorted(values, values + width - slack, side="left") - here
-    cells = np.maximum(left, right).clip(0)
-    return Reach(width, np.where(inside, cells, 0), inside)
+    before = here - np.searchsorted(values, values - width + slack, side="right") + 1
+    after = np.searchsorted(values, values + width - slack, side="left") - here
+    return Reach(width, *(np.where(inside, cells, 0) for cells in (before, after)), inside)
 
 
 def guaranteed(admitted, rows, columns, codes=None):
@@ -75,12 +80,11 @@ def over_box(values, rows, columns, filtered):
     """A filter over the box around each cell: along the rows, then along the columns, for each size that occurs."""
     for axis, along in ((0, rows), (1, columns)):
         wide = np.empty_like(values)
-        for cells in np.unique(along.cells):
-            places = along.cells == cells
-            taken = filtered(values, 2 * int(cells) + 1, axis=axis, mode="nearest")
-            if axis == 0:
-                wide[places] = taken[places]
-            else:
-                wide[:, places] = taken[:, places]
+        for before, after in np.unique(np.column_stack([along.before, along.after]), axis=0).tolist():
+            size = before + after + 1
+            taken = filtered(values, size, axis=axis, mode="nearest", origin=before - size // 2)
+            places = np.flatnonzero((along.before == before) & (along.after == after))
+            index = (places, slice(None)) if axis == 0 else (slice(None), places)
+            wide[index] = taken[index]
         values = wide
     return values

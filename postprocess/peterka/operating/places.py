@@ -33,9 +33,7 @@ def best_places(guarantee, admitted, rows, columns, most=MOST):
         row, column = (int(n) for n in np.unravel_index(_middle_of_best(left), left.shape))
         found.append(Place(row, column, float(guarantee[row, column]), float(admitted.value[row, column]),
                            read_code(admitted.code[row, column]), float(shares[row, column])))
-        near_rows, near_columns = (np.abs(np.arange(len(along.cells)) - at) <= along.cells + along.cells[at]
-                                   for along, at in ((rows, row), (columns, column)))
-        left[np.ix_(near_rows, near_columns)] = -np.inf
+        left[np.ix_(rows.meets(row), columns.meets(column))] = -np.inf
     return found
 
 

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Writes the cells of maps and basins for other programs, with force in N and axes in Hz, mm and m/s.
+
+    export.py FILE.h5 [FILE.h5 ...] [--as csv,vtk,mat] [--output-dir DIR]
+
+csv: STEM.csv, a line for each cell, an empty cell where there is no number. vtk: STEM.vtk, a rectilinear grid for ParaView.
+mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names; what the file doesn't tell stays a ratio, and other
+fields have the units of the file. Regimes are words in CSV, else numbers as in the file (-128: not computed yet).
+Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
+"""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+
+from peterka.export.formats import FORMATS  # noqa: E402
+from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.program.command_line import (  # noqa: E402
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, tell,
+)
+
+
+def main():
+    arguments = read_arguments()
+    outcome = DONE
+    for path in arguments.files:
+        try:
+            export(path, arguments)
+        except NotDrawable as refusal:
+            complain(refusal)
+            outcome = BAD_INPUT
+        except OSError as error:
+            complain_of_folder(arguments.output_dir, error)
+            return BAD_OUTPUT
+    return outcome
+
+
+def export(path, arguments):
+    with OpenedFile(path) as header:
+        if header.kind not in ("map", "basin"):
+            raise header.refusal(f"is a {header.kind}; maps and basins are exported, others are read by xarray")
+    with PeterkaFile(path) as file:
+        arguments.output_dir.mkdir(parents=True, exist_ok=True)
+        for name in arguments.formats:
+            target = arguments.output_dir / f"{file.path.stem}.{name}"
+            FORMATS[name](file, target)
+            tell(target)
+
+
+def read_arguments():
+    parser = OneLineParser(__doc__)
+    parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
+    parser.add_argument("--as", dest="formats", metavar="FORMAT,...", type=read_formats, default=["csv"], help="default: csv")
+    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("."), help="default: this folder")
+    arguments = parser.parse_args()
+    stems = [path.stem for path in arguments.files]
+    if len(set(stems)) < len(stems):
+        parser.error("two of the files have the same name, so their exports would overwrite each other")
+    return arguments
+
+
+def read_formats(text):
+    formats = text.split(",")
+    if not set(formats) <= set(FORMATS):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {', '.join(FORMATS)}")
+    return formats
+
+
+if __name__ == "__main__":
+    sys.exit(exit_code(main()))

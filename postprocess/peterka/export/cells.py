@@ -1,0 +1,77 @@
+"""The fields of a map's or a basin's cells, named and in the units in which people measure."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.opened import NotDrawable
+
+REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
+NOT_COMPUTED = "not_computed"
+SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm"}
+MILLI = {"max_displacement": 1e3}
+
+
+@dataclass(frozen=True)
+class Field:
+    """A dataset on [rows][columns] under the name `name` in other programs: what is stored times `factor`."""
+
+    dataset: str
+    name: str
+    factor: float
+    whole: bool  # numbers are integers
+
+
+@dataclass(frozen=True)
+class Side:
+    """An axis: its name and values (n,) in units where the file tells them, and the ratios of the file."""
+
+    name: str
+    values: np.ndarray
+    ratio_name: str
+    ratios: np.ndarray
+
+
+def fields_of(file):
+    """The Fields of a map or basin, the label first."""
+    first = ["regime", "impacts", "period", "peak_force_ratio"]
+    found = []
+    for name in [*first, *(name for name in file.data.names() if name not in first)]:
+        try:
+            kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
+        except NotDrawable:  # a group, an axis, or a table of something else
+            continue
+        if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
+            found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))
+        else:
+            suffix = SUFFIXES.get(name)
+            found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER))
+    return found
+
+
+def sides_of(file):
+    """(rows, columns) as Sides."""
+    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
+    speed = 2 * np.pi * hertz * metres if hertz and metres else None
+    units = {"frequency_ratio": ("frequency_hz", hertz), "gap_ratio": ("gap_mm", metres and 1e3 * metres),
+             "displacement_ratio": ("displacement_mm", metres and 1e3 * metres), "velocity_ratio": ("velocity_m_s", speed),
+             "gap_m": ("gap_mm", 1e3)}
+    found = []
+    for axis in (file.rows, file.columns):
+        name, factor = units.get(axis.name, (axis.name, 1.0))
+        name, factor = (name, factor) if factor else (axis.name, 1.0)
+        found.append(Side(name, axis.values * factor, axis.name, axis.values))
+    return tuple(found)
+
+
+def bands(file, fields):
+    """(first row, {name: values (rows, columns)}) over all cells; -1 in whole numbers, NaN in others, is none."""
+    names = list(dict.fromkeys(["regime", *(field.dataset for field in fields)]))
+    for first, band in file.bands(names):
+        yield first, {field.name: band[field.dataset] if field.whole else band[field.dataset] * field.factor
+                      for field in fields}
+
+
+def regime_word(number):
+    return REGIMES[number] if 0 <= number < len(REGIMES) else NOT_COMPUTED

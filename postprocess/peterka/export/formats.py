@@ -1,0 +1,94 @@
+"""Cells of a map or a basin written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5)."""
+
+import csv
+import os
+from contextlib import contextmanager
+
+import numpy as np
+from scipy.io import savemat
+
+from .cells import bands, fields_of, regime_word, sides_of
+
+LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
+
+
+def write_csv(file, path):
+    """A line for each cell, row by row; where an axis is in units, its ratio follows. Numbers read back to the last bit."""
+    fields, (rows, columns) = fields_of(file), sides_of(file)
+    sides = [(columns, 1), (rows, 0)]
+    heads = [name for side, _ in sides for name in dict.fromkeys([side.name, side.ratio_name])]
+    with _whole(path, "w", newline="", encoding="utf-8") as out:
+        table = csv.writer(out)
+        table.writerow([*heads, *(field.name for field in fields)])
+        for first, band in bands(file, fields):
+            for row in range(len(band["regime"])):
+                values = [_texts(field, band[field.name][row]) for field in fields]
+                for column, cells in enumerate(zip(*values)):
+                    places = {0: first + row, 1: column}
+                    table.writerow([*(_number(numbers[places[which]]) for side, which in sides
+                                      for numbers in _once(side)), *cells])
+
+
+def write_vtk(file, path):
+    """Points are the cells' centres, in the axes' units; each field is an array of their data."""
+    fields, (rows, columns) = fields_of(file), sides_of(file)
+    with _whole(path, "wb") as out:
+        title = file.title.encode("ascii", "replace").decode()[:200]
+        out.write(f"# vtk DataFile Version 3.0\n{title}\nBINARY\nDATASET RECTILINEAR_GRID\nDIMENSIONS "
+                  f"{len(columns.values)} {len(rows.values)} 1\n".encode())
+        for letter, values in (("X", columns.values), ("Y", rows.values), ("Z", np.zeros(1))):
+            out.write(f"{letter}_COORDINATES {len(values)} double\n".encode() + _big_endian(values, float) + b"\n")
+        out.write(f"POINT_DATA {len(rows.values) * len(columns.values)}\n".encode())
+        for field in fields:
+            kind, name = (np.int32, "int") if field.whole else (float, "double")
+            out.write(f"SCALARS {field.name} {name} 1\nLOOKUP_TABLE default\n".encode())
+            for _, band in bands(file, [field]):
+                out.write(_big_endian(band[field.name], kind))
+            out.write(b"\n")
+
+
+def write_matlab(file, path):
+    """Arrays on [rows][columns], the axes' values by name, and `title`."""
+    if 8 * file.shape[0] * file.shape[1] > LARGEST_MATLAB:
+        raise file.refusal("is too large for a MATLAB file, whose variables have 2 GB at most; export it as vtk")
+    fields, sides = fields_of(file), sides_of(file)
+    pieces = [band for _, band in bands(file, fields)]
+    variables = {field.name: np.concatenate([piece[field.name] for piece in pieces]) for field in fields}
+    for side in sides:
+        variables |= {side.name: side.values, side.ratio_name: side.ratios}
+    with _whole(path, "wb") as out:
+        savemat(out, variables | {"title": file.title}, oned_as="row", long_field_names=True)
+
+
+FORMATS = {"csv": write_csv, "vtk": write_vtk, "mat": write_matlab}
+
+
+@contextmanager
+def _whole(path, mode, **options):
+    """A file that appears under its name when it is complete."""
+    unfinished = path.with_name(f".{path.name}.unfinished")
+    try:
+        with open(unfinished, mode, **options) as out:
+            yield out
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def _once(side):
+    """Values and ratios; the latter alone where the file doesn't tell the units."""
+    return [side.values] if side.name == side.ratio_name else [side.values, side.ratios]
+
+
+def _texts(field, values):
+    if field.dataset == "regime":
+        return [regime_word(number) for number in values.tolist()]
+    return [str(value) for value in values.tolist()] if field.whole else [_number(value) for value in values.tolist()]
+
+
+def _number(value):
+    return "" if np.isnan(value) else repr(float(value))
+
+
+def _big_endian(values, kind):
+    return np.ascontiguousarray(values, dtype=np.dtype(kind).newbyteorder(">")).tobytes()

@@ -1,0 +1,119 @@
+"""export.py: what other programs read is what the file holds, in N, Hz and mm."""
+
+import csv
+
+import h5py
+import numpy as np
+import pytest
+from picture_samples import ALL_CLASSES, write_basin, write_map
+from scipy.io import loadmat
+from sweep_samples import write_sweep
+
+NEWTONS, HERTZ, MILLIMETRES = 0.298 * 9.80665, 4.5, 0.89
+WORDS = {0: "no_impact", 1: "periodic", 2: "chaotic", 3: "sustained_contact", 4: "unresolved", 5: "failed", -128: "not_computed"}
+
+
+@pytest.fixture
+def sample(tmp_path):
+    return write_map(tmp_path / "a.h5", ALL_CLASSES, fields={"impact_speed": np.full((4, 6), 0.25),
+                                                              "last_impact": np.arange(24).reshape(4, 6)})
+
+
+def read_vtk(path):
+    """A legacy file by its own definition: {name: array}, coordinates X, Y, Z among them."""
+    data, at, found = path.read_bytes(), 0, {}
+
+    def line():
+        nonlocal at
+        end = data.index(b"\n", at)
+        text, at = data[at:end].decode(), end + 1
+        return text
+
+    def numbers(count, kind):
+        nonlocal at
+        dtype = {"double": ">f8", "int": ">i4"}[kind]
+        values = np.frombuffer(data, dtype, count, at)
+        at += values.nbytes
+        assert data[at:at + 1] == b"\n"
+        at += 1
+        return values
+
+    assert line() == "# vtk DataFile Version 3.0" and line() == "Sample" and line() == "BINARY"
+    assert line() == "DATASET RECTILINEAR_GRID"
+    columns, rows, depth = map(int, line().removeprefix("DIMENSIONS ").split())
+    assert depth == 1
+    for letter, count in zip("XYZ", (columns, rows, 1)):
+        name, size, kind = line().split()
+        assert name == f"{letter}_COORDINATES" and int(size) == count
+        found[letter] = numbers(count, kind)
+    assert line() == f"POINT_DATA {rows * columns}"
+    while at < len(data):
+        word, name, kind, components = line().split()
+        assert (word, components, line()) == ("SCALARS", "1", "LOOKUP_TABLE default")
+        found[name] = numbers(rows * columns, kind).reshape(rows, columns)
+    return found
+
+
+def test_csv_has_a_line_for_each_cell(sample, tmp_path, run_program):
+    assert run_program("export", sample) == (0, "a.csv\n", "")
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text, h5py.File(sample) as file:
+        lines = list(csv.DictReader(text))
+        assert len(lines) == 24
+        for number, line in enumerate(lines):
+            row, column = divmod(number, 6)
+            ratios = file["frequency_ratio"][column], file["gap_ratio"][row]
+            assert (float(line["frequency_ratio"]), float(line["gap_ratio"])) == ratios
+            assert float(line["frequency_hz"]) == pytest.approx(HERTZ * ratios[0])
+            assert float(line["gap_mm"]) == pytest.approx(MILLIMETRES * ratios[1])
+            assert line["regime"] == WORDS[int(file["regime"][row, column])]
+            assert (int(line["impacts"]), int(line["period"])) == tuple(ALL_CLASSES[row][column][1:])
+            force = NEWTONS * file["peak_force_ratio"][row, column]
+            assert (line["peak_force_n"] == "") == bool(np.isnan(force))
+            assert np.isnan(force) or float(line["peak_force_n"]) == pytest.approx(force, rel=1e-15)
+            assert float(line["impact_speed_m_s"]) == 0.25 and int(line["last_impact"]) == number
+
+
+def test_vtk_and_matlab_hold_the_same(sample, tmp_path, run_program):
+    assert run_program("export", sample, "--as", "vtk,mat", "--output-dir", "x") == (0, "x/a.vtk\nx/a.mat\n", "")
+    grid, matlab = read_vtk(tmp_path / "x" / "a.vtk"), loadmat(tmp_path / "x" / "a.mat")
+    with h5py.File(sample) as file:
+        expected = {"regime": file["regime"][:], "impacts": file["impacts"][:], "period": file["period"][:],
+                    "peak_force_n": NEWTONS * file["peak_force_ratio"][:], "impact_speed_m_s": np.full((4, 6), 0.25),
+                    "last_impact": np.arange(24).reshape(4, 6)}
+        np.testing.assert_allclose(grid["X"], HERTZ * file["frequency_ratio"][:])
+        np.testing.assert_allclose(grid["Y"], MILLIMETRES * file["gap_ratio"][:])
+        np.testing.assert_allclose(matlab["frequency_hz"].ravel(), HERTZ * file["frequency_ratio"][:])
+        np.testing.assert_allclose(matlab["gap_mm"].ravel(), MILLIMETRES * file["gap_ratio"][:])
+    assert set(grid) == {"X", "Y", "Z", *expected}
+    for name, values in expected.items():
+        np.testing.assert_allclose(grid[name], values, rtol=1e-15)
+        np.testing.assert_allclose(matlab[name], values, rtol=1e-15)
+    assert matlab["title"] == ["Sample"]
+
+
+def test_a_basin_has_its_own_axes(tmp_path, run_program):
+    attractor = dict(regime=1, impacts=1, period=1, cells=16, peak_force_ratio=9.0, orbit_displacement=0.0, orbit_velocity=0.0)
+    path = write_basin(tmp_path / "b.h5", attractors=[attractor], attractor=np.zeros((4, 4)), natural_frequency_hz=4.5,
+                       cart_amplitude_m=0.89e-3)
+    assert run_program("export", path)[0] == 0
+    with open(tmp_path / "b.csv", newline="", encoding="utf-8") as text:
+        first = next(csv.DictReader(text))
+    assert float(first["displacement_mm"]) == pytest.approx(-3 * MILLIMETRES) and first["attractor"] == "0"
+    assert float(first["velocity_m_s"]) == pytest.approx(-6 * 2 * np.pi * 4.5 * 0.89e-3)
+    assert "peak_force_ratio" in first  # of a hammer whose mass nobody tells
+
+
+def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
+    path = write_map(tmp_path / "a.h5", natural_frequency_hz="unknown", hammer_mass_kg=-1.0)
+    assert run_program("export", path)[0] == 0
+    heads = (tmp_path / "a.csv").read_text().splitlines()[0].split(",")
+    assert heads[:4] == ["frequency_ratio", "gap_mm", "gap_ratio", "regime"] and "peak_force_ratio" in heads
+
+
+def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):
+    code, _, err = run_program("export", write_sweep(tmp_path / "s.h5"), sample)
+    assert code == 2 and "is a sweep; maps and basins are exported" in err and err.count("\n") == 1
+    assert (tmp_path / "a.csv").exists()  # the others are
+    assert run_program("export", sample, "--as", "xls")[0] == 2
+    (tmp_path / "file").write_text("")
+    assert run_program("export", sample, "--output-dir", "file")[0] == 3

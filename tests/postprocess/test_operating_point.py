@@ -1,0 +1,180 @@
+"""operating_point.py on maps made by hand: the worst over box and starts against plain loops, and what is refused."""
+
+import h5py
+import numpy as np
+import pytest
+from peterka.maps.map_file import PeterkaFile
+from peterka.operating.admitted import admitted, read_code
+from peterka.operating.drift import guaranteed, reach
+from peterka.operating.places import best_places
+from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
+from sealing import seal_file
+
+EMPTY = (-128, 0, 0)
+WEIGHT = 0.298 * 9.80665
+ONE, TWICE = orbit(1, 1), orbit(2, 2)
+
+
+def add_starts(path, slots, shares, forces, start_attractor):
+    """Adds the datasets of [starts]: slots[k][row][column] is (regime, p, q)."""
+    slots = np.array(slots)
+    with h5py.File(path, "r+") as file:
+        file["attractor"] = np.arange(len(slots), dtype="i4")
+        for name, kind, values in (("attractor_regime", "i1", slots[..., 0]), ("attractor_impacts", "i4", slots[..., 1]),
+                                   ("attractor_period", "i4", slots[..., 2]), ("basin_share", "f8", shares),
+                                   ("attractor_peak_force_ratio", "f8", forces), ("start_attractor", "i4", start_attractor)):
+            file[name] = np.array(values).astype(kind)
+    seal_file(path)
+    return path
+
+
+def random_map(path, rows=9, columns=11, seed=1, log=False):
+    """Cells of 1/1, 2/2, no impact or chaos in patches, each with one attractor or two and forces that vary."""
+    chance = np.random.default_rng(seed)
+    kinds = np.array([ONE, ONE, ONE, TWICE, NO_IMPACT, CHAOTIC])
+    patches = chance.integers(0, 6, (3, 4)) * (chance.random((3, 4)) < 0.5)
+    first = kinds[np.kron(patches, np.ones((3, 3), dtype=int))[:rows, :columns]]
+    second = kinds[chance.integers(0, 6, (rows, columns))]
+    share = np.where(chance.random((rows, columns)) < 0.9, 1.0, np.round(chance.uniform(0.5, 1, (rows, columns)), 2))
+    second[share == 1] = EMPTY
+    forces = chance.uniform(1, 9, (2, rows, columns))
+    start = np.where((chance.random((rows, columns)) < 0.95) | (share == 1), 0, 1)
+    cells = np.where(start[..., None] == 0, first, second)
+    own = np.where(start == 0, *forces)
+    frequency = np.geomspace(1, 4, columns) if log else np.linspace(1, 4, columns)
+    write_map(path, cells, frequency_ratio=frequency, gap_ratio=np.linspace(0, 3, rows), forces=own)
+    return add_starts(path, [first, second], [share, 1 - share], forces, start), (first, second, share, forces, cells, own)
+
+
+def plain(file, made, starts, hz, mm):
+    """The same by loops over cells, boxes, and attractors."""
+    first, second, share, forces, cells, own_forces = made
+    gaps, frequencies = file.rows.values * 0.89, file.columns.values * 4.5
+    result = np.full(file.shape, np.nan)
+    for i, j in np.ndindex(file.shape):
+        if (min(gaps[i] - mm - gaps[0], gaps[-1] - gaps[i] - mm) < -1e-9
+                or min(frequencies[j] - hz - frequencies[0], frequencies[-1] - frequencies[j] - hz) < -1e-9):
+            continue
+        # the nearest cell beyond the drift belongs to the box where the drift doesn't end on a cell
+        rows = range(np.flatnonzero(gaps <= gaps[i] - mm + 1e-9)[-1], np.flatnonzero(gaps >= gaps[i] + mm - 1e-9)[0] + 1)
+        columns = range(np.flatnonzero(frequencies <= frequencies[j] - hz + 1e-9)[-1],
+                        np.flatnonzero(frequencies >= frequencies[j] + hz - 1e-9)[0] + 1)
+        labels, values = set(), []
+        for r in rows:
+            for c in columns:
+                here = [(tuple(label[r, c]), s, f) for label, s, f in
+                        ((first, share[r, c], forces[0, r, c]), (second, 1 - share[r, c], forces[1, r, c])) if s > 1e-12]
+                if starts == "job":
+                    chosen = [(tuple(cells[r, c]), 1, own_forces[r, c])]
+                elif starts == "any":
+                    chosen = here
+                else:
+                    most = [label for label in {one[0] for one in here}
+                            if sum(one[1] for one in here if one[0] == label) >= starts - 1e-9]
+                    chosen = [one for one in here if most and one[0] == most[0]] or [(CHAOTIC, 1, 0)]
+                labels |= {one[0] for one in chosen}
+                values += [one[2] for one in chosen]
+        if len(labels) == 1 and next(iter(labels)) in (ONE, TWICE):
+            result[i, j] = min(values)
+    return result
+
+
+@pytest.mark.parametrize("starts", ["any", 0.8, "job"])
+@pytest.mark.parametrize("hz, mm", [(0.0, 0.0), (1.35, 0.4), (1.0, 0.1)])
+@pytest.mark.parametrize("log", [False, True])
+def test_the_guarantee_is_that_of_plain_loops(tmp_path, starts, hz, mm, log):
+    path, made = random_map(tmp_path / "a.h5", log=log)
+    with PeterkaFile(path) as file:
+        found = admitted(file, starts, "peak_force")
+        reaches = [reach(file, axis, hz, mm) for axis in (file.rows, file.columns)]
+        expected = plain(file, made, starts, hz, mm)
+        assert np.isfinite(expected).sum() > (5 if hz < 1.3 else 0)
+        np.testing.assert_allclose(guaranteed(found, *reaches), expected)
+
+
+def test_the_own_start_on_another_motion_spoils_any_but_no_share(tmp_path):
+    cells = [[ONE] * 5] * 4
+    own = [list(row) for row in cells]
+    own[1][2] = TWICE
+    path = write_map(tmp_path / "a.h5", own, forces=np.full((4, 5), 7.0))
+    add_starts(path, [cells], np.ones((1, 4, 5)), np.full((1, 4, 5), 7.0), np.where(np.all(np.array(own) == ONE, axis=-1), 0, -1))
+    with PeterkaFile(path) as file:
+        reaches = [reach(file, axis, 0, 0) for axis in (file.rows, file.columns)]
+        assert np.isnan(guaranteed(admitted(file, "any", "peak_force"), *reaches)[1, 2])
+        assert np.isfinite(guaranteed(admitted(file, 1.0, "peak_force"), *reaches)).all()
+
+
+def test_a_quantity_without_numbers_of_attractors_is_known_where_there_is_one(tmp_path):
+    cells = [[ONE] * 4] * 3
+    second = [[EMPTY] * 4, [ONE] * 4, [EMPTY] * 4]
+    share = np.ones((3, 4))
+    share[1] = 0.5
+    path = write_map(tmp_path / "a.h5", cells, fields={"contact_power_w": np.full((3, 4), 0.2)})
+    add_starts(path, [cells, second], [share, 1 - share], np.ones((2, 3, 4)), np.zeros((3, 4)))
+    with PeterkaFile(path) as file:
+        value = admitted(file, "any", "contact_power").value
+    assert np.isfinite(value).tolist() == [[True] * 4, [False] * 4, [True] * 4]
+
+
+def test_best_places_are_separate_and_in_order(tmp_path):
+    path, _ = random_map(tmp_path / "a.h5", seed=4)
+    with PeterkaFile(path) as file:
+        reaches = [reach(file, axis, 1.35, 0.4) for axis in (file.rows, file.columns)]
+        found = admitted(file, "job", "peak_force")
+        guarantee = guaranteed(found, *reaches)
+        places = best_places(guarantee, found, *reaches)
+    assert places[0].worst == np.nanmax(guarantee)
+    assert all(a.worst >= b.worst for a, b in zip(places, places[1:]))
+    for n, a in enumerate(places):
+        for b in places[:n]:
+            assert (abs(a.row - b.row) > 2 * reaches[0].after[a.row]
+                    or abs(a.column - b.column) > 2 * reaches[1].after[a.column])
+    assert {read_code(found.code[place.row, place.column]) for place in places} <= {(1, 1), (2, 2)}
+
+
+def test_the_command_prints_and_draws(tmp_path, run_program):
+    path, _ = random_map(tmp_path / "a.h5", seed=4)
+    code, out, err = run_program("operating_point", path, "--hz", 0.5, "--mm", 0.1, "--starts", "share", 0.8, "--formats", "png")
+    assert (code, err) == (0, "")
+    assert "peak force from 80 % of the starts, drift ±0.5 Hz, ±0.1 mm" in out and "smallest share" in out
+    best = next(line for line in out.splitlines() if line.startswith("best: frequency"))
+    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N")
+    assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
+
+
+def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
+    code, out, err = run_program("operating_point", write_map(tmp_path / "a.h5", [[ONE] * 6] * 5), "--hz", 0.1, "--mm", 0)
+    assert (code, err) == (0, "") and "computed from one start alone" in out and "from the job's own start" in out
+
+
+@pytest.mark.parametrize("arguments, reason", [
+    (("--starts", "share", "0.5"), "share and a number above 0.5"),
+    (("--starts", "some"), "any, job, or share"),
+    (("--hz", "-1"), "0 or a number above"),
+    (("--regime", "1/1,2"), "is not a list of p/q"),
+    (("--hz", "50"), "has no place with the job's own start in one motion"),
+    (("--regime", "7/3"), "of 7/3"),
+    (("--starts", "any"), "from one start alone"),
+    (("--quantity", "impact_speed"), 'output.fields=["impact_speed"]'),
+])
+def test_what_cannot_be_answered_gets_words(tmp_path, run_program, arguments, reason):
+    code, _, err = run_program("operating_point", write_map(tmp_path / "a.h5", [[ONE] * 6] * 5), *arguments)
+    assert code == 2 and reason in err and err.count("\n") == 1, err
+
+
+@pytest.mark.parametrize("name, value, reason", [
+    ("basin_share", np.full((1, 5, 6), 1.5), "no share"),
+    ("basin_share", np.ones((1, 5, 5)), "of shape"),
+    ("attractor_regime", np.full((1, 5, 6), 9), "unknown regime 9"),
+    ("start_attractor", np.zeros(3), "start_attractor"),
+])
+def test_a_strangers_starts_are_judged(tmp_path, run_program, name, value, reason):
+    cells = [[ONE] * 6] * 5
+    path = add_starts(write_map(tmp_path / "a.h5", cells), [cells], np.ones((1, 5, 6)), np.ones((1, 5, 6)), np.zeros((5, 6)))
+    with h5py.File(path, "r+") as file:
+        kind = file[name].dtype
+        del file[name]
+        file[name] = value.astype(kind)
+    seal_file(path)
+    code, _, err = run_program("operating_point", path, "--hz", 0.1, "--mm", 0)
+    assert code == 2 and reason in err and err.count("\n") == 1, err
