@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include "parallel/checked.hpp"
@@ -26,6 +27,13 @@ void say(const std::string& message) {
     std::fflush(stdout);
     tell("peterka: {}\n", message);
     std::fflush(stderr);
+}
+
+// Open MPI guards a file pointer that all ranks share, which no run needs, by a semaphore that has the name of
+// the file without its folder: runs into files of one name wait for each other, and one killed in between
+// leaves all later ones waiting for ever. A choice of the user's own is kept.
+void do_without_shared_file_pointers() {
+    ::setenv("OMPI_MCA_sharedfp", "^sm", 0);
 }
 
 constexpr int speaking_tag = 3;
@@ -98,6 +106,7 @@ Session::Session(int& argc, char**& argv) {
     occupy_closed_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a limit of file sizes (ulimit -f) fails, and is told
     std::signal(SIGPIPE, SIG_IGN);  // so does one to a pipe that nobody reads
+    do_without_shared_file_pointers();
     checked("MPI_Init_thread", MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided));
     checked("MPI_Comm_set_errhandler", MPI_Comm_set_errhandler(communicator(), MPI_ERRORS_RETURN));
     checked("MPI_Comm_rank", MPI_Comm_rank(communicator(), &rank_));

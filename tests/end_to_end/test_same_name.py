@@ -1,0 +1,24 @@
+"""Runs into files of one name, in different folders, have nothing to do with each other: what a killed one left in shared
+memory keeps no later one waiting."""
+
+import subprocess
+from pathlib import Path
+
+import jobs
+import launch
+
+SEMAPHORES = Path("/dev/shm")
+TAKEN = bytes(32)  # a semaphore that somebody holds
+
+
+def test_what_a_killed_run_left_keeps_nobody_waiting(tmp_path):
+    jobs.write(tmp_path, jobs.small_map())
+    left = SEMAPHORES / f"sem.OMPIO_{tmp_path.name}.h5"
+    left.write_bytes(TAKEN)
+    try:
+        done = subprocess.run(launch.command("run", "job.toml", "--output", f"{tmp_path.name}.h5"), cwd=tmp_path,
+                              env=launch.ENVIRONMENT, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120,
+                              check=False)
+        assert done.returncode == 0, done.stderr
+    finally:
+        left.unlink()
