@@ -16,6 +16,7 @@
 #include "map_file/survey.hpp"
 #include "parallel/collective.hpp"
 #include "support/readable.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::map_file {
 
@@ -90,6 +91,7 @@ RemainingTiles MapFile::remaining_tiles() {
     RemainingTiles remaining{.tiles = parallel::TileSet(tiling().count())};
     parallel::together(communicator_, [&] {
         for (std::int64_t index = share.first; index < share.end; ++index) {
+            look_for_stop_request();
             const TileState state = tiles_.state(tiling().tile(index));
             if (state != TileState::whole) remaining.tiles.add(index);
             if (state == TileState::damaged) ++remaining.damaged;

@@ -12,6 +12,7 @@
 #include "map_file/tile_bytes.hpp"
 #include "parallel/checked.hpp"
 #include "parallel/collective.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::map_file {
 
@@ -41,6 +42,7 @@ class Search {
   private:
     bool load() {
         if (next_tile_ == end_) return false;
+        look_for_stop_request();
         cells_ = tiles_.read(tiles_.tiling().tile(next_tile_++));
         position_ = 0;
         return true;
@@ -79,6 +81,7 @@ std::int64_t write_rows(const hdf5::OpenMap& map, const TileStore& tiles, parall
     const hdf5::Stored attractor(map, path::attractor, hdf5::Number::int32);
     std::int64_t left_over = 0;
     for (std::int64_t index = share.first; index < share.end; ++index) {
+        look_for_stop_request();
         const parallel::Tile tile = tiles.tiling().tile(index);
         std::vector<std::int32_t> rows;
         for (const quantities::StoredCell& cell : tiles.read(tile)) {

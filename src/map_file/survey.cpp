@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "parallel/collective.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::map_file {
 
@@ -26,6 +27,7 @@ struct ClassCount {
 findings::Statistics survey_share(const TileStore& tiles, parallel::Share share) {
     findings::Statistics mine;
     for (std::int64_t index = share.first; index < share.end; ++index) {
+        look_for_stop_request();
         const parallel::Tile tile = tiles.tiling().tile(index);
         findings::add_tile(mine, tile, tiles.read(tile));
         const double seconds = tiles.seconds(tile);

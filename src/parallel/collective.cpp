@@ -8,6 +8,7 @@
 
 #include "parallel/checked.hpp"
 #include "support/errors.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::parallel {
 
@@ -24,6 +25,8 @@ std::optional<Failure> failure_of(const std::function<void()>& task) {
         task();
     } catch (const Failure& failure) {
         return failure;
+    } catch (const Stopped&) {
+        return Failure(ExitCode::stopped_early, "");
     } catch (const std::exception& error) {
         return Failure(ExitCode::internal, error.what());
     }
@@ -40,7 +43,9 @@ void throw_lowest(const std::optional<Failure>& mine, MPI_Comm communicator) {
     parallel::checked("MPI_Bcast", MPI_Bcast(head, 2, MPI_INT, lowest, communicator));
     text.resize(static_cast<std::size_t>(head[1]));
     parallel::checked("MPI_Bcast", MPI_Bcast(text.data(), head[1], MPI_CHAR, lowest, communicator));
-    throw Failure(static_cast<ExitCode>(head[0]), text);
+    const auto code = static_cast<ExitCode>(head[0]);
+    if (code == ExitCode::stopped_early) throw Stopped();
+    throw Failure(code, text);
 }
 
 }  // namespace

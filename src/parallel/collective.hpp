@@ -26,7 +26,7 @@ struct Share {
 [[nodiscard]] Share share_of(std::int64_t tiles, MPI_Comm communicator);
 
 // Collective. Runs `task` on every rank; if it throws on any, all ranks throw the failure of the lowest of
-// them, so that none waits for ever. A task that is itself collective must fail on all ranks or before its
+// them, so that none waits for ever; Stopped, too. A task that is itself collective must fail on all ranks or before its
 // first exchange.
 void together(MPI_Comm communicator, const std::function<void()>& task);
 

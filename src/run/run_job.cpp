@@ -71,6 +71,11 @@ std::string summary(const Session& session, const RunPlan& plan, const scene::Sc
 
 void say_how_to_continue(const Session& session, const RunPlan& plan, const StopRequest& stop) {
     if (!session.is_root()) return;
+    if (plan.existing == Existing::complete) {
+        tell("peterka: stopped early ({}), before {} was read; it is complete\n", stop.reason(),
+             plan.file.string());
+        return;
+    }
     tell("peterka: stopped early ({}); what is finished is kept, and the same command{} goes on from {}\n",
          stop.reason(), plan.fresh ? " without --fresh" : "", plan.file.string());
 }
@@ -99,23 +104,29 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     // Ranks work alone from here on, and the file's destructor would wait for all of them.
     parallel::failing_ends_all(session, [&] {
         const bool complete = plan.existing == Existing::complete;
-        if (complete) refuse_damage(plan, file.remaining_tiles());
         const Stopwatch solving;
-        const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
-        const double solve_seconds = solving.seconds();
-        const bool solved = complete || (all_there && audit_map(session, plan, scene, stop, file));
-        const map_file::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan),
-                                       solve_seconds};
-        if (solved) {
-            const findings::Statistics statistics = file.statistics();
-            const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
-            if (!complete) file.finish(statistics, omitted, facts);
-            words = summary(session, plan, scene,
-                            {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)},
-                            wall);
-            code = judge(session, plan, statistics);
-        } else {
-            file.record(facts);
+        double solve_seconds = 0;
+        const auto facts = [&] {
+            return map_file::RunFacts{session.size(), wall.seconds(), host_names(session, plan), solve_seconds};
+        };
+        try {
+            if (complete) refuse_damage(plan, file.remaining_tiles());
+            const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
+            solve_seconds = solving.seconds();
+            if (complete || (all_there && audit_map(session, plan, scene, stop, file))) {
+                const findings::Statistics statistics = file.statistics();
+                const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
+                if (!complete) file.finish(statistics, omitted, facts());
+                words = summary(
+                    session, plan, scene,
+                    {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)}, wall);
+                code = judge(session, plan, statistics);
+            }
+        } catch (const Stopped&) {
+            // All ranks come here together, out of a pass over the whole file (parallel::together).
+        }
+        if (code == ExitCode::stopped_early) {
+            if (!complete) file.record(facts());
             say_how_to_continue(session, plan, stop);
         }
         file.close();

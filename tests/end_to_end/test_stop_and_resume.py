@@ -251,3 +251,27 @@ def test_a_cycle_that_takes_minutes_is_left_in_its_middle(tmp_path, kind):
     finished = launch.run("run", "job.toml", "--max-wall", "1", *ENDLESS, cwd=tmp_path)
     assert finished.returncode == 5, finished.stderr
     assert sum("stopped early" in line for line in finished.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("ranks", [None, 3])
+def test_a_pass_over_a_finished_map_stops_too(tmp_path, larger_map_file, ranks):
+    jobs.write(tmp_path, jobs.larger_map())
+    shutil.copy(larger_map_file, tmp_path / "job.h5")
+    finished = launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 5 and finished.stdout == ""
+    assert len([line for line in launch.messages(finished) if "stopped early" in line and "it is complete" in line]) == 1
+    map_contents.assert_same_map(tmp_path / "job.h5", larger_map_file)
+
+
+def test_statistics_and_attractors_stop_and_are_made_by_the_next_run(tmp_path):
+    """All tiles are there; what is not, is what a pass over them makes."""
+    jobs.write(tmp_path, jobs.small_basin())
+    assert launch.run("run", "job.toml", "--output", "right.h5", cwd=tmp_path).returncode == 0
+    shutil.copy(tmp_path / "right.h5", tmp_path / "job.h5")
+    with h5py.File(tmp_path / "job.h5", "r+") as file:
+        file["summary/finished"][()] = 0
+        file["summary/checksum"][()] = 0
+    finished = launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path)
+    assert finished.returncode == 5 and "the same command goes on" in finished.stderr
+    assert launch.run("run", "job.toml", cwd=tmp_path).returncode == 0
+    map_contents.assert_same_map(tmp_path / "job.h5", tmp_path / "right.h5")
