@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Draws the pictures of peterka's files.
 
-    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf] [--after CYCLES] [--measured POINTS.csv]
+    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf,svg] [--only NAME,NAME] [--after CYCLES]
+            [--measured POINTS.csv] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
+            [--limits LOW,HIGH] [--log] [--palette colour|grey] [--units both|si|ratio]
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
@@ -28,10 +30,15 @@ import peterka.program.interpreter  # noqa: E402, F401, I001: before all that ne
 
 from peterka.files.opened import NotDrawable  # noqa: E402
 from peterka.look import axes  # noqa: E402
+from peterka.look.figures import figure_of  # noqa: E402
+from peterka.look.style import using  # noqa: E402
 from peterka.pictures import open_file, picture_name, pictures_of  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
+)
+from peterka.program.picture_options import (  # noqa: E402
+    add_style_arguments, check_style, style_of, zoomed,
 )
 from peterka.sweeps.measured import Measurements, read_measurements  # noqa: E402
 
@@ -56,10 +63,14 @@ def read_arguments():
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_picture_arguments()
+    parser.add_argument("--only", metavar="NAME,...", type=lambda text: text.split(","), default=[],
+                        help="these pictures alone, named as in the files: map, force_all, response, ...")
+    add_style_arguments(parser)
     parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep; peterka/sweeps/measured.py names the columns")
     arguments = parser.parse_args()
+    check_style(parser, arguments)
     stems = [path.stem for path in arguments.files]
     if len(set(stems)) < len(stems):
         parser.error("two of the files have the same name, so their pictures would overwrite each other")
@@ -73,7 +84,8 @@ def read_cycles(text):
 
 
 def draw_file(path, arguments):
-    with open_file(path) as file:
+    with open_file(path) as whole, using(**style_of(arguments)):
+        file = zoomed(whole, arguments.zoom, arguments.units == "si")
         measured = Measurements([], [])
         if arguments.measured:
             measured = read_measurements(arguments.measured, file)
@@ -81,15 +93,23 @@ def draw_file(path, arguments):
             tell(sentence)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        for name, draw in pictures_of(file, arguments.after, measured).items():
-            figure = draw(file)
-            if figure is None:
+        for name, draw in chosen(file, pictures_of(file, arguments.after, measured), arguments.only).items():
+            drawn = draw(file)
+            if drawn is None:
                 tell(f"{path}: no value to draw, {name} is left out")
                 continue
-            save_all(figure, arguments.output_dir, picture_name(file, name), arguments.formats)
+            save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)
             # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
-            del figure
+            del drawn
             gc.collect()
+
+
+def chosen(file, pictures, names):
+    """The pictures of these names; all of them where none is named."""
+    unknown = [name for name in names if name not in pictures]
+    if unknown:
+        raise file.refusal(f"gives no picture {', '.join(unknown)}; it gives {', '.join(pictures)}")
+    return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 
 if __name__ == "__main__":

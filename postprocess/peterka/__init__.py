@@ -1,4 +1,11 @@
-"""peterka's files and their pictures. Each package is about one thing and imports only those above it:
+"""Runs peterka's jobs, opens its files and draws them:
+
+    data = peterka.run("jobs/smoke.toml", ranks=2, axes__gap_ratio__points=64)    # an xarray.Dataset
+    data = peterka.open("smoke.h5")
+    peterka.draw(data, "force_all", ax=ax, palette="grey")
+
+run, check, open, draw, picture_names, JobError and PeterkaError are what users call. Each package is about one thing and
+imports only those above it:
 
 files      any file of peterka, checked before anything in it is believed: HDF5, seals, headers, numbers of regimes
 look       what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
@@ -12,7 +19,27 @@ identification   stop and springs from recordings and measured impacts
 scaling    parallel efficiency: times of tiles, the replay of their dealing, the picture
 claims     the paper's claims and the page that tells how they fare
 pictures   which pictures a file gives: the one place that knows them all
+toml       a job's tables as TOML
+runs       jobs run by the program, files opened as datasets
+drawing    pictures of datasets, by name
 results_page   the results page in Markdown, of studies and maps
 page       the page of explore.py: a map with the program's own engine inside
 program    what the programs beside this folder share: a Python with the packages, exit codes, arguments, messages
 """
+
+import importlib
+
+_USED = {"run": "runs", "check": "runs", "open": "runs", "JobError": "runs", "PeterkaError": "runs", "draw": "drawing",
+         "picture_names": "drawing"}
+__all__ = sorted(_USED)
+
+
+def __getattr__(name):
+    """Loads what is used when it is used: the programs ask for packages only once they know that these are here."""
+    if name not in _USED:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_USED[name]}", __name__), name)
+
+
+def __dir__():
+    return __all__

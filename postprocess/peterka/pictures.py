@@ -1,36 +1,71 @@
-"""Which pictures a file gives: the one place that knows them all."""
+"""Which pictures a file gives: the one place that knows them all. A new picture is a row of PICTURES.
 
+Each is drawn by a function draw(data, ax=None, ...) of look.picture: data an open file or a dataset, ax where to.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 
 from .files.opened import OpenedFile
-from .maps import audit_map, basin_map, computed_map, force_map, last_impact, peterka_map, quantity_map
+from .maps import (
+    audit_map, basin_map, computed_map, force_map, last_impact, peterka_map, quantity_map,
+)
 from .maps.map_file import PeterkaFile
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
-from .sweeps.measured import Measurements
+from .sweeps.measured import NOTHING_MEASURED
 from .sweeps.sweep_file import SweepFile
 from .traces import impact, motion, phase_plane, spectrum
 from .traces.trace_file import TraceFile
 
 READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace": TraceFile, "study": StudyFile}
-STUDIES = {"work_precision": work_precision.draw, "labels": labels.draw, "stability": stability.draw}
-TRACE = {"motion": motion.draw, "phase_plane": phase_plane.draw, "impact": impact.draw, "spectrum": spectrum.draw}
-PLANES = {
-    "map": {
-        "map": peterka_map.draw,
-        "force_1_1": force_map.draw_single_impact,
-        "force_all": force_map.draw_all_impacts,
-    },
-    "basin": {"basin": basin_map.draw_attractors, "basin_impact": basin_map.draw_impact},
-}
 
 
-def open_file(path):
-    """The file, opened and checked by the reader of its kind."""
-    with OpenedFile(path) as header:
+@dataclass(frozen=True)
+class Row:
+    """A picture: its name after the file's stem, the kinds of files that give it, its function, whether such a file has
+    what it needs, and which options of the caller it takes."""
+
+    name: str
+    kinds: tuple[str, ...]
+    draw: Callable
+    has: Callable[[OpenedFile], bool] = lambda file: True
+    takes: tuple[str, ...] = ()
+
+
+PLANES = ("map", "basin")
+PICTURES = [
+    Row("map", ("map",), peterka_map.draw),
+    Row("force_1_1", ("map",), force_map.draw_single_impact),
+    Row("force_all", ("map",), force_map.draw_all_impacts),
+    Row("basin", ("basin",), basin_map.draw_attractors),
+    Row("basin_impact", ("basin",), basin_map.draw_impact),
+    *(Row(name, PLANES, partial(quantity_map.draw, name=name), lambda file, name=name: name in file.quantities)
+      for name in quantity_map.TITLES),
+    Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
+    Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
+    Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
+    Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
+    Row("response", ("sweep",), response.draw, takes=("measured",)),
+    Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=("measured",)),
+    Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=("measured",)),
+    Row("motion", ("trace",), motion.draw),
+    Row("phase_plane", ("trace",), phase_plane.draw),
+    Row("impact", ("trace",), impact.draw),
+    Row("spectrum", ("trace",), spectrum.draw),
+    Row("work_precision", ("study",), work_precision.draw, lambda file: file.topic == "work_precision"),
+    Row("labels", ("study",), labels.draw, lambda file: file.topic == "labels"),
+    Row("stability", ("study",), stability.draw, lambda file: file.topic == "stability"),
+]
+
+
+def open_file(source):
+    """The file at a path, or what an xarray.Dataset has of one, checked by the reader of its kind."""
+    with OpenedFile(source) as header:
         reader = READERS[header.kind]
-    return reader(path)
+    return reader(source)
 
 
 def picture_name(file, name):
@@ -39,26 +74,9 @@ def picture_name(file, name):
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
 
-def pictures_of(file, after=300, measured=Measurements([], [])):
-    """{name: function that takes the file and returns a Figure, or None without anything to draw}. `after`: the forcing
-    cycles of a short run, whose view of a basin is drawn. Measured points are drawn over the pictures of a sweep."""
-    if file.kind == "study":
-        return {file.topic: STUDIES[file.topic]}
-    if file.kind == "trace":
-        return TRACE
-    if file.kind == "sweep":
-        return {
-            "response": partial(response.draw, measured=measured),
-            "bifurcation": partial(bifurcation.draw, measured=measured, name="stroboscopic_displacement"),
-            "bifurcation_impact": partial(bifurcation.draw, measured=measured, name="impact_displacement"),
-        }
-    pictures = PLANES[file.kind] | {name: partial(quantity_map.draw, name=name) for name in file.quantities}
-    if file.has_last_impact:
-        pictures["last_impact"] = last_impact.draw
-        if file.kind == "basin":
-            pictures[f"impact_after_{after}"] = partial(basin_map.draw_impact_after, cycles=after)
-    if file.is_refined:
-        pictures["computed"] = computed_map.draw
-    if file.audit is not None:
-        pictures["audit"] = audit_map.draw
-    return pictures
+def pictures_of(file, cycles=300, measured=NOTHING_MEASURED):
+    """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
+    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep."""
+    options = {"cycles": cycles, "measured": measured}
+    return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
+            for row in PICTURES if file.kind in row.kinds and row.has(file)}

@@ -2,8 +2,10 @@
 
 import matplotlib.image
 import numpy as np
+from matplotlib.figure import Figure
 from peterka.look import axes
 from peterka.look.classes import CLASSES
+from peterka.look.figures import figure_of
 from sealing import SealedFile
 
 NO_IMPACT, CHAOTIC = (0, 0, 1), (2, 0, 0)
@@ -126,7 +128,8 @@ def _write_data(group, name, values, coordinates):
 class Drawn:
     """A figure written to a PNG file and read back: what the eye sees at a place of the map."""
 
-    def __init__(self, figure, path):
+    def __init__(self, drawn, path):
+        figure = drawn if isinstance(drawn, Figure) else figure_of(drawn)
         axes.save(figure, path)
         self.figure = figure
         self.map_axes = figure.axes[0]

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from peterka.look.figures import figure_of
 from peterka.maps import audit_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map
@@ -62,7 +63,7 @@ def test_nothing_is_squeezed_and_the_numbers_hide_no_error(tmp_path, smallest, a
 def test_no_forces_to_compare(tmp_path):
     path = write_audit(write_map(tmp_path / "rig.h5"), PLACES, LABELS, [np.nan] * 5, AGREES)
     with PeterkaFile(path) as file:
-        errors = audit_map.draw(file).axes[-1]
+        errors = figure_of(audit_map.draw(file)).axes[-1]
     assert errors.texts[0].get_text() == "no cell with forces to compare"
 
 

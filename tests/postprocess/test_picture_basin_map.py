@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from peterka.look.figures import figure_of
 from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin
@@ -78,7 +79,7 @@ def test_a_mark_outside_the_picture_does_not_widen_it(tmp_path):
 
 
 def test_scales_in_mm_and_metres_a_second_follow_the_file(basin, tmp_path):
-    assert basin_map.draw_attractors(basin).axes[0].child_axes == []
+    assert figure_of(basin_map.draw_attractors(basin)).axes[0].child_axes == []
     path = write_basin(tmp_path / "b.h5", CELLS, TABLE, ATTRACTOR, natural_frequency_hz=5.25, cart_amplitude_m=0.89e-3)
     with PeterkaFile(path) as file:
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "b.png")
@@ -126,4 +127,4 @@ def test_two_colours(basin, tmp_path):
 
 
 def test_the_operating_point_is_in_the_title(basin):
-    assert basin_map.draw_impact(basin)._suptitle.get_text() == "Sample\nΩ/ω = 1.8, gap/A₀ = 1.6"
+    assert figure_of(basin_map.draw_impact(basin))._suptitle.get_text() == "Sample\nΩ/ω = 1.8, gap/A₀ = 1.6"

@@ -4,6 +4,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
+from peterka.look.figures import figure_of
 from peterka.maps import field_map, force_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import (
@@ -47,7 +48,7 @@ def test_the_largest_force_is_marked_with_its_value(tmp_path):
     forces = np.full((4, 4), 10.0)
     forces[1, 0], forces[0, 3] = 12.5, 40.0  # z = 1/1, and a larger one that is 1/2
     with PeterkaFile(write_map(tmp_path / "a.h5", forces=forces)) as file:
-        single, every = force_map.draw_single_impact(file).axes[0], force_map.draw_all_impacts(file).axes[0]
+        single, every = figure_of(force_map.draw_single_impact(file)).axes[0], figure_of(force_map.draw_all_impacts(file)).axes[0]
     assert [text.get_text() for text in single.texts] == ["max 12.5 (36.5 N), on the map's border"]
     assert [float(value[0]) for value in single.lines[0].get_data()] == [1.0, 1.0]  # Omega/omega, gap/A0
     assert [text.get_text() for text in every.texts] == ["max 40 (117 N), on the map's border"]

@@ -27,7 +27,7 @@ def test_each_class_of_last_impacts_has_its_colour_and_share(tmp_path):
 def test_a_short_run_sees_impacts_that_end_later(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", CELLS, fields={"last_impact": LAST})) as file:
         for cycles, share in ((29, "58.3 %"), (30, "50.0 %"), (300, "33.3 %"), (20000, "16.7 %")):
-            drawn = Drawn(basin_map.draw_impact_after(file, cycles), tmp_path / "a.png")
+            drawn = Drawn(basin_map.draw_impact_after(file, cycles=cycles), tmp_path / "a.png")
             assert f"impact after {cycles} cycles ({share})" in drawn.legend_texts()
         assert drawn.colour_of(file, 2, 3) == basin_map.NO_IMPACT_COLOUR
 

@@ -4,6 +4,7 @@ numbers at the axes, tiny and huge values."""
 import h5py
 import numpy as np
 import pytest
+from peterka.look.figures import figure_of
 from peterka.maps import comparison, comparison_map
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import open_file, pictures_of
@@ -39,10 +40,10 @@ def all_sound(path, monkeypatch, **options):
         pictures = pictures_of(file, **options)
         assert pictures
         for name, draw in pictures.items():
-            figure = draw(file)
-            if figure is None:  # it has nothing to show
+            drawn = draw(file)
+            if drawn is None:  # it has nothing to show
                 continue
-            faults = faults_of_layout(figure, monkeypatch)
+            faults = faults_of_layout(figure_of(drawn), monkeypatch)
             assert not faults, f"{name}:\n" + "\n".join(faults)
 
 

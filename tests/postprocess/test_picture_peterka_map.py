@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from peterka.look import axes
 from peterka.look.classes import CLASSES, classify
+from peterka.look.figures import figure_of
 from peterka.maps import peterka_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, CHAOTIC, MISSING, PLAIN, Drawn, colour_named, write_map
@@ -58,7 +59,7 @@ def test_legend_of_a_map_with_every_class(tmp_path):
 
 def test_large_areas_carry_their_name(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5")) as file:
-        figure = peterka_map.draw(file)
+        figure = figure_of(peterka_map.draw(file))
     assert {text.get_text() for text in figure.axes[0].texts} >= {"1/1", "1/2", "no impact"}
 
 
@@ -74,7 +75,7 @@ def test_second_scales_follow_the_file(tmp_path):
 def test_no_second_scales_without_the_rig(tmp_path):
     path = write_map(tmp_path / "a.h5", natural_frequency_hz=np.nan, cart_amplitude_m=-1.0)
     with PeterkaFile(path) as file:
-        assert peterka_map.draw(file).axes[0].child_axes == []
+        assert figure_of(peterka_map.draw(file)).axes[0].child_axes == []
 
 
 def test_cells_of_a_logarithmic_axis_meet_at_geometric_means(tmp_path):
@@ -108,7 +109,7 @@ def test_incomplete_map_says_so_and_leaves_cells_open(tmp_path):
 
 def test_complete_map_has_no_notice(tmp_path):
     with PeterkaFile(write_map(tmp_path / "a.h5")) as file:
-        assert not any("incomplete" in text.get_text() for text in peterka_map.draw(file).axes[0].texts)
+        assert not any("incomplete" in text.get_text() for text in figure_of(peterka_map.draw(file)).axes[0].texts)
 
 
 @pytest.mark.parametrize("attributes, present", [

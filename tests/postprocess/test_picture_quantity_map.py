@@ -6,6 +6,7 @@ import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
 from matplotlib.colors import to_hex
 from peterka.look import units
+from peterka.look.figures import figure_of
 from peterka.maps import field_map, force_map, quantity_map
 from peterka.maps.map_file import QUANTITIES, PeterkaFile
 from picture_samples import (
@@ -29,7 +30,7 @@ def colour_of_value(share):
 
 def drawn_from(path, name, picture):
     with PeterkaFile(path) as file:
-        drawn = Drawn(quantity_map.draw(file, name), picture)
+        drawn = Drawn(quantity_map.draw(file, name=name), picture)
         return drawn, {(row, column): drawn.colour_of(file, row, column)
                        for row in range(file.shape[0]) for column in range(file.shape[1])}
 
@@ -101,7 +102,7 @@ def test_a_basin_gives_its_numbers_over_starts(tmp_path, draw):
     outcome = draw(path, "--formats", "png")
     assert outcome.pictures == ["starts_basin.png", "starts_basin_impact.png", "starts_impulse.png"]
     with PeterkaFile(path) as file:
-        figure = quantity_map.draw(file, "impulse")
+        figure = figure_of(quantity_map.draw(file, name="impulse"))
     assert figure.axes[0].child_axes == [] and "gap/A₀ = 1.6" in figure._suptitle.get_text()
 
 
@@ -140,7 +141,7 @@ def test_a_number_in_another_unit_is_refused(tmp_path, draw, name):
 def test_in_a_basin_no_start_is_marked_as_the_one_of_the_largest_value(tmp_path):
     """All starts of an orbit share it."""
     with PeterkaFile(write_basin(tmp_path / "a.h5", fields={"impulse": np.full((4, 4), 0.02)})) as file:
-        ax = quantity_map.draw(file, "impulse").axes[0]
+        ax = figure_of(quantity_map.draw(file, name="impulse")).axes[0]
     assert not len(ax.texts) and not len(ax.lines)
 
 

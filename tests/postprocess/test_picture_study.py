@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, lightness, normal_sight
 from peterka.look import axes
+from peterka.look.figures import figure_of
 from peterka.studies import labels, methods, stability, study_words, work_precision
 from peterka.studies.study_file import StudyFile
 from study_samples import (
@@ -20,7 +21,7 @@ DONE = ["done"] * 3
 
 def drawn(path, picture, tmp_path):
     with StudyFile(path) as file:
-        figure = picture(file)
+        figure = figure_of(picture(file))
     axes.save(figure, tmp_path / "a.png")
     return figure
 

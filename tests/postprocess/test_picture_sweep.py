@@ -5,6 +5,7 @@ import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
 from peterka.files.opened import NotDrawable
 from peterka.look.classes import CLASSES
+from peterka.look.figures import figure_of
 from peterka.sweeps import bifurcation, response
 from peterka.sweeps.measured import Measurements, Point
 from peterka.sweeps.sweep_file import SweepFile
@@ -33,7 +34,7 @@ def legend_texts(figure):
 
 def test_a_panel_for_each_gap_with_hertz_newtons_and_millimetres(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     panels = panels_of(figure)
     assert [texts(ax)[0] for ax in panels] == ["gap/A₀ = 0 (0 mm)", "gap/A₀ = 1.5 (1.33 mm)"]
     assert panels[1].get_xlabel() == r"$\Omega/\omega$"
@@ -43,7 +44,7 @@ def test_a_panel_for_each_gap_with_hertz_newtons_and_millimetres(tmp_path):
 
 def test_directions_differ_in_line_and_brightness(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     up, down = (lines_of(panels_of(figure)[0], response.LOOKS[name].colour)[0] for name in ("up", "down"))
     assert up.get_linestyle() == "-" and down.get_linestyle() != "-"
     assert legend_texts(figure)[:5] == ["frequency rising", "up: no period", "frequency falling", "down: no period",
@@ -52,7 +53,7 @@ def test_directions_differ_in_line_and_brightness(tmp_path):
 
 def test_lines_end_at_jumps_and_motions_without_a_period_are_marks(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     ax = panels_of(figure)[1]
     line = lines_of(ax, response.LOOKS["up"].colour)[0]
     x, y = line.get_data()
@@ -65,7 +66,7 @@ def test_lines_end_at_jumps_and_motions_without_a_period_are_marks(tmp_path):
 
 def test_jumps_and_resonance_carry_their_numbers(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     first, second = panels_of(figure)
     assert texts(first)[1:] == [f"★ 40 = {40 * WEIGHT:.3g} N at 2 (9 Hz)"]
     # up jumps between 1.75 and 1.875, down between 1.625 and 1.5
@@ -78,7 +79,7 @@ def test_only_a_maximum_inside_the_band_is_a_resonance(tmp_path):
     """At gap 0 it is; at 1.5 both branches are cut off by a jump."""
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
         assert [branch.is_resonance(branch.strongest_single()) for branch in file.branches] == [True, True, False, False]
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     assert legend_texts(figure)[4:6] == ["impact resonance ($z = 1/1$)", "largest of $z = 1/1$, cut off"]
     cut = write_sweep(tmp_path / "b.h5", gaps=(0.0,))
     with SealedFile(cut, "r+") as file:
@@ -105,14 +106,14 @@ def test_without_rig_there_are_ratios_alone(tmp_path):
         for name in ("natural_frequency_hz", "cart_amplitude_m", "hammer_mass_kg"):
             del file.attrs[name]
     with SweepFile(path) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
     assert texts(panels_of(figure)[0]) == ["gap/A₀ = 0", "★ 40 at 2"]
 
 
 def test_bifurcation_diagrams_show_every_sample(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        figure = bifurcation.draw(file, NOTHING, "stroboscopic_displacement")
-        impacts = bifurcation.draw(file, NOTHING, "impact_displacement")
+        figure = figure_of(bifurcation.draw(file, name="stroboscopic_displacement"))
+        impacts = figure_of(bifurcation.draw(file, name="impact_displacement"))
     up = panels_of(figure)[1].lines[0]
     assert len(up.get_xdata()) == 11 + 2 * 4
     assert sorted(up.get_ydata()[np.isclose(up.get_xdata(), 2.5)]) == [-4, -3, -2, -1]
@@ -122,7 +123,7 @@ def test_bifurcation_diagrams_show_every_sample(tmp_path):
 
 def test_branches_with_their_own_starts_at_one_gap(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5", gaps=(1.5,), directions=(2,))) as file:
-        figure = response.draw(file, NOTHING)
+        figure = figure_of(response.draw(file))
         assert file.branches[0].direction == "independent"
     assert legend_texts(figure)[0] == "each from the start"
 
@@ -131,8 +132,8 @@ def test_measured_points_lie_over_both_pictures(tmp_path):
     measured = Measurements([Point(2.0, 38.0, None, 0.0, "measured"), Point(1.5, None, None, None, "edge"),
                              Point(1.25, None, -3.0, 1.5, "")], [])
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
-        first, second = panels_of(response.draw(file, measured))
-        below = panels_of(bifurcation.draw(file, measured, "stroboscopic_displacement"))[1]
+        first, second = panels_of(figure_of(response.draw(file, measured=measured)))
+        below = panels_of(figure_of(bifurcation.draw(file, measured=measured)))[1]
     assert "measured" in texts(first) and "edge" in texts(first) and "edge" in texts(second)
     assert "measured" not in texts(second)
     assert [-3.0] in [line.get_ydata().tolist() if hasattr(line.get_ydata(), "tolist") else list(line.get_ydata())

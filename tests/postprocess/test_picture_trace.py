@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 import pytest
 from peterka.look import axes
+from peterka.look.figures import figure_of
 from peterka.traces import impact, motion, phase_plane, spectrum
 from peterka.traces.trace_file import TraceFile
 from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace
@@ -12,7 +13,7 @@ from sealing import SealedFile
 
 def drawn(path, picture, tmp_path):
     with TraceFile(path) as file:
-        figure = picture.draw(file)
+        figure = figure_of(picture.draw(file))
     axes.save(figure, tmp_path / "a.png")
     return figure
 

@@ -1,7 +1,7 @@
 """Where the start decides the regime: the plane of several maps that differ in their start alone."""
 
 import numpy as np
-from ..look import axes
+from ..look import axes, style
 from ..maps.reduce import class_picture
 
 from .starts import depends_on_start
@@ -11,6 +11,7 @@ NAMES = ["same from all starts", "depends on the start", "no start decided but c
 COLOURS = ["#F2F2F2", "#0072B2", "#1A1A1A"]
 
 
+@style.using()
 def draw(file, planes):
     """As a Figure; `file` is one of the maps, open."""
     kinds = np.where(depends_on_start(planes), 1, 0)

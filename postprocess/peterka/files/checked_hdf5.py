@@ -9,6 +9,9 @@ import os
 import re
 from pathlib import Path
 
+# A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
 import h5py
 import numpy as np
 
@@ -16,6 +19,8 @@ from . import own_objects, seal
 from .harmless import harmless
 
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
+NUMBERS = "iuf"
+OF_SCALES = ("CLASS", "NAME", "_Netcdf4Dimid")  # attributes of HDF5's dimension scales
 INTEGER, REAL = "i", "f"  # kinds of numpy types; the program writes no unsigned ones that are shown
 LARGEST = 1e100  # of any number that is shown: sums and products of larger ones leave the range of numbers
 MAX_TEXT = 20000
@@ -30,6 +35,7 @@ class NotDrawable(Exception):
 class CheckedFile:
     """An open HDF5 file, all of whose objects are its own; close() it."""
 
+    may_be_part = False  # of a file
     _raw = None
 
     def __init__(self, path):
@@ -76,6 +82,23 @@ class CheckedFile:
             value = value.decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
+    def numbers(self):
+        """Names of all datasets of numbers, with the groups' before them: {name: dataset}."""
+        names = [path.lstrip("/") for path, storage in self._storages.items() if storage is not None]
+        return {name: self.dataset(name, None, NUMBERS) for name in names if self._own(name).dtype.kind in NUMBERS}
+
+    def attributes(self, of="/"):
+        """{name: value} of the root's or a dataset's plain attributes, texts and numbers, and lists of numbers."""
+        try:
+            with own_objects.bounded_memory(self._size):
+                found = dict(self._file[of].attrs)
+        except (*_ERRORS, MemoryError) as error:
+            raise self.refusal(f"is damaged: attributes cannot be read ({_first_line(error)})") from error
+        lists = {name: value for name, value in found.items()
+                 if isinstance(value, np.ndarray) and value.dtype.kind in NUMBERS and value.ndim == 1}
+        plain = {name: self.attribute(name, of) for name in found}
+        return lists | {name: value for name, value in plain.items() if value is not None and name not in OF_SCALES}
+
     def names(self):
         """Of all that lies at the root."""
         try:
@@ -110,25 +133,17 @@ class CheckedFile:
             values = self._file[name][rows]
         except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged: {name} cannot be read ({_first_line(error)})") from error
-        if values.dtype.kind in REAL and np.any(np.isfinite(values) & (np.abs(values) > LARGEST)):
-            raise self.refusal(f"has a {name} beyond {LARGEST:g}, which is no number of this program")
+        check_range(self, name, values)
         return values
 
     def words(self, name):
         """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
-        meanings = self.attribute("flag_meanings", name)
         try:
             with own_objects.bounded_memory(self._size):
                 numbers = np.ravel(self._file[name].attrs.get("flag_values", ()))
         except (*_ERRORS, MemoryError):
             numbers = np.array([])
-        words = meanings.split() if isinstance(meanings, str) else []
-        if not words or len(words) != len(numbers) or numbers.dtype.kind not in INTEGER:
-            raise self.refusal(f"doesn't say what the numbers of {name} mean")
-        strange = [word for word in words if not _WORD.fullmatch(word)]
-        if strange:
-            raise self.refusal(f"has {shown(strange[0])} among the meanings of {name}")
-        return dict(zip(numbers.tolist(), words))
+        return meanings(self, name, numbers)
 
     def text(self, name):
         """A scalar text as its printable lines; none where there is no such text."""
@@ -166,6 +181,24 @@ class CheckedFile:
             raise self.refusal("may not be read (permission denied)") from error
         except _ERRORS as error:
             raise self.refusal("is cut short" if "truncated" in str(error) else "is not an HDF5 file") from error
+
+
+def check_range(data, name, values):
+    """Refuses numbers out of `data` that are none of this program."""
+    if values.dtype.kind in REAL and np.any(np.isfinite(values) & (np.abs(values) > LARGEST)):
+        raise data.refusal(f"has a {name} beyond {LARGEST:g}, which is no number of this program")
+
+
+def meanings(data, name, numbers):
+    """{number: word} of a dataset of flags out of `data`, of its flag_values and flag_meanings."""
+    text = data.attribute("flag_meanings", name)
+    words = text.split() if isinstance(text, str) else []
+    if not words or len(words) != len(numbers) or numbers.dtype.kind not in INTEGER:
+        raise data.refusal(f"doesn't say what the numbers of {name} mean")
+    strange = [word for word in words if not _WORD.fullmatch(word)]
+    if strange:
+        raise data.refusal(f"has {shown(strange[0])} among the meanings of {name}")
+    return dict(zip(numbers.tolist(), words))
 
 
 def is_number(value):

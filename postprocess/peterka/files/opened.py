@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from .checked_hdf5 import LARGEST, CheckedFile, NotDrawable, is_number, shown
+from .dataset import DatasetContent
 from .harmless import harmless
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
@@ -20,8 +21,9 @@ STANDARD_GRAVITY = 9.80665  # m/s^2
 class OpenedFile:
     """`kind` is one of KINDS; a subclass checks its own content in check_content()."""
 
-    def __init__(self, path):
-        self.data = CheckedFile(path)
+    def __init__(self, source):
+        """`source`: the path of a file, or an xarray.Dataset of one."""
+        self.data = DatasetContent(source) if hasattr(source, "data_vars") else CheckedFile(source)
         self.path = self.data.path
         self.refusal = self.data.refusal
         try:

@@ -4,23 +4,18 @@ Axes are ratios in the paper's notation; a second scale gives Hz and mm where th
 they are, without interpolation, between their borders: linear or logarithmic. Sizes are for one journal column.
 """
 
-import os
-
-import matplotlib
-
-matplotlib.use("Agg")
-
 import matplotlib.patheffects as patheffects
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import ListedColormap, to_rgb
-from matplotlib.figure import Figure
-from matplotlib.patches import Patch
 from matplotlib.ticker import NullFormatter, NullLocator
 
+from . import style
+from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
+from .fills import fill, textured
+from .frames import NOT_COMPUTED_HATCH, diagram, legend_patch, stack  # noqa: F401
 from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
-from .titles import write_title  # noqa: F401: a piece every picture shares
+from .titles import write_title  # noqa: F401
 
 LABELS = {
     "frequency_ratio": r"$\Omega/\omega$",
@@ -28,35 +23,8 @@ LABELS = {
     "displacement_ratio": r"$x/A_0$",
     "velocity_ratio": r"$\dot{x}/(A_0\omega)$",
 }
-STYLE = {
-    "font.family": "DejaVu Sans",
-    "font.size": 8,
-    "axes.titlesize": 9,
-    "axes.labelsize": 9,
-    "axes.linewidth": 0.6,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "legend.fontsize": 8,
-    "legend.title_fontsize": 8,
-    "hatch.linewidth": 0.5,
-    "mathtext.fontset": "dejavusans",
-    "pdf.fonttype": 42,
-    "agg.path.chunksize": 20000,
-}
-NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
-COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
-MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
 LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
-
-
-def new_figure(width, height, cells=1):
-    """A Figure [in x in] in the common style, with a raster fine enough for so many cells along a side."""
-    matplotlib.rcParams.update(STYLE)
-    dpi = COARSE_DPI if cells <= FINE_FROM else FINE_DPI
-    figure = Figure(figsize=(width, height), dpi=dpi, layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
 
 
 def label_axes(ax, file):
@@ -66,18 +34,33 @@ def label_axes(ax, file):
         getattr(ax, f"set_{which}scale")("log" if axis.log else "linear")
         getattr(ax, f"set_{which}lim")(axis.edges[0], axis.edges[-1])
         _set_ticks(ticks, axis.log)
-    top, right = (_second_scale(file, axis.name) for axis in (file.columns, file.rows))
-    if top:
-        scale = ax.secondary_xaxis("top", functions=scale_functions(top[1]))
-        scale.set_xlabel(top[0], fontsize=8)
-        _set_ticks(scale.xaxis, file.columns.log)
-    if right:
-        scale = ax.secondary_yaxis("right", functions=scale_functions(right[1]))
-        scale.set_ylabel(right[0], fontsize=8)
-        _set_ticks(scale.yaxis, file.rows.log)
+    for axis, side in ((file.columns, "x"), (file.rows, "y")):
+        scale = second_scale(ax, side, si_scale(file, axis.name))
+        if scale is not None:
+            _set_ticks(getattr(scale, f"{side}axis"), axis.log)
 
 
-def _second_scale(file, name):
+def second_scale(ax, side, label_and_factor, place=None):
+    """A scale of the side "x" or "y" in other units, given by its (label, factor from those of the axis): opposite to the
+    axis, or, where pictures are in SI alone, in its place; none where `label_and_factor` is None or pictures are in
+    ratios alone. `place`: where, if not there. Returns its Axes or None."""
+    units = style.current().units
+    if label_and_factor is None or units == "ratio":
+        return None
+    label, factor = label_and_factor
+    add = ax.secondary_xaxis if side == "x" else ax.secondary_yaxis
+    if units == "si":
+        getattr(ax, f"{side}axis").set_visible(False)
+        place = "bottom" if side == "x" else "left"
+    scale = add(place or ("top" if side == "x" else "right"), functions=scale_functions(factor))
+    set_label = scale.set_xlabel if side == "x" else scale.set_ylabel
+    if getattr(ax, f"get_{side}scale")() == "log":
+        number_log_scale(getattr(scale, f"{side}axis"))
+    set_label(label, fontsize=9 if units == "si" else 8)
+    return scale
+
+
+def si_scale(file, name):
     """(label, factor from the ratios of this axis) of its scale in SI units; None where the file doesn't tell."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if name == "frequency_ratio":
@@ -105,62 +88,20 @@ def scale_functions(factor):
 
 
 def show_classes(ax, reduced, colours, not_computed):
-    """Draws class numbers (rows, columns) in their colours; the class `not_computed` is left open over a hatch."""
+    """Draws class numbers (rows, columns) in their colours, or the fills of these; the class `not_computed` is left open
+    over a hatch."""
     hatch_background(ax)
-    shown = np.ma.masked_equal(reduced.image, not_computed)
-    ax.pcolormesh(
-        reduced.column_edges, reduced.row_edges, shown,
-        cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True,
-    )
+    fills = [fill(colour) for colour in colours]
+    shown, rows, columns = np.ma.masked_equal(reduced.image, not_computed), reduced.row_edges, reduced.column_edges
+    colours = [one.colour for one in fills]
+    if any(one.hatch for one in fills):
+        shown, rows, columns, colours = textured(shown, rows, columns, fills, reduced.log)
+    ax.pcolormesh(columns, rows, shown, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True)
 
 
 def hatch_background(ax):
     """Hatches the whole plane: what nothing is drawn over is not computed yet."""
     ax.patch.set(**NOT_COMPUTED_HATCH)
-
-
-def legend_patch(label, colour, hatched=False):
-    if hatched:
-        return Patch(label=label, **NOT_COMPUTED_HATCH | {"linewidth": 0.4})
-    return Patch(facecolor=colour, edgecolor="black", linewidth=0.3, label=label)
-
-
-def stack(width, image, legends, bar=False, panel=0.0):
-    """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
-    [in] if asked for.
-
-    `legends` is a list of (handles, columns, title); empty ones are left out. Returns the figure, the map's axes and
-    those of the bar or the panel (None without). The figure is as high as its legends need, so all maps have the same
-    size."""
-    legends = [legend for legend in legends if legend[0]]
-    rows = sum(-(-len(handles) // columns) + (title is not None) for handles, columns, title in legends)
-    height = MAP_HEIGHT + BAR_HEIGHT * bar + LEGEND_GAP * len(legends) + LEGEND_ROW * rows + panel
-    figure = new_figure(width, height, max(image.shape))
-    shares = [1] + [0.045] * bar + [0.001] * len(legends) + [0.75 * panel / MAP_HEIGHT] * (panel > 0)
-    ax, *below = figure.subplots(len(shares), 1, squeeze=False, gridspec_kw={"height_ratios": shares})[:, 0]
-    for legend_ax, (handles, columns, title) in zip(below[bar:], legends):
-        legend_ax.axis("off")
-        legend_ax.legend(
-            handles=handles, ncol=columns, title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False, handlelength=1.4,
-            handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
-        )
-    return figure, ax, (below[0] if bar else below[-1] if panel else None)
-
-
-def diagram(width, height, handles, panels=1, columns=2):
-    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend
-    below them. Returns the figure and the Axes, a list where there are several."""
-    rows = -(-len(handles) // columns)
-    figure = new_figure(width, height + LEGEND_GAP + LEGEND_ROW * rows)
-    all_axes = figure.subplots(panels + 1, 1, gridspec_kw={"height_ratios": [1] * panels + [0.001]})
-    for ax in all_axes[1:panels]:
-        ax.sharex(all_axes[0])
-    all_axes[-1].axis("off")
-    all_axes[-1].legend(
-        handles=handles, ncol=columns, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0, frameon=False,
-        handlelength=2.0, handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
-    )
-    return figure, (all_axes[0] if panels == 1 else list(all_axes[:panels]))
 
 
 def percent(share):
@@ -204,12 +145,16 @@ def log_scale(ax, *sides):
     """Makes the sides "x" or "y" of a diagram logarithmic, with few, plain ticks and a pale grid."""
     for side in sides:
         getattr(ax, f"set_{side}scale")("log")
-        axis = getattr(ax, f"{side}axis")
-        axis.set_major_locator(LogTicks())
-        axis.set_major_formatter(LogNumbers())
-        axis.set_minor_locator(NullLocator())
+        number_log_scale(getattr(ax, f"{side}axis"))
     ax.grid(color="#DDDDDD", linewidth=0.5)
     ax.set_axisbelow(True)
+
+
+def number_log_scale(axis):
+    """Few, plain ticks on a logarithmic axis."""
+    axis.set_major_locator(LogTicks())
+    axis.set_major_formatter(LogNumbers())
+    axis.set_minor_locator(NullLocator())
 
 
 def name_areas(ax, reduced, names):
@@ -217,6 +162,7 @@ def name_areas(ax, reduced, names):
 
     `names` maps a class number of the image to (text, colour of the class)."""
     for number, (text, colour) in names.items():
+        colour = fill(colour).colour
         window = _largest_window(reduced.image == number, LETTER_SHARE * len(text))
         if window is not None:
             (left, right), (low, high) = window
@@ -256,14 +202,3 @@ def _largest_window(mask, smallest, purity=0.97):
 def outline(width=2.0, colour="white"):
     """Path effect: a halo that keeps a line or letter legible on any colour."""
     return [patheffects.withStroke(linewidth=width, foreground=colour)]
-
-
-def save(figure, path):
-    """Writes a finished picture in the format of its suffix; an interrupted one never passes for a picture."""
-    unfinished = path.with_name(f".{path.name}.unfinished")
-    dates = {"png": {"Software": None}, "pdf": {"CreationDate": None}}  # the same map gives the same bytes
-    try:
-        figure.savefig(unfinished, format=path.suffix[1:], dpi=figure.dpi, metadata=dates[path.suffix[1:]])
-        os.replace(unfinished, path)
-    finally:
-        unfinished.unlink(missing_ok=True)

@@ -2,6 +2,8 @@
 
 from itertools import product
 
+import numpy as np
+from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
 
 from .axes import outline
@@ -58,4 +60,7 @@ def _box(text):
 
 
 def _renderer(text):
-    return text.get_figure().canvas.get_renderer()
+    figure = text.get_figure()
+    if hasattr(figure.canvas, "get_renderer"):
+        return figure.canvas.get_renderer()
+    return RendererAgg(*np.ceil(figure.bbox.size), figure.dpi)  # of a figure that nobody has shown yet

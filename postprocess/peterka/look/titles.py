@@ -2,9 +2,9 @@
 
 import textwrap
 
-from matplotlib.font_manager import FontProperties
-from matplotlib.textpath import text_to_path
-
+from . import style
+from .figures import Picture
+from .frames import text_width
 from .linear_ticks import use_everywhere
 
 SIZE = 9  # pt
@@ -12,21 +12,29 @@ LINE = 0.155  # in, of a title
 MARGIN = 0.1  # in, left and right of it
 
 
-def write_title(figure, file, extra=""):
+def write_title(figure, file, extra="", ax=None):
     """Title of the file, wrapped to the figure; `extra` below it, line by line. Never read as mathematics: it may hold
-    a $. To be called when the picture is complete, but for notes that look for a place."""
-    width = figure.get_figwidth() - 2 * MARGIN
-    lines = [line for text in [file.title, *extra.split("\n")] if text for line in wrapped(text, width)]
-    figure.set_figheight(figure.get_figheight() + LINE * (len(lines) - 1))
-    figure.suptitle("\n".join(lines), fontsize=SIZE, parse_math=False)
-    use_everywhere(figure)
+    a $. To be called when the picture is complete, but for notes that look for a place. In a figure of somebody else's
+    it stands over `ax`, whose place the picture took, and that figure's layout is made when it is shown."""
+    own = isinstance(figure, Picture)
+    width = (figure.get_figwidth() if own else figure.get_figwidth() * _share(ax)) - 2 * MARGIN
+    texts = [file.title, *extra.split("\n")] if style.current().title else []
+    lines = [line for text in texts if text for line in wrapped(text, width)]
+    if own:
+        figure.set_figheight(figure.get_figheight() + LINE * (len(lines) - 1))
+        if lines:
+            figure.suptitle("\n".join(lines), fontsize=SIZE, parse_math=False)
+        use_everywhere(figure)
+    elif lines:
+        ax.set_title("\n".join(lines), fontsize=SIZE, parse_math=False)
     # The layout is made of labels, which hang on the layout: a first round here, the second one when it is saved.
     figure.draw_without_rendering()
 
 
-def text_width(text, size=SIZE):
-    """Of one line [in]."""
-    return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), ismath=False)[0] / 72
+def _share(ax):
+    """Of its figure's width that Axes have."""
+    place = ax.get_subplotspec().get_position(ax.get_figure())
+    return place.width
 
 
 def wrapped(text, width):
@@ -41,4 +49,4 @@ def wrapped(text, width):
 
 
 def _fits(text, letters, width):
-    return all(text_width(line) <= width for line in textwrap.wrap(text, letters))
+    return all(text_width(line, SIZE) <= width for line in textwrap.wrap(text, letters))

@@ -10,6 +10,9 @@ from matplotlib.lines import Line2D
 
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.fills import Fill, fill
+from ..look.picture import picture
+from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH, ERROR_HEIGHT = 3.7, 1.9  # in
@@ -20,8 +23,9 @@ DIFFERS = {"marker": "o", "markersize": 7, "markerfacecolor": "none", "color": "
 SMALLEST_ERROR = 1e-17  # equal forces are drawn here: below the rounding of a double
 
 
-def draw(file):
-    """The audit of a map file as a Figure; None where no cell is solved again yet."""
+@picture(PeterkaFile)
+def draw(file, ax=None):
+    """The audit of a map file; None where no cell is solved again yet."""
     audit = file.audit
     if audit is None or audit.count == 0:
         return None
@@ -29,7 +33,8 @@ def draw(file):
     differing = int(np.sum(~audit.agrees))
     handles = [Line2D([], [], label=f"same label ({audit.count - differing} cells)", **AGREES | {"markersize": 5}),
                Line2D([], [], label=f"other label ({differing})", **DIFFERS)]
-    figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], panel=ERROR_HEIGHT)
+    figure, ax, error_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], panel_height=ERROR_HEIGHT,
+                                      ax=ax)
     axes.show_classes(ax, reduced, [_pale(entry.colour) for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     for chosen, look in ((audit.agrees, AGREES), (~audit.agrees, DIFFERS)):
@@ -38,8 +43,8 @@ def draw(file):
         ax.plot(file.columns.values[audit.column[chosen]], file.rows.values[audit.row[chosen]], clip_on=False, **look)
     _draw_errors(error_ax, audit.force_error)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, f"audit of {audit.count} cells by an independent engine")
-    return figure
+    axes.write_title(figure, file, f"audit of {audit.count} cells by an independent engine", ax)
+    return ax
 
 
 def compared_errors(force_error):
@@ -48,7 +53,9 @@ def compared_errors(force_error):
 
 
 def _pale(colour):
-    return to_hex([(1 - PALE) * value + PALE for value in to_rgb(colour)])
+    own = fill(colour)
+    pale = to_hex([(1 - PALE) * value + PALE for value in to_rgb(own.colour)])
+    return Fill(pale, own.hatch) if own.hatch else pale
 
 
 def _draw_errors(ax, force_error):

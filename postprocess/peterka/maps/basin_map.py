@@ -15,13 +15,17 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
 from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
-from ..look import axes, units
+from ..look import axes, style, units
 from ..look.classes import CLASSES, INDEX, class_of, classify
+from ..look.fills import Fill, fill
+from ..look.picture import picture
+from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
 NAMED_ATTRACTORS = 20  # a legend with more is not read; the smaller ones share one colour
 SHADES = [(0, "white"), (0.5, "white"), (0.4, "black"), (0.75, "white"), (0.65, "black")]  # mixed into a class's colour
+HATCHES = ["", "//", "\\\\", "xx", ".."]  # of these shades in the grey palette
 OTHER_COLOUR = CLASSES[INDEX["other p/q"]].colour
 MARK = {"marker": "o", "markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.8, "linestyle": "none",
         "path_effects": axes.outline(2.0), "zorder": 6}
@@ -29,8 +33,9 @@ STOP = {"color": "black", "linewidth": 0.9, "linestyle": (0, (1, 1.2)), "path_ef
 IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough to differ from the blue in grey
 
 
-def draw_attractors(file):
-    """The basin of each attractor of a basin file as a Figure, with its share of the starts."""
+@picture(PeterkaFile)
+def draw_attractors(file, ax=None):
+    """The basin of each attractor of a basin file, with its share of the starts."""
     table = file.attractors
     named = _largest_attractors(table)
     named_entries = _attractor_entries(table, named)
@@ -44,15 +49,16 @@ def draw_attractors(file):
 
     marks = _attractor_points(file, named, named_entries)
     inside = [point for point in marks if _is_inside(file, point)]
-    figure, ax = _draw(file, ["attractor", "regime", "impacts", "period"], label, entries, 1,
+    ax = _draw(file, ax, ["attractor", "regime", "impacts", "period"], label, entries, 1,
                        _mark_handles(len(inside), len(marks) - len(inside)))
     for x, y, colour in inside:
-        ax.plot(x, y, **MARK | {"markerfacecolor": colour})
-    return figure
+        ax.plot(x, y, **MARK | {"markerfacecolor": fill(colour).colour})
+    return ax
 
 
-def draw_impact(file):
-    """The starts that end in impacts and those that do not, as a Figure."""
+@picture(PeterkaFile)
+def draw_impact(file, ax=None):
+    """The starts that end in impacts and those that do not."""
     entries = [*_class_entries(), ("impact", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact", NO_IMPACT_COLOUR)
 
@@ -60,12 +66,12 @@ def draw_impact(file):
         hits = (regime == PERIODIC) | (regime == CHAOTIC)
         return np.where(hits, len(CLASSES), classify(regime, impacts, period))
 
-    figure, _ = _draw(file, ["regime", "impacts", "period"], label, entries, 2)
-    return figure
+    return _draw(file, ax, ["regime", "impacts", "period"], label, entries, 2)
 
 
-def draw_impact_after(file, cycles):
-    """The starts that still impact after so many forcing cycles and those that do not, as a Figure: what a run that ends
+@picture(PeterkaFile)
+def draw_impact_after(file, ax=None, *, cycles=300):
+    """The starts that still impact after so many forcing cycles and those that do not: what a run that ends
     then takes for two attractors, where impacts are only a long transient."""
     entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact any more", NO_IMPACT_COLOUR)
@@ -74,26 +80,25 @@ def draw_impact_after(file, cycles):
         hits = (regime == PERIODIC) | (regime == CHAOTIC) | ((regime == NO_IMPACT) & (last_impact > cycles))
         return np.where(hits, len(CLASSES), classify(regime, impacts, period))
 
-    figure, _ = _draw(file, ["regime", "impacts", "period", "last_impact"], label, entries, 1)
-    return figure
+    return _draw(file, ax, ["regime", "impacts", "period", "last_impact"], label, entries, 1)
 
 
-def _draw(file, names, label, entries, columns, marks=()):
-    """Figure and map axes of labelled starts; `entries` holds (legend text, colour) of each label, `columns` is
+def _draw(file, ax, names, label, entries, columns, marks=()):
+    """Axes of labelled starts; `entries` holds (legend text, colour) of each label, `columns` is
     for the legend, `marks` are further entries of it."""
     reduced, counts = class_picture(file, names, label, len(entries))
     gap = file.number("gap_ratio")
     shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
     stop = [Line2D([], [], label="stop at the start, $x$ = gap", **STOP)] if shows_stop else []
     legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop], 1, None)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     if shows_stop:
         ax.axvline(gap, **STOP)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, axes.operating_point(file))
-    return figure, ax
+    axes.write_title(figure, file, axes.operating_point(file), ax)
+    return ax
 
 
 def _class_entries():
@@ -130,6 +135,12 @@ def _attractor_entries(table, named):
 
 def _shade(colour, repeat):
     weight, towards = SHADES[repeat % len(SHADES)]
+    if style.is_grey() and repeat:
+        return Fill(_mixed(fill(colour).colour, weight / 2, towards), HATCHES[repeat % len(HATCHES)])
+    return _mixed(colour, weight, towards) if weight else colour
+
+
+def _mixed(colour, weight, towards):
     return to_hex([(1 - weight) * own + weight * other for own, other in zip(to_rgb(colour), to_rgb(towards))])
 
 

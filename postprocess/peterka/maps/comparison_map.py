@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.colors import LogNorm
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from ..look import axes, units
+from ..look import axes, style, units
 from .comparison import NAMES, differing_keys, has_lasting_force, label_codes, there
 from .reduce import LIMIT, block_size, largest, with_edges
 
@@ -22,6 +22,7 @@ COLOURS = ["#CFCFCF", "#B8A000", "#1A1A1A", "#FFFFFF"]
 NAMES_OF_KINDS = ["same, no lasting force", "same regime, other z", "other regime", "not in both files"]
 
 
+@style.using()
 def draw(first, second, comparison):
     """The picture as a Figure, with the share of each kind of difference."""
     plane = comparison.plane

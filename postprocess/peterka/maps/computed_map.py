@@ -4,6 +4,8 @@ import numpy as np
 
 from ..files.regimes import NOT_COMPUTED
 from ..look import axes
+from ..look.picture import picture
+from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
@@ -12,17 +14,18 @@ COLOURS = ["#F2F2F2", "#0072B2", "#FFFFFF"]
 NAMES = ["filled", "computed", "not computed yet"]
 
 
-def draw(file):
-    """The picture as a Figure, with both shares in its legend."""
+@picture(PeterkaFile)
+def draw(file, ax=None):
+    """The picture, with both shares in its legend."""
     reduced, counts = class_picture(file, ["regime", "computed"], _classify, len(NAMES))
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
                for n in (COMPUTED, FILLED, MISSING) if counts[n]]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, None)])
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], ax=ax)
     axes.show_classes(ax, reduced, COLOURS, MISSING)
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file)
-    return figure
+    axes.write_title(figure, file, ax=ax)
+    return ax
 
 
 def _classify(regime, computed):

@@ -6,13 +6,15 @@ Cells of a reduced map show the largest value in their block.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
 
 from ..files.regimes import CHAOTIC, PERIODIC
-from ..look import axes
+from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.fills import Fill, grey
 from ..look.notes import write_beside
 from .reduce import class_picture, field_picture
 
@@ -21,6 +23,9 @@ COLOURS = "viridis"
 OTHER_COLOUR = "#F2F2F2"
 NO_VALUE_COLOUR = "#F7C6D0"  # of cells that should have a value and haven't: no stop's force where it is rigid, say
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile where single cells exceed it by this factor
+GREY_SCALE = (95, 8)  # lightness of the smallest and the largest value in the grey palette
+# Areas without a value are hatched there: the scale has all lightnesses for itself.
+GREY_APART = {"no impact": "", "sustained contact": "//", "unresolved": "xx", "failed": "..", "chaotic": "\\\\"}
 WITHOUT_IMPACTS = ("no impact", "sustained contact", "unresolved", "failed")
 
 
@@ -44,6 +49,7 @@ class Field:
     carries: Callable
     apart: tuple[str, ...]
     scale: Callable[[float], Scale]
+    from_zero: bool = True  # the scale begins at 0; else at the smallest value
 
 
 def has_impacts(regime, *_):
@@ -51,59 +57,92 @@ def has_impacts(regime, *_):
     return (regime == PERIODIC) | (regime == CHAOTIC)
 
 
-def draw(file, field):
-    """The map of a Field as a Figure; None where no cell has a value."""
+def draw(file, field, ax=None):
+    """The map of a Field; None where no cell has a value."""
     values, peak, lacking = field_picture(file, field.dataset, field.carries)
     if peak is None:
         return None
     classes, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     carried = [entry.orbit == (1, 1) if not field.apart else entry.label not in field.apart for entry in CLASSES]
     legend = _legend_entries(counts, carried, field.apart, lacking)
-    figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True)
+    figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
-    scale = field.scale(peak.value)
-    top = _top_of_scale(values.image, peak.value)
-    mesh = ax.pcolormesh(
-        values.column_edges, values.row_edges, np.ma.masked_invalid(values.image) * scale.factor,
-        cmap=COLOURS, vmin=0, vmax=top * scale.factor, rasterized=True,
-    )
+    scale = _in_units(field.scale(peak.value))
+    shown = np.ma.masked_invalid(values.image) * scale.factor
+    norm = _norm(shown, peak.value * scale.factor, field.from_zero)
+    mesh = ax.pcolormesh(values.column_edges, values.row_edges, shown, cmap=scale_colours(), norm=norm, rasterized=True)
     axes.label_axes(ax, file)
-    _draw_bar(figure, bar_ax, mesh, scale, peak.value > top)
+    _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, axes.operating_point(file))
+    axes.write_title(figure, file, axes.operating_point(file), ax)
     if file.kind == "map":  # in a basin all starts of an orbit share the largest value
         _mark(ax, peak, scale.text(peak.value))
-    return figure
+    return ax
 
 
 def _colours_beneath(carried, apart):
-    own = {entry.label: entry.colour for entry in CLASSES if entry.label in apart}
-    return [own.get(entry.label, NO_VALUE_COLOUR if carries else OTHER_COLOUR)
+    own = {entry.label: _apart_colour(entry) for entry in CLASSES if entry.label in apart}
+    return [own.get(entry.label, _no_value_colour() if carries else OTHER_COLOUR)
             for entry, carries in zip(CLASSES, carried)]
+
+
+def _apart_colour(entry):
+    return Fill(grey(100), GREY_APART[entry.label]) if style.is_grey() else entry.colour
+
+
+def _no_value_colour():
+    return Fill(grey(100), "++") if style.is_grey() else NO_VALUE_COLOUR
 
 
 def _legend_entries(counts, carried, apart, lacking):
     """Legend entries of the cells without a colour of the scale."""
     found = [(entry, carries) for entry, carries, count in zip(CLASSES, carried, counts) if count]
-    entries = [axes.legend_patch(entry.label, entry.colour) for entry, _ in found if entry.label in apart]
+    entries = [axes.legend_patch(entry.label, _apart_colour(entry)) for entry, _ in found if entry.label in apart]
     if not apart and any(not carries and entry.label != "not computed yet" for entry, carries in found):
         entries.append(axes.legend_patch("any other regime", OTHER_COLOUR))
     if lacking:
-        entries.append(axes.legend_patch("no value", NO_VALUE_COLOUR))
+        entries.append(axes.legend_patch("no value", _no_value_colour()))
     if counts[INDEX["not computed yet"]]:
         entries.append(axes.legend_patch("not computed yet", None, hatched=True))
     return entries
 
 
-def _top_of_scale(image, peak):
-    top = float(np.nanpercentile(image, TOP_SHARE))
-    if not peak > 0:
+def scale_colours():
+    """The colours of a scale of values, from low to high."""
+    return ListedColormap([grey(light) for light in np.linspace(*GREY_SCALE, 256)]) if style.is_grey() else COLOURS
+
+
+def _in_units(scale):
+    """In SI alone or in ratios alone, where that is asked for."""
+    if scale.second is None or style.current().units == "both":
+        return scale
+    return replace(scale, second=None) if style.current().units == "ratio" else Scale(*scale.second, scale.text)
+
+
+def _norm(shown, peak, from_zero):
+    """Of the values on the scale, as it shows them."""
+    positive = shown[shown > 0]
+    logarithmic = style.current().log and positive.count() > 0
+    low, high = style.current().limits or (None, None)
+    if high is None:
+        low, high = 0.0 if from_zero else float(shown.min()), _top_of_scale(shown.compressed(), peak)
+        low = float(positive.min()) if logarithmic else low
+        high = high if high > low else low + (abs(low) or 1.0)
+    return LogNorm(max(low, 1e-6 * high), high) if logarithmic and high > 0 else Normalize(low, high)
+
+
+def _top_of_scale(values, peak):
+    top = float(np.percentile(values, TOP_SHARE))
+    if peak == 0:
         return 1.0
     return top if top > 0 and peak > TOP_EXCESS * top else peak
 
 
 def _draw_bar(figure, bar_ax, mesh, scale, beyond):
-    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max" if beyond else "neither")
+    extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend=extend[tuple(map(bool, beyond))])
+    if isinstance(mesh.norm, LogNorm):
+        axes.number_log_scale(bar_ax.xaxis)
     bar.outline.set_linewidth(0.6)
     bar.set_label(scale.label, fontsize=8)
     if scale.second:

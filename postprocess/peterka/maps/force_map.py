@@ -5,26 +5,32 @@ without a force; where no cell has one there is no picture.
 """
 
 from ..files.regimes import PERIODIC
-from ..look import units
+from ..look import style, units
+from ..look.picture import picture
 from . import field_map
 from .field_map import Field, Scale
+from .map_file import PeterkaFile
 
 
-def draw_single_impact(file):
+@picture(PeterkaFile)
+def draw_single_impact(file, ax=None):
     """Force where one impact comes in each forcing cycle; None where no cell has one."""
     carries = lambda regime, p, q: (regime == PERIODIC) & (p == 1) & (q == 1)  # noqa: E731
-    return _draw(file, carries, "$z = 1/1$", ())
+    return _draw(file, ax, carries, "$z = 1/1$", ())
 
 
-def draw_all_impacts(file):
+@picture(PeterkaFile)
+def draw_all_impacts(file, ax=None):
     """Force of every proved orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
-    return _draw(file, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS)
+    return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS)
 
 
-def _draw(file, carries, what, apart):
-    newtons = file.newtons
+def _draw(file, ax, carries, what, apart):
+    newtons = file.newtons if style.current().units != "ratio" else None
 
     def text(force):
+        if newtons and style.current().units == "si":
+            return units.amount(force * newtons, "N")
         return units.number(force) + (f" ({units.amount(force * newtons, 'N')})" if newtons else "")
 
     def scale(largest):
@@ -32,6 +38,7 @@ def _draw(file, carries, what, apart):
         if not newtons:
             return Scale(label, 1, text)
         factor, unit = units.with_prefix(largest * newtons, "N")
-        return Scale(label, 1, text, (f"peak force ({unit})", newtons * factor))
+        alone = f", {what}" if style.current().units == "si" else ""
+        return Scale(label, 1, text, (f"peak force ({unit}){alone}", newtons * factor))
 
-    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale))
+    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale), ax)

@@ -6,7 +6,10 @@ Light is early, dark is late; where impacts go on for ever, or are undecided, a 
 import numpy as np
 
 from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from ..look import axes
+from ..look import axes, style
+from ..look.fills import Fill, grey
+from ..look.picture import picture
+from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
@@ -18,17 +21,21 @@ NAMES = ["none at all", *(f"{low + 1} to {high}" for low, high in zip(ENDS, ENDS
          f"more than {ENDS[-1]}", "impacts go on", "undecided", "not computed yet"]
 
 
-def draw(file):
-    """The picture as a Figure, with the share of each class."""
+@picture(PeterkaFile)
+def draw(file, ax=None):
+    """The picture, with the share of each class."""
     reduced, counts = class_picture(file, ["regime", "last_impact"], _classify, len(NAMES))
-    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)
+    colours = COLOURS
+    if style.is_grey():  # apart from the scale of lightness
+        colours = [*SHADES, Fill(grey(70), "//"), Fill(grey(100), "xx"), COLOURS[MISSING]]
+    handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", colours[n], n == MISSING)
                for n in np.flatnonzero(counts)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, "forcing cycles until the last impact")])
-    axes.show_classes(ax, reduced, COLOURS, MISSING)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 2, "forcing cycles until the last impact")], ax=ax)
+    axes.show_classes(ax, reduced, colours, MISSING)
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, axes.operating_point(file))
-    return figure
+    axes.write_title(figure, file, axes.operating_point(file), ax)
+    return ax
 
 
 def _classify(regime, last_impact):

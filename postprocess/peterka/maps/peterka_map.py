@@ -13,6 +13,8 @@ from matplotlib.lines import Line2D
 
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.picture import picture
+from .map_file import PeterkaFile
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
@@ -23,14 +25,15 @@ CHATTER_LOOK = {"marker": "o", "markersize": 1.7, "color": "white", "markeredgec
 EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path_effects": axes.outline(1.4)}
 
 
-def draw(file):
-    """The map of a map file as a Figure, with the share of each class in its legend."""
+@picture(PeterkaFile)
+def draw(file, ax=None):
+    """The map of a map file with the share of each class in its legend."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     orbits, regimes = _legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
     others = regimes + chatter_entry + _edge_entry(file)
     legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     if chatter:
@@ -38,8 +41,8 @@ def draw(file):
     _draw_edge_of_no_impact(ax, file)
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file)
-    return figure
+    axes.write_title(figure, file, ax=ax)
+    return ax
 
 
 def edge_of_no_impact(frequency_ratio, damping_ratio):

@@ -5,9 +5,10 @@ Those of impacts are drawn where impacts are proved; the largest displacement in
 
 from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
 from ..look import units
+from ..look.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
-from .map_file import QUANTITIES
+from .map_file import QUANTITIES, PeterkaFile
 
 TITLES = {
     "impact_speed": "largest impact speed",
@@ -18,12 +19,13 @@ TITLES = {
 }
 
 
-def draw(file, name):
-    """The picture of one of file.quantities as a Figure; None where no cell has a value."""
+@picture(PeterkaFile)
+def draw(file, ax=None, *, name):
+    """The picture of one of file.quantities; None where no cell has a value."""
     carries, apart = field_map.has_impacts, WITHOUT_IMPACTS
     if name == "max_displacement":
         carries, apart = _proved, ("unresolved", "failed")
-    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(name, largest)))
+    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(name, largest)), ax)
 
 
 def _proved(regime, *_):

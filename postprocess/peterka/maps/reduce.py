@@ -15,11 +15,13 @@ LIMIT = 2000
 
 @dataclass(frozen=True)
 class Reduced:
-    """`image` (rows, columns) of the picture; `row_edges` and `column_edges`, one longer, in the units of the axes."""
+    """`image` (rows, columns) of the picture; `row_edges` and `column_edges`, one longer, in the units of the axes; `log`:
+    whether rows and columns are spaced in the logarithm."""
 
     image: np.ndarray
     row_edges: np.ndarray
     column_edges: np.ndarray
+    log: tuple[bool, bool] = (False, False)
 
 
 @dataclass(frozen=True)
@@ -91,4 +93,4 @@ def field_picture(file, name, carries, limit=LIMIT):
 
 def with_edges(file, image, block):
     rows, columns = (np.append(axis.edges[:-1:block], axis.edges[-1]) for axis in (file.rows, file.columns))
-    return Reduced(image, rows, columns)
+    return Reduced(image, rows, columns, (file.rows.log, file.columns.log))

@@ -9,7 +9,8 @@ from pathlib import Path
 from ..files.harmless import harmless
 from ..look import axes
 
-FORMATS = ("png", "pdf")
+FORMATS = ("png", "pdf", "svg")
+DEFAULT_FORMATS = "png,pdf"
 DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
 LONGEST_COMPLAINT = 2000  # letters
 
@@ -32,7 +33,7 @@ class OneLineParser(argparse.ArgumentParser):
     def add_picture_arguments(self):
         """--output-dir and --formats."""
         self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
-        self.add_argument("--formats", default=",".join(FORMATS), type=read_formats, help="default: png,pdf")
+        self.add_argument("--formats", "--format", default=DEFAULT_FORMATS, type=read_formats, help=f"some of {', '.join(FORMATS)}; default: {DEFAULT_FORMATS}")
 
 
 def read_formats(text):

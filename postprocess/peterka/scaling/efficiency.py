@@ -12,7 +12,7 @@ from math import isqrt
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..look import axes
+from ..look import axes, style
 from .dealing import MOST_REPLAYS, typical
 from .tile_costs import TileCosts, goes_by_squares, tiles_of
 
@@ -110,6 +110,7 @@ def assumptions(machine):
             f"message takes {1e6 * machine.latency:.3g} µs; starting up and the file are left out.")
 
 
+@style.using()
 def draw(record, curves, measured, machine):
     """Figure of Curves and Measured points."""
     handles = [Line2D([], [], color=COLOURS[number % len(COLOURS)], marker=MARKERS[number % len(MARKERS)],
@@ -118,7 +119,7 @@ def draw(record, curves, measured, machine):
     handles.append(Line2D([], [], color="#555555", linestyle=":", linewidth=1.0, label="rank 0 serves at once"))
     if measured:
         handles.append(Line2D([], [], **_MEASURED, label="measured"))
-    figure, ax = axes.diagram(WIDTH, HEIGHT, handles)
+    figure, (ax,) = axes.diagram(WIDTH, HEIGHT, handles)
     for number, one in enumerate(curves):
         colour, marker = COLOURS[number % len(COLOURS)], MARKERS[number % len(MARKERS)]
         ranks = [real.ranks for real in one.replays]

@@ -10,14 +10,17 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullLocator
 
 from ..look import axes
+from ..look.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
+from .study_file import StudyFile
 from .work_precision import care
 
 WIDTH, HEIGHT = 3.7, 4.3  # in, without the legend
 
 
-def draw(file):
-    """The two diagrams of a study of labels as a Figure; None without a finished run."""
+@picture(StudyFile)
+def draw(file, ax=None):
+    """The two diagrams of a study of labels as a list of Axes; None without a finished run."""
     table = file.table
     usable = np.isfinite(table.changed_share) & (table.seconds_per_cell > 0) & np.isfinite(table.seconds_per_cell)
     methods = methods_in_order(table.method[usable])
@@ -28,7 +31,7 @@ def draw(file):
             "linestyle": "-", "color": look(method).colour})
         for method in methods
     ]
-    figure, panels = axes.diagram(WIDTH, HEIGHT, handles, panels=2)
+    figure, panels = axes.diagram(WIDTH, HEIGHT, handles, panels=2, ax=ax)
     names = ("cells with another\nlabel (%)", "cells without\na proof (%)")
     for ax, shares, name in zip(panels, (table.changed_share, table.unproved_share), names):
         for method in methods:
@@ -39,8 +42,8 @@ def draw(file):
         ax.set_ylabel(name)
     panels[0].tick_params(labelbottom=False)
     panels[1].set_xlabel("computing time (ms per cell)")
-    axes.write_title(figure, file, axes.so_far(file) + f"map of {table.cells} cells")
-    return figure
+    axes.write_title(figure, file, axes.so_far(file) + f"map of {table.cells} cells", panels[0])
+    return panels
 
 
 def _share_scale(ax, cells):

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.colors import ListedColormap
-from ..look import axes
+from ..look import axes, figures
+from ..look.picture import picture
 from .methods import marker_look
+from .study_file import StudyFile
 
 WIDTH, SQUARES_WIDTH, PANEL_WIDTH = 7.2, 3.2, 1.7  # in; the rest is for names and numbers beside them
 ROW_HEIGHT, LEAST_HEIGHT, PANEL_HEIGHT, AROUND_HEIGHT = 0.132, 5.0, 1.8, 0.6  # in
@@ -35,25 +37,25 @@ OUTCOMES = {
 _NAMES = list(OUTCOMES)
 
 
-def draw(file):
-    """The squares and the two diagrams of a study of stability as a Figure; None without any outcome."""
+@picture(StudyFile)
+def draw(file, ax=None):
+    """The squares and the two diagrams of a study of stability as a list of Axes; None without any outcome."""
     table = file.table
     if not np.any(table.outcome != ""):
         return None
     body = max(LEAST_HEIGHT, ROW_HEIGHT * len(table.scene))
-    figure = axes.new_figure(WIDTH, AROUND_HEIGHT + body)
-    grid = figure.add_gridspec(1, 2, width_ratios=[SQUARES_WIDTH, PANEL_WIDTH])
-    squares = figure.add_subplot(grid[0])
-    right = grid[1].subgridspec(3, 1, height_ratios=[PANEL_HEIGHT, PANEL_HEIGHT, body - 2 * PANEL_HEIGHT])
+    figure, grid = figures.divided(WIDTH, AROUND_HEIGHT + body, ax, 1, 2, width_ratios=[SQUARES_WIDTH, PANEL_WIDTH])
+    squares = figures.panel(figure, grid, ax=ax)
+    right = grid[0, 1].subgridspec(3, 1, height_ratios=[PANEL_HEIGHT, PANEL_HEIGHT, body - 2 * PANEL_HEIGHT])
     _draw_squares(squares, table, SQUARES_WIDTH / len(table.engine))
-    _draw_imbalance(figure.add_subplot(right[0]), table)
-    _draw_rigid_limit(figure.add_subplot(right[1]), table)
-    legend_ax = figure.add_subplot(right[2])
+    imbalance, rigid_limit, legend_ax = (figure.add_subplot(right[row]) for row in range(3))
+    _draw_imbalance(imbalance, table)
+    _draw_rigid_limit(rigid_limit, table)
     legend_ax.axis("off")
     legend_ax.legend(handles=_legend_entries(table), loc="upper center", title="results (number)", frameon=False,
                      fontsize=7, borderaxespad=0, handlelength=1.4)
-    axes.write_title(figure, file, axes.so_far(file).strip())
-    return figure
+    axes.write_title(figure, file, axes.so_far(file).strip(), squares)
+    return [squares, imbalance, rigid_limit]
 
 
 def scene_name(word):

@@ -10,7 +10,9 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..look import axes
+from ..look.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
+from .study_file import StudyFile
 
 WIDTH, HEIGHT = 3.7, 3.1  # in, without the legend
 SMALLEST_ERROR = 1e-17  # an error of 0 is drawn here: below the rounding of a double
@@ -47,8 +49,9 @@ def care(setting):
     return 1 / setting if 0 < setting < 1 else setting
 
 
-def draw(file):
-    """The diagram of a study of work and precision as a Figure; None where no run came through."""
+@picture(StudyFile)
+def draw(file, ax=None):
+    """The diagram of a study of work and precision; None where no run came through."""
     lines = {method: points_of(file.table, method) for method in methods_in_order(file.table.method)}
     lines = {method: points for method, points in lines.items() if points}
     if not lines:
@@ -57,7 +60,7 @@ def draw(file):
     handles = [_handle(method) for method in lines]
     if partly:
         handles.append(Line2D([], [], label="hollow: not all cells", **marker_look("cvode_adams", True)))
-    figure, ax = axes.diagram(WIDTH, HEIGHT, handles)
+    figure, (ax,) = axes.diagram(WIDTH, HEIGHT, handles, ax=ax)
     for method, points in lines.items():
         seconds, error, low, high = (
             np.array([getattr(point, name) for point in points]) for name in ("seconds", "error", "smallest", "largest")
@@ -68,8 +71,8 @@ def draw(file):
     ax.margins(0.06)
     ax.set_xlabel("computing time (µs per forcing cycle)")
     ax.set_ylabel("error in peak force (relative)")
-    axes.write_title(figure, file, axes.so_far(file) + f"median and range of {file.table.outcome.shape[1]} cells")
-    return figure
+    axes.write_title(figure, file, axes.so_far(file) + f"median and range of {file.table.outcome.shape[1]} cells", ax)
+    return ax
 
 
 def _drawn(error):

@@ -3,7 +3,10 @@ Figs. 17 to 19), at forcing phase 0 or at first touch."""
 
 from matplotlib.lines import Line2D
 
+from ..look.picture import picture
 from . import sweep_panels
+from .measured import NOTHING_MEASURED
+from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
 WHERE = {
@@ -15,8 +18,9 @@ DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 
         "independent": (LOOKS["independent"].colour, 0.9, 3)}
 
 
-def draw(file, measured, name):
-    """The diagram of one of WHERE as a Figure; None where nothing is sampled."""
+@picture(SweepFile)
+def draw(file, ax=None, *, measured=NOTHING_MEASURED, name="stroboscopic_displacement"):
+    """The diagram of one of WHERE as a list of Axes, one for each gap; None where nothing is sampled."""
     samples = {branch.row: file.samples(name, branch) for branch in file.branches}
     if not any(len(points) for points, _ in samples.values()):
         return None
@@ -24,7 +28,7 @@ def draw(file, measured, name):
     metres = file.positive("cart_amplitude_m")
     second = (second_label, 1000 * metres) if metres else None
     has_measured = any(point.displacement is not None for point in measured.points)
-    figure, panels = sweep_panels.panels(file, _handles(file), label, second, has_measured)
+    panels = sweep_panels.panels(file, _handles(file), label, second, has_measured, ax)
     size = max(1.0, min(2.5, (500 / len(file.frequency_ratio)) ** 0.5))
     for gap, ax in panels.items():
         for branch in file.at_gap(gap):
@@ -34,7 +38,7 @@ def draw(file, measured, name):
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
         sweep_panels.draw_measured(ax, measured.at_gap(gap), lambda point: point.displacement)
-    return figure
+    return list(panels.values())
 
 
 def _handles(file):

@@ -52,6 +52,9 @@ class Measurements:
         return [point for point in self.points if point.gap is None or point.gap == gap]
 
 
+NOTHING_MEASURED = Measurements([], [])
+
+
 def read_measurements(path, file):
     """The points of a CSV file that belong to this sweep, in its ratios."""
     if file.kind != "sweep":

@@ -7,8 +7,11 @@ Motions with a period are lines; largest forces of those without one, over the w
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..look import units
+from ..look import style, units
+from ..look.picture import picture
 from . import sweep_panels
+from .measured import NOTHING_MEASURED
+from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
 MOST_LABELLED = 3  # jumps of a branch
@@ -17,23 +20,26 @@ RESONANCE = {"marker": "*", "markersize": 9, "markeredgecolor": "black", "marker
 CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
 
-def draw(file, measured):
-    """The response as a Figure; None where no point has a force."""
+@picture(SweepFile)
+def draw(file, ax=None, *, measured=NOTHING_MEASURED):
+    """The response as a list of Axes, one for each gap; None where no point has a force."""
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
     second = _second_scale(file)
     has_measured = any(point.force is not None for point in measured.points)
-    figure, panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured)
+    panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured, ax,
+                                 log=style.current().log)
     for gap, ax in panels.items():
-        for branch in file.at_gap(gap):
-            _draw_branch(ax, file, branch)
         points = measured.at_gap(gap)
         top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
                   + [point.force for point in points if point.force is not None])
+        bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
+        for branch in file.at_gap(gap):
+            _draw_branch(ax, file, branch, bottom, top)
         notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
-        sweep_panels.head_notes(ax, notes, 1.05 * top if top > 0 else 1)
+        sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
         sweep_panels.draw_measured(ax, points, lambda point: point.force)
-    return figure
+    return list(panels.values())
 
 
 def _second_scale(file):
@@ -42,6 +48,18 @@ def _second_scale(file):
     largest = max(np.nanmax(np.nan_to_num(branch.force)) for branch in file.branches)
     factor, unit = units.with_prefix(largest * file.newtons, "N")
     return f"peak force ({unit})", file.newtons * factor
+
+
+def _limits(file, gap, top):
+    """(bottom, top) of the forces shown, F/(m g). Limits that are asked for are in the numbers on the scale."""
+    forces = np.concatenate([branch.force[branch.force > 0] for branch in file.at_gap(gap)])
+    bottom = 0.9 * float(forces.min(initial=top / 10)) if style.current().log else 0.0
+    if style.current().limits:
+        in_si = style.current().units == "si" and file.newtons
+        factor = _second_scale(file)[1] if in_si else 1.0
+        low, top = (limit / factor for limit in style.current().limits)
+        bottom = low if low > 0 or bottom == 0 else bottom
+    return bottom, top
 
 
 def _handles(file):
@@ -68,7 +86,7 @@ def _scattered(branch):
     return ~branch.has_period & np.isfinite(branch.force)
 
 
-def _draw_branch(ax, file, branch):
+def _draw_branch(ax, file, branch, bottom, top):
     look, x = LOOKS[branch.direction], file.frequency_ratio
     y = np.where(branch.has_period, branch.force, np.nan)
     # a line ends where the force jumps
@@ -80,7 +98,8 @@ def _draw_branch(ax, file, branch):
             linestyle="none", zorder=look.zorder - 0.5)
     for before, after in branch.jumps():
         middle = (x[before] + x[after]) / 2
-        ax.annotate("", (middle, branch.force[after]), (middle, branch.force[before]), zorder=look.zorder + 1,
+        start, end = np.clip(branch.force[[before, after]], bottom, top)
+        ax.annotate("", (middle, end), (middle, start), zorder=look.zorder + 1,
                     arrowprops={"arrowstyle": "-|>", "linestyle": ":", "linewidth": 0.8, "color": look.colour,
                                 "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7})
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..look import axes
+from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.fills import fill
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
@@ -40,29 +41,30 @@ MEASURED = {"marker": "D", "markersize": 5, "markerfacecolor": "white", "markere
             "markeredgewidth": 0.9, "linestyle": "none"}
 
 
-def panels(file, handles, ylabel, second, has_measured):
+def panels(file, handles, ylabel, second, has_measured, ax=None, log=False):
     """A figure with an Axes for each gap, the classes of its branches and its gap above it.
 
-    `second` is the (label, factor) of a second scale at the right, or None. Returns figure and {gap: Axes}."""
+    `second` is the (label, factor) of a second scale at the right, or None; `log`: whether heights are logarithmic. Returns {gap: Axes}."""
     if has_measured:
         handles = [*handles, Line2D([], [], label="measured", **MEASURED)]
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
-                                    panels=len(file.gaps), columns=4)
-    all_axes = [all_axes] if len(file.gaps) == 1 else all_axes
+                                    panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
         ax.set_xlim(file.frequency_ratio[0], file.frequency_ratio[-1])
         ax.set_ylabel(ylabel)
+        if log:
+            axes.log_scale(ax, "y")
         ax.grid(color="#DDDDDD", linewidth=0.5)
         ax.set_axisbelow(True)
         ax.tick_params(labelbottom=number == len(all_axes) - 1)
         _show_classes(ax, file, gap)
-        _second_scales(ax, file, second, top=number == 0)
+        _second_scales(ax, file, second, number == 0, number == len(all_axes) - 1)
         above = 1 + STRIP * len(file.at_gap(gap))
         ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if number == 0 else 3),
                     textcoords="offset points", va="bottom", fontsize=8, weight="bold")
     all_axes[-1].set_xlabel(axes.LABELS["frequency_ratio"])
-    axes.write_title(figure, file, axes.so_far(file).rstrip("\n"))
-    return figure, dict(zip(file.gaps, all_axes))
+    axes.write_title(figure, file, axes.so_far(file).rstrip("\n"), all_axes[0])
+    return dict(zip(file.gaps, all_axes))
 
 
 def draw_measured(ax, points, value):
@@ -94,9 +96,9 @@ def note(ax, frequency, height, text, above):
                 ha="left" if across < 0.75 else "right", va="center", fontsize=7, path_effects=axes.outline(2), zorder=8)
 
 
-def head_notes(ax, notes, top):
+def head_notes(ax, notes, top, bottom=0.0):
     """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
-    line down to its place; the data reach up to `top`."""
+    line down to its place; the data reach from `bottom` up to `top`."""
     low, high = ax.get_xlim()
     placed = []
     for frequency, height, text, colour in sorted(notes):
@@ -106,12 +108,19 @@ def head_notes(ax, notes, top):
         line = max((other[0] + 1 for other in placed if other[1] + LETTER * len(other[4]) > first), default=0)
         placed.append((line, first, frequency, height, text, colour))
     head = ROW * max((note[0] + 1 for note in placed), default=0) + 0.03
-    ax.set_ylim(0, top / (1 - head))
+    logarithmic = ax.get_yscale() == "log"
+    ax.set_ylim(bottom, bottom * (top / bottom) ** (1 / (1 - head)) if logarithmic else bottom + (top - bottom) / (1 - head))
     for line, first, frequency, height, text, colour in placed:
         foot = 1 - 0.02 - ROW * (line + 1)
         ax.annotate(text, (first + 0.004, foot), xycoords="axes fraction", va="bottom", fontsize=6.5, color=colour,
                     path_effects=axes.outline(2), zorder=8)
-        ax.plot([frequency, frequency], [height, foot * ax.get_ylim()[1]], color=colour, linewidth=0.5, zorder=1.5)
+        ax.plot([frequency, frequency], [height, _at_share(ax, foot)], color=colour, linewidth=0.5, zorder=1.5)
+
+
+def _at_share(ax, share):
+    """The height that lies so far up in a panel."""
+    low, high = ax.get_ylim()
+    return low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low)
 
 
 def frequency_text(file, ratio):
@@ -128,15 +137,11 @@ def _gap_text(file, gap):
     return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
 
 
-def _second_scales(ax, file, second, top):
-    hertz = file.positive("natural_frequency_hz")
-    if hertz and top:
-        scale = ax.secondary_xaxis(1 + STRIP * len(file.at_gap(file.gaps[0])), functions=axes.scale_functions(hertz))
-        scale.set_xlabel("excitation frequency (Hz)", fontsize=8)
-    if second:
-        label, factor = second
-        right = ax.secondary_yaxis("right", functions=axes.scale_functions(factor))
-        right.set_ylabel(label, fontsize=8)
+def _second_scales(ax, file, second, top, bottom):
+    in_si = style.current().units == "si"
+    if bottom if in_si else top:
+        axes.second_scale(ax, "x", axes.si_scale(file, "frequency_ratio"), 1 + STRIP * len(file.at_gap(file.gaps[0])))
+    axes.second_scale(ax, "y", second)
 
 
 def _classes(branch):
@@ -159,13 +164,15 @@ def _show_classes(ax, file, gap):
         changes = np.flatnonzero(np.diff(numbers)) + 1
         for first, last in zip([0, *changes], [*changes, len(numbers)]):
             entry = CLASSES[numbers[first]]
-            strip.axvspan(edges[first], edges[last], color=entry.colour, linewidth=0)
+            look = fill(entry.colour)
+            strip.axvspan(edges[first], edges[last], facecolor=look.colour, edgecolor=look.stroke, hatch=3 * look.hatch,
+                          linewidth=0)
             width = (edges[last] - edges[first]) / (edges[-1] - edges[0])
             if width > STRIP_LETTERS * (len(entry.label) + 1):
                 strip.text((edges[first] + edges[last]) / 2, 0.46, entry.label, ha="center", va="center", fontsize=6.5,
-                           color=axes.letter_colour(entry.colour))
-        look = LOOKS[branch.direction]
-        strip.plot(-0.008, 0.5, marker=look.marker, markersize=3, color=look.colour, clip_on=False,
+                           color=axes.letter_colour(look.colour), path_effects=axes.outline(1.5, look.colour))
+        direction = LOOKS[branch.direction]
+        strip.plot(-0.008, 0.5, marker=direction.marker, markersize=3, color=direction.colour, clip_on=False,
                    transform=strip.transAxes)
 
 

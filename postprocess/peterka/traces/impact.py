@@ -3,18 +3,23 @@ acceleration."""
 
 import numpy as np
 
-from ..look import axes
+from ..look import figures
+from ..look.picture import picture
 from . import trace_look
+from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 3.7, 4.2  # in
 
 
-def draw(file):
-    """The picture of the hardest impact as a Figure; None where nothing impacts."""
+@picture(TraceFile)
+def draw(file, ax=None):
+    """The picture of the hardest impact as a list of Axes; None where nothing impacts."""
     if file.impact is None:
         return None
-    figure = axes.new_figure(WIDTH, HEIGHT)
-    above, below = figure.subplots(2, 1, sharex=True)
+    figure, grid = figures.divided(figures.width_of(WIDTH), HEIGHT, ax, 2)
+    above, below = (figures.panel(figure, grid, row, ax=ax) for row in range(2))
+    below.sharex(above)
+    above.tick_params(labelbottom=False)
     motion, impacts, number = file.impact.motion, file.impacts, file.impact.number
     milliseconds = 1000 * motion["time_from_touch"]
     force, unit = trace_look.force(file, motion["force_ratio"])
@@ -32,8 +37,8 @@ def draw(file):
         trace_look.grid(ax)
     above.set_xlim(milliseconds[0], milliseconds[-1])
     figure.align_ylabels([above, below])
-    trace_look.write_title(figure, file, _facts(file))
-    return figure
+    trace_look.write_title(figure, file, _facts(file), above)
+    return [above, below]
 
 
 def _label_peak(ax, file, touch_time):

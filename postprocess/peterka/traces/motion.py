@@ -7,14 +7,17 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..look import axes
+from ..look.picture import picture
 from . import trace_look
+from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 5.2, 5.0  # in, without the legend
 PEAK = {"marker": "o", "markersize": 3, "color": "black", "linestyle": "none"}
 
 
-def draw(file):
-    """The picture of a trace as a Figure."""
+@picture(TraceFile)
+def draw(file, ax=None):
+    """The picture of a trace as a list of Axes."""
     motion = file.motion
     at_cart = ", stop" if file.number("gap_ratio") == 0 else ""
     handles = [Line2D([], [], label="hammer $x$", **trace_look.HAMMER_LINE),
@@ -22,7 +25,8 @@ def draw(file):
                Line2D([], [], label="stop, $y + \\mathrm{gap}$", **trace_look.STOP_LINE)]
     peaks = [] if file.impacts is None else [Line2D([], [], label="peak of an impact", **PEAK)]
     shows_stop = _near_the_hammer(file)
-    figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=3, columns=4)
+    figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=3, columns=4,
+                                  ax=ax)
     time = motion["time"]
     _draw_displacements(panels[0], file, time, shows_stop)
     panels[1].plot(time, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
@@ -44,8 +48,8 @@ def draw(file):
         ax.tick_params(labelbottom=False)
     _cycles_on_top(panels[0], motion, file)
     figure.align_ylabels(panels)
-    trace_look.write_title(figure, file)
-    return figure
+    trace_look.write_title(figure, file, ax=panels[0])
+    return panels
 
 
 def _near_the_hammer(file):

@@ -6,22 +6,25 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..look import axes
+from ..look.picture import picture
 from . import trace_look
+from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 3.7, 3.3  # in, without the legend
 STROBE = {"marker": "o", "markersize": 4, "color": "black", "linestyle": "none"}
 TOUCH = {"marker": "x", "markersize": 5, "color": trace_look.FORCE, "linestyle": "none"}
 
 
-def draw(file):
-    """The phase plane of a trace as a Figure."""
+@picture(TraceFile)
+def draw(file, ax=None):
+    """The phase plane of a trace."""
     motion = file.motion
     handles = [Line2D([], [], label="hammer", **trace_look.HAMMER_LINE)]
     if file.excitation_hz:
         handles.append(Line2D([], [], label="each cycle's beginning", **STROBE))
     if file.impacts is not None:
         handles.append(Line2D([], [], label="first touch", **TOUCH))
-    figure, ax = axes.diagram(WIDTH, HEIGHT, handles)
+    figure, (ax,) = axes.diagram(WIDTH, HEIGHT, handles, ax=ax)
     displacement, unit = trace_look.displacement(file, motion["hammer_displacement_ratio"])
     velocity = motion["hammer_velocity"]
     ax.plot(displacement, velocity, **trace_look.HAMMER_LINE)
@@ -34,8 +37,8 @@ def draw(file):
     ax.set_xlabel(f"hammer displacement $x$ ({unit})")
     ax.set_ylabel(r"hammer velocity $\dot{x}$ (m/s)")
     trace_look.grid(ax)
-    trace_look.write_title(figure, file)
-    return figure
+    trace_look.write_title(figure, file, ax=ax)
+    return ax
 
 
 def _before(time, at, index, *columns):

@@ -6,19 +6,22 @@ swing of the springs in flight. Resonances of the structure, as measurements sho
 
 import numpy as np
 
-from ..look import axes
+from ..look import axes, figures
+from ..look.picture import picture
 from . import trace_look
+from .trace_file import TraceFile
 
 WIDTH, HEIGHT = 5.2, 5.4  # in
 LEAST = 1e-5  # of the largest value: what is smaller isn't shown
 FEW_LINES = 400
 
 
-def draw(file):
-    """The spectra of a trace as a Figure."""
-    panels = 4 if file.impact_spectrum is not None else 2
-    figure = axes.new_figure(WIDTH, HEIGHT if panels == 4 else HEIGHT / 2)
-    grid = figure.subplots(panels // 2, 2, squeeze=False)
+@picture(TraceFile)
+def draw(file, ax=None):
+    """The spectra of a trace as a list of Axes."""
+    rows = 2 if file.impact_spectrum is not None else 1
+    figure, places = figures.divided(figures.width_of(WIDTH), HEIGHT * rows / 2, ax, rows, 2)
+    grid = [[figures.panel(figure, places, row, column, ax) for column in range(2)] for row in range(rows)]
     spectrum, pulse = file.spectrum, file.impact_spectrum
     frequency = spectrum["frequency"]
     _draw(grid[0][0], frequency, spectrum["force_amplitude"], trace_look.FORCE, "force (N)", "whole motion")
@@ -32,8 +35,8 @@ def draw(file):
     for ax in grid[-1]:
         ax.set_xlabel("frequency (Hz)")
     trace_look.write_title(figure, file, f"lines {frequency[1] - frequency[0]:.3g} Hz apart"
-                           if len(frequency) > 1 else "")
-    return figure
+                           if len(frequency) > 1 else "", grid[0][0])
+    return [ax for row in grid for ax in row]
 
 
 def _draw(ax, frequency, amplitude, colour, label, name):

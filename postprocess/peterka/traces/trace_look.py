@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..look import axes, units
+from ..look import axes, style, units
 
 HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
 HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
@@ -14,7 +14,8 @@ ACCELERATION_LINE = {"color": HAMMER, "linewidth": 0.8}
 
 def displacement(file, ratio):
     """(values, label unit) in mm where the file knows the amplitude."""
-    return (ratio * file.millimetres, "mm") if file.millimetres else (ratio, "$A_0$")
+    in_mm = file.millimetres and style.current().units != "ratio"
+    return (ratio * file.millimetres, "mm") if in_mm else (ratio, "$A_0$")
 
 
 def force(file, ratio):
@@ -24,7 +25,7 @@ def force(file, ratio):
 
 
 def _force_scale(file):
-    if not file.newtons:
+    if not file.newtons or style.current().units == "ratio":
         return 1.0, "$mg$"
     forces = [file.motion["force_ratio"]] + ([] if file.impacts is None else [file.impacts["peak_force_ratio"]])
     largest = max(np.max(np.nan_to_num(values), initial=0) for values in forces)
@@ -34,7 +35,7 @@ def _force_scale(file):
 
 def second_force_scale(ax, file):
     """F/mg at the right of a scale in N."""
-    if file.newtons:
+    if file.newtons and style.current().units == "both":
         weight = _force_scale(file)[0]
         right = ax.secondary_yaxis("right", functions=(lambda force: force / weight, lambda ratio: ratio * weight))
         right.set_ylabel("$F/(mg)$", fontsize=8)
@@ -54,5 +55,5 @@ def place(file):
     return ", ".join(parts)
 
 
-def write_title(figure, file, extra=""):
-    axes.write_title(figure, file, "\n".join(filter(None, [place(file), extra])))
+def write_title(figure, file, extra="", ax=None):
+    axes.write_title(figure, file, "\n".join(filter(None, [place(file), extra])), ax)

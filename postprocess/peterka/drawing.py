@@ -1,0 +1,34 @@
+"""Pictures of datasets, by name."""
+
+from collections.abc import Sequence
+
+import xarray
+from matplotlib.axes import Axes
+
+from .look.style import NAMES, using
+from .pictures import open_file, pictures_of
+
+
+def picture_names(data: xarray.Dataset) -> list[str]:
+    """Of all pictures that a dataset of a file gives, the most general one first."""
+    with open_file(data) as file:
+        return list(pictures_of(file))
+
+
+def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
+         **options) -> Axes | Sequence[Axes] | None:
+    """Draws a picture of a dataset that open() or run() gave, or of a part of one.
+
+    `name`: one of picture_names(data), the first one where there is none. `ax`: Axes made by subplots(), whose place the
+    picture takes with its legends and scales; without it a figure of its own, ax.figure. `options`: fields of
+    look.style.Style (width [mm], dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or
+    "ratio"), `cycles` of a basin's short run, `measured` points of a sweep. Returns the Axes, a list of them where the
+    picture has several panels, None where there is nothing to draw. Coordinates of the Axes are the ratios of the file,
+    in whatever units its scales are."""
+    changes = {key: options.pop(key) for key in NAMES & options.keys()}
+    with using(**changes), open_file(data) as file:
+        pictures = pictures_of(file, **options)
+        name = next(iter(pictures)) if name is None else name
+        if name not in pictures:
+            raise ValueError(f"there is no picture {name!r} of this {file.kind}; it has {', '.join(pictures)}")
+        return pictures[name](file, ax)

@@ -1,0 +1,87 @@
+"""Figures that are one picture, and the place of a picture in a figure of somebody else's."""
+
+import io
+import os
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from . import style
+
+COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
+METADATA = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}  # the same bytes again
+
+
+class Picture(Figure):
+    """A figure made for one picture. It keeps the settings it was drawn with, whatever matplotlib's are when it is saved
+    or shown, and notebooks show it."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self._rc = style.rc()
+        FigureCanvasAgg(self)
+
+    def draw(self, renderer):
+        with matplotlib.rc_context(self._rc):
+            super().draw(renderer)
+
+    def savefig(self, *arguments, **options):
+        with matplotlib.rc_context(self._rc):
+            super().savefig(*arguments, **options)
+
+    def _repr_png_(self):
+        image = io.BytesIO()
+        self.savefig(image, format="png", dpi=150)
+        return image.getvalue()
+
+
+def width_of(own):
+    """Width [in] of a figure that is `own` [in] wide where nobody asks for another one."""
+    asked = style.current().width
+    return asked / style.MILLIMETRES if asked else own
+
+
+def new_figure(width, height, cells=1):
+    """A Picture [in x in], with a raster fine enough for so many cells along a side."""
+    dpi = style.current().dpi or (COARSE_DPI if cells <= FINE_FROM else FINE_DPI)
+    return Picture(figsize=(width, height), dpi=dpi, layout="constrained")
+
+
+def divided(width, height, ax=None, rows=1, columns=1, cells=1, **ratios):
+    """(figure, grid) to put the parts of a picture into: a new figure of this size [in x in], or the place of `ax`, made
+    by subplots(), in its figure."""
+    if ax is None:
+        figure = new_figure(width, height, cells)
+        return figure, figure.add_gridspec(rows, columns, **ratios)
+    place = ax.get_subplotspec()
+    if place is None:
+        raise ValueError("a picture needs Axes that subplots() or add_subplot() made: it divides their place")
+    figure = ax.get_figure()
+    if figure.get_layout_engine() is None:
+        figure.set_layout_engine("constrained")
+    return figure, place.subgridspec(rows, columns, **ratios)
+
+
+def panel(figure, grid, row=0, column=0, ax=None):
+    """The Axes of one part of a divided place; the first part takes over `ax`."""
+    if ax is None or (row, column) != (0, 0):
+        return figure.add_subplot(grid[row, column])
+    ax.set_subplotspec(grid[0, 0])
+    return ax
+
+
+def figure_of(drawn):
+    """The figure of what a picture's function returned: its Axes, or a list of them."""
+    return (drawn[0] if isinstance(drawn, list) else drawn).get_figure()
+
+
+def save(figure, path):
+    """Writes a finished picture in the format of its suffix; an interrupted one never passes for a picture."""
+    unfinished = path.with_name(f".{path.name}.unfinished")
+    kind = path.suffix[1:]
+    try:
+        figure.savefig(unfinished, format=kind, dpi=figure.dpi, metadata=METADATA[kind])
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)

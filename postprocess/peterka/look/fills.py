@@ -1,0 +1,128 @@
+"""How areas look: a colour, or, in the grey palette, a lightness and a hatching.
+
+There are more classes than lightnesses that are told apart, so the commonest classes differ in lightness and their kin
+in hatching: chaos is black and no impact white; what stays apart by lightness alone has no hatching. The texture is
+drawn in cells of a fine raster, not in lines over the plane: it ends exactly where the class does.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.colors import to_hex, to_rgb, to_rgba_array
+
+from . import style
+from .classes import CLASSES
+
+# Of each class: lightness 0 (black) to 100 (white), CIE L*, and hatching.
+GREYS = {
+    "no impact": (97, ""), "1/1": (62, ""), "2/2": (62, "//"), "4/4": (62, "xx"), "3/3": (62, ".."),
+    "1/2": (82, ""), "2/4": (82, "//"), "1/3": (42, ""), "2/1": (82, "\\\\"), "4/2": (82, "xx"),
+    "3/1": (42, "//"), "6/2": (42, "xx"), "4/1": (42, "\\\\"), "5/1": (42, ".."), "3/2": (97, ".."),
+    "other p/q": (97, "\\\\"), "chaotic": (8, ""), "sustained contact": (82, ".."), "unresolved": (24, "//"),
+    "failed": (97, "xx"), "not computed yet": (100, ""),
+}
+PERIOD, STROKE = 13, 3  # of a hatching, in cells of the raster
+RASTER = 700  # cells of the raster along a side
+CONTRAST = 42  # between a hatching and what it lies on, in lightness
+
+
+@dataclass(frozen=True)
+class Fill:
+    """`colour` '#RRGGBB', and the `hatch` over it as matplotlib's letters, '' for none."""
+
+    colour: str
+    hatch: str = ""
+
+    @property
+    def stroke(self):
+        """The colour of the hatching."""
+        own = lightness(self.colour)
+        return grey(own - CONTRAST if own > 50 else own + CONTRAST)
+
+
+def grey(light):
+    """The neutral '#RRGGBB' of this lightness, CIE L* 0 to 100."""
+    linear = ((light + 16) / 116) ** 3 if light > 8 else light / 903.3
+    value = 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
+    return to_hex([float(np.clip(value, 0, 1))] * 3)
+
+
+def lightness(colour):
+    """CIE L* of a colour, 0 to 100: how it looks in a grey print."""
+    linear = [value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in to_rgb(colour)]
+    luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return 116 * luminance ** (1 / 3) - 16 if luminance > 0.008856 else 903.3 * luminance
+
+
+_OF_CLASS = {entry.colour: Fill(grey(GREYS[entry.label][0]), GREYS[entry.label][1]) for entry in CLASSES}
+
+
+def fill(colour):
+    """The Fill of a colour of the pictures in the present palette; a Fill stays what it is."""
+    if isinstance(colour, Fill):
+        return colour
+    if not style.is_grey():
+        return Fill(colour)
+    return _OF_CLASS.get(colour) or Fill(grey(lightness(colour)))
+
+
+def textured(image, row_edges, column_edges, fills, log=(False, False)):
+    """An image of class numbers (rows, columns) as a raster of colour numbers, for fills with hatchings.
+
+    `log`: whether rows and columns are spaced in the logarithm. Returns (raster, its row edges, its column edges,
+    colours): a class n has the colour n, its hatching the colour len(fills) + n. Masked cells stay masked."""
+    row_edges, rows = _raster(row_edges, log[0])
+    column_edges, columns = _raster(column_edges, log[1])
+    numbers = image[np.ix_(rows, columns)]
+    strokes = {hatch: _strokes(hatch, len(rows), len(columns)) for hatch in {one.hatch for one in fills} - {""}}
+    raster = numbers.copy()
+    for number, one in enumerate(fills):
+        if one.hatch:
+            raster[(numbers == number) & strokes[one.hatch]] = len(fills) + number
+    return raster, row_edges, column_edges, [one.colour for one in fills] + [one.stroke for one in fills]
+
+
+def _raster(edges, log):
+    """(edges of the raster, index of the cell under each of its cells)"""
+    spaced = np.geomspace if log else np.linspace
+    cells = len(edges) - 1
+    count = cells * -(-RASTER // cells)
+    fine = spaced(edges[0], edges[-1], count + 1)
+    fine[[0, -1]] = edges[[0, -1]]
+    middles = np.sqrt(fine[1:] * fine[:-1]) if log else (fine[1:] + fine[:-1]) / 2
+    return fine, np.clip(np.searchsorted(edges, middles) - 1, 0, len(edges) - 2)
+
+
+def _strokes(hatch, rows, columns):
+    """Mask (rows, columns) of a hatching's lines or dots; rows are counted upwards."""
+    row, column = np.ogrid[:rows, :columns]
+    row, column = row * RASTER / rows, column * RASTER / columns
+    if ".." in hatch:
+        half = PERIOD / 2
+        return (row % half < STROKE) & (column % half < STROKE)
+    crossed = (row % PERIOD < STROKE) | (column % PERIOD < STROKE)
+    rising, falling = (row - column) % PERIOD < STROKE, (row + column) % PERIOD < STROKE
+    return {"//": rising, "\\\\": falling, "xx": rising | falling, "++": crossed}[hatch]
+
+
+def without_colour(figure, others=()):
+    """Turns the lines, letters and marks of a figure, but for those in these other Axes, into greys as light as they are."""
+    for ax in figure.axes:
+        if ax not in others:
+            for artist in ax.findobj():
+                _turn_grey(artist)
+
+
+def _turn_grey(artist):
+    if getattr(artist, "get_array", lambda: None)() is not None:  # a scale's or classes' own colours
+        return
+    for name in ("color", "facecolor", "edgecolor", "markerfacecolor", "markeredgecolor"):
+        if hasattr(artist, f"get_{name}") and hasattr(artist, f"set_{name}"):
+            colours = getattr(artist, f"get_{name}")()
+            if isinstance(colours, str) and colours in ("none", "auto"):
+                continue
+            greys = [(*to_rgb(grey(lightness(one))), one[3]) for one in to_rgba_array(colours)]
+            if greys:
+                getattr(artist, f"set_{name}")(greys[0] if len(greys) == 1 else greys)
+    if getattr(artist, "arrow_patch", None) is not None:
+        _turn_grey(artist.arrow_patch)

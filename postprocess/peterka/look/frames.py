@@ -1,0 +1,84 @@
+"""How the parts of a picture stand: a map over its colour bar, legends and a panel; diagrams over each other."""
+
+from matplotlib.font_manager import FontProperties
+from matplotlib.patches import Patch
+from matplotlib.textpath import text_to_path
+
+from .figures import divided, panel, width_of
+from .fills import fill
+
+NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
+MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
+LETTERS = 8  # pt, of a legend
+KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, between columns, around all of them
+PATCH, LINE = 1.4, 2.0  # length of a key over the size of letters
+
+
+def legend_patch(label, colour, hatched=False):
+    """An entry of a legend: a colour, or the Fill it has in the present palette; `hatched`: what isn't computed yet."""
+    if hatched:
+        return Patch(label=label, **NOT_COMPUTED_HATCH | {"linewidth": 0.4})
+    look = fill(colour)
+    if not look.hatch:
+        return Patch(facecolor=look.colour, edgecolor="black", linewidth=0.3, label=label)
+    return Patch(facecolor=look.colour, edgecolor=look.stroke, linewidth=0.3, label=label, hatch=2 * look.hatch)
+
+
+def stack(width, image, legends, bar=False, panel_height=0.0, ax=None):
+    """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
+    [in] if asked for; or all this in the place of `ax`.
+
+    `legends` is a list of (handles, columns, title); empty ones are left out. Returns the figure, the map's axes and
+    those of the bar or the panel (None without). The figure is as high as its legends need, so all maps have the same
+    size."""
+    own, width = width, width_of(width)
+    legends = [(handles, columns_that_fit(handles, columns, width, PATCH), title) for handles, columns, title in legends if handles]
+    rows = sum(-(-len(handles) // columns) + (title is not None) for handles, columns, title in legends)
+    height = (MAP_HEIGHT + panel_height) * width / own + BAR_HEIGHT * bar + LEGEND_GAP * len(legends) + LEGEND_ROW * rows
+    shares = [1] + [0.045] * bar + [0.001] * len(legends) + [0.75 * panel_height / MAP_HEIGHT] * (panel_height > 0)
+    figure, grid = divided(width, height, ax, len(shares), cells=max(image.shape), height_ratios=shares)
+    ax, *below = (panel(figure, grid, row, ax=ax) for row in range(len(shares)))
+    for legend_ax, (handles, columns, title) in zip(below[bar:], legends):
+        write_legend(legend_ax, handles, columns, title, handlelength=PATCH)
+    return figure, ax, (below[0] if bar else below[-1] if panel_height else None)
+
+
+def diagram(width, height, handles, panels=1, columns=2, ax=None):
+    """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend
+    below them; or all this in the place of `ax`. Returns the figure and the list of Axes."""
+    own, width = width, width_of(width)
+    columns = columns_that_fit(handles, columns, width, LINE)
+    rows = -(-len(handles) // columns)
+    height = height * max(1, width / own) + LEGEND_GAP + LEGEND_ROW * rows
+    figure, grid = divided(width, height, ax, panels + 1, height_ratios=[1] * panels + [0.001])
+    all_axes = [panel(figure, grid, row, ax=ax) for row in range(panels + 1)]
+    for other in all_axes[1:panels]:
+        other.sharex(all_axes[0])
+    write_legend(all_axes[-1], handles, columns, None, handlelength=LINE)
+    return figure, all_axes[:panels]
+
+
+def write_legend(ax, handles, columns, title, handlelength):
+    """A legend that has Axes for itself, and they nothing else."""
+    ax.axis("off")
+    ax.legend(
+        handles=handles, ncol=columns, title=title, loc="upper center", bbox_to_anchor=(0.5, 1), borderaxespad=0,
+        frameon=False, handlelength=handlelength, handletextpad=0.5, columnspacing=1.2, labelspacing=0.35, borderpad=0,
+    )
+
+
+def columns_that_fit(handles, most, width, key):
+    """In how many columns, `most` at most, the entries of a legend fit into so many inches."""
+    widths = [text_width(handle.get_label(), LETTERS, has_mathematics=True) + key * LETTERS / 72 + KEY_GAP for handle in handles]
+    for columns in range(min(most, len(handles)), 1, -1):
+        rows = -(-len(handles) // columns)
+        taken = [max(widths[first:first + rows]) for first in range(0, len(widths), rows)]
+        if sum(taken) + SPACE * (len(taken) - 1) <= width - MARGIN:
+            return columns
+    return 1
+
+
+def text_width(text, size, has_mathematics=False):
+    """Of one line [in]."""
+    is_math = has_mathematics and text.count("$") > 1
+    return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), ismath=is_math)[0] / 72

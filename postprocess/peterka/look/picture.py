@@ -1,0 +1,33 @@
+"""What makes a function draw(file, ax, ...) a picture that anybody can call: with an open file or a dataset, in any style."""
+
+import functools
+from collections.abc import Callable
+
+from . import fills, style
+from .figures import figure_of
+
+
+def picture(reader: Callable) -> Callable:
+    """Decorates draw(file, ax=None, ...), which draws a checked file of the class `reader`. What it makes takes
+
+        data     such a file, or an xarray.Dataset that peterka.open or peterka.run gave, or a part of one
+        ax       Axes made by subplots(), whose place the picture takes; None: a figure of its own
+        options  those of the picture, and the fields of look.style.Style, such as palette="grey"
+
+    and returns the Axes, a list where the picture has several panels, or None where there is nothing to draw."""
+
+    def decorate(draw):
+        @functools.wraps(draw)
+        def drawn(data, ax=None, **options):
+            changes = {name: options.pop(name) for name in style.NAMES & options.keys()}
+            with style.using(**changes):
+                file = reader(data) if hasattr(data, "data_vars") else data
+                others = set(ax.get_figure().axes) - {ax} if ax is not None else set()
+                result = draw(file, ax, **options)
+                if result is not None and style.is_grey():
+                    fills.without_colour(figure_of(result), others)
+                return result
+
+        return drawn
+
+    return decorate

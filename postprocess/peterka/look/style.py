@@ -1,0 +1,81 @@
+"""What a journal or a talk asks of a picture, the same for all pictures drawn inside `with using(...)`."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, fields, replace
+
+import matplotlib
+
+MILLIMETRES = 25.4  # in an inch
+PALETTES, UNITS = ("colour", "grey"), ("both", "si", "ratio")
+RC = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8,
+    "axes.titlesize": 9,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "legend.fontsize": 8,
+    "legend.title_fontsize": 8,
+    "hatch.linewidth": 0.5,
+    "mathtext.fontset": "dejavusans",
+    "pdf.fonttype": 42,
+    "svg.fonttype": "none",  # letters stay letters: searched, and edited in a drawing program
+    "svg.hashsalt": "peterka",  # the same file gives the same bytes
+    "agg.path.chunksize": 20000,
+}
+
+
+@dataclass(frozen=True)
+class Style:
+    """`width` of a figure [mm], None: the picture's own; `dpi`, None: as fine as the cells want; `limits` (low, high) of
+    the scale of values, in the numbers on it; `log`: that scale logarithmic; `units`: scales in ratios and in SI, or in
+    one of both."""
+
+    width: float | None = None
+    dpi: int | None = None
+    font: str | None = None
+    title: bool = True
+    limits: tuple[float, float] | None = None
+    log: bool = False
+    palette: str = "colour"
+    units: str = "both"
+
+    def __post_init__(self):
+        for name, known in (("palette", PALETTES), ("units", UNITS)):
+            if getattr(self, name) not in known:
+                raise ValueError(f"{name} is {getattr(self, name)!r}; it can be {' or '.join(known)}")
+        if self.limits is not None and not self.limits[0] < self.limits[1]:
+            raise ValueError(f"limits are {self.limits}; the first has to be below the second")
+
+
+NAMES = frozenset(field.name for field in fields(Style))
+_current = ContextVar("style", default=Style())
+
+
+def current() -> Style:
+    """What pictures are drawn with now."""
+    return _current.get()
+
+
+@contextmanager
+def using(**changes) -> Iterator[Style]:
+    """Pictures drawn inside have these fields of a Style."""
+    token = _current.set(replace(_current.get(), **changes))
+    try:
+        with matplotlib.rc_context(rc()):
+            yield _current.get()
+    finally:
+        _current.reset(token)
+
+
+def rc() -> dict:
+    """matplotlib's own settings in this style."""
+    font = current().font
+    return RC | ({"font.family": [font, "DejaVu Sans"]} if font else {})
+
+
+def is_grey() -> bool:
+    return current().palette == "grey"

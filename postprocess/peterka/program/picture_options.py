@@ -1,0 +1,94 @@
+"""What a journal asks of pictures, as arguments of a program, and the part of a file that --zoom leaves."""
+
+import argparse
+
+from ..files.dataset import dataset_of
+from ..files.opened import OpenedFile
+from ..look.axes import si_scale
+from ..look.style import PALETTES, UNITS
+from ..pictures import open_file
+
+WIDTHS = (40, 500)  # mm
+DPIS = (50, 2400)
+
+
+def add_style_arguments(parser: argparse.ArgumentParser) -> None:
+    """--width, --dpi, --font, --no-title, --limits, --log, --palette, --units and --zoom."""
+    parser.add_argument("--width", metavar="MM", type=number_within(*WIDTHS), help="of a picture, such as 84: a column")
+    parser.add_argument("--dpi", type=number_within(*DPIS), help="dots an inch; default: as many as the cells need")
+    parser.add_argument("--font", metavar="NAME", help="a font family of this machine")
+    parser.add_argument("--no-title", dest="title", action="store_false", help="the caption says it")
+    parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="of the scale of values or forces, in the numbers on it")
+    parser.add_argument("--log", action="store_true", help="that scale logarithmic")
+    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey: lightness and hatching")
+    parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="of the scales; default: both")
+    parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
+                        help="part of the axes, in their units: ratios, or Hz and mm with --units si")
+
+
+def style_of(arguments: argparse.Namespace) -> dict:
+    """The fields of a Style that are asked for."""
+    names = ("width", "dpi", "font", "title", "limits", "log", "palette", "units")
+    return {name: getattr(arguments, name) for name in names}
+
+
+def check_style(parser, arguments):
+    """What each argument alone doesn't show."""
+    if arguments.font:
+        from matplotlib.font_manager import get_font_names
+        if arguments.font not in get_font_names():
+            parser.error(f"there is no font '{arguments.font}' on this machine; fc-list tells which there are")
+    for name in ("limits", "zoom"):
+        ends = getattr(arguments, name) or ()
+        if any(not low < high for low, high in zip(ends[::2], ends[1::2])):
+            parser.error(f"--{name} wants the smaller number first")
+
+
+def number_within(low, high):
+    def read(text):
+        try:
+            number = float(text)
+        except ValueError:
+            number = float("nan")
+        if not low <= number <= high:
+            raise argparse.ArgumentTypeError(f"'{text}' is not a number from {low} to {high}")
+        return number
+    return read
+
+
+def numbers_of(*counts):
+    def read(text):
+        try:
+            found = tuple(float(part) for part in text.split(","))
+        except ValueError:
+            found = ()
+        if len(found) not in counts or not all(abs(number) < 1e100 for number in found):
+            raise argparse.ArgumentTypeError(f"'{text}' is not {' or '.join(map(str, counts))} numbers with commas between them")
+        return found
+    return read
+
+
+def zoomed(file: OpenedFile, zoom: tuple | None, in_si: bool) -> OpenedFile:
+    """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom."""
+    if not zoom:
+        return file
+    names = _axes(file)
+    if len(zoom) > 2 * len(names):
+        raise file.refusal(f"is of kind {file.kind}; --zoom takes {2 * len(names)} numbers there")
+    data = dataset_of(file.data)
+    for name, low, high in zip(names, zoom[::2], zoom[1::2]):
+        scale = si_scale(file, name) if in_si else None
+        factor = scale[1] if scale else 1.0
+        data = data.sel({name: slice(low / factor, high / factor)})
+        if data.sizes[name] < 2:
+            raise file.refusal(f"has {data.sizes[name]} points of {name} from {low:g} to {high:g}; --zoom has to leave 2")
+    return open_file(data)
+
+
+def _axes(file):
+    """Names of the coordinates across and up."""
+    if file.kind in ("map", "basin"):
+        return file.columns.name, file.rows.name
+    if file.kind == "sweep":
+        return ("frequency_ratio",)
+    raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins and sweeps")

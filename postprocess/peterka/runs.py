@@ -1,0 +1,132 @@
+"""Jobs run from Python: the program itself, under mpirun, and its file as a dataset."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import xarray
+
+from .files.dataset import dataset_of
+from .pictures import open_file
+from .toml import text_of
+
+BAD_JOB = 2
+DONE = (0, 4)  # 4: some cells failed, and say so
+CHECKOUT = Path(__file__).resolve().parents[2]
+AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+MORE_RANKS_THAN_CORES = {
+    "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+}
+PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
+
+
+class PeterkaError(Exception):
+    """The program could not do what it was asked for; the message is its own."""
+
+
+class JobError(PeterkaError):
+    """A job with faults: `faults` has all of them, one text each, with line and column where they have one."""
+
+    def __init__(self, faults: list[str]):
+        super().__init__("\n".join(faults))
+        self.faults = faults
+
+
+def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
+    """The file at this path, checked and verified, as a dataset; its numbers are read when they are used.
+
+    A map has its variables on (gap_ratio, frequency_ratio), a basin on (velocity_ratio, displacement_ratio), a sweep on
+    (branch, frequency_ratio), a trace on (time,); units are in the variables' attributes, the resolved job is the
+    attribute `job`. What lies in a group of the file has the group's name before its own, as in
+    data["attractors/cells"]. A file that isn't whole or isn't peterka's raises files.opened.NotDrawable."""
+    with open_file(path) as file:
+        reader = type(file)
+    return dataset_of(reader(path).data)
+
+
+def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.PathLike | None = None,
+        **changes) -> xarray.Dataset:
+    """Computes a job and gives its file as open() does; a file that holds it already is only opened.
+
+    `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: of mpirun; 1 goes without it.
+    `output`: where the file is kept; without it, it is not. `changes`: keys of the job, `table__key=value` for
+    --set table.key=value, or a whole table as table={key: value}. Raises JobError with all faults of a job, and
+    PeterkaError where the program fails otherwise. The program is that of PETERKA_BINARY, of the build beside this
+    package, or the one on the PATH."""
+    with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
+        path = _written(job, Path(folder))
+        result = Path(output) if output is not None else Path(folder) / "result.h5"
+        settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
+        _call(["run", str(path), "--output", str(result), "--quiet", *settings], ranks)
+        data = open(result)
+        return data if output is not None else data.load()
+
+
+def check(job: str | os.PathLike | Mapping, **changes) -> str:
+    """What a job means and costs, as the program's `check` prints it; computes nothing. Raises JobError."""
+    with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
+        settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
+        return _call(["check", str(_written(job, Path(folder))), *settings], 1)
+
+
+def _written(job, folder):
+    """The path of a job; of a text or tables, of a file in this folder. Rig files are looked for in the present one."""
+    if isinstance(job, Mapping):
+        job = text_of(job)
+    elif isinstance(job, os.PathLike) or "\n" not in job:
+        return Path(job)
+    path = folder / "job.toml"
+    path.write_text(re.sub(r'^(rig\s*=\s*")([^"/][^"]*)', lambda rig: f"{rig[1]}{Path(rig[2]).resolve()}", job, count=1,
+                           flags=re.MULTILINE), encoding="utf-8")
+    return path
+
+
+def _flat(changes):
+    """(table.key, value) of each change."""
+    for name, value in changes.items():
+        key = name.replace("__", ".")
+        if isinstance(value, Mapping):
+            yield from ((f"{key}.{inner}", one) for inner, one in _flat(value))
+        else:
+            yield key, value
+
+
+def _override(value):
+    return value if isinstance(value, str) else text_of({"value": value}).removeprefix("value = ").strip()
+
+
+def _call(arguments, ranks):
+    if ranks < 1:
+        raise ValueError(f"{ranks} ranks can't compute anything")
+    launch = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    environment = (MORE_RANKS_THAN_CORES | (AS_ROOT if os.geteuid() == 0 else {})) if ranks > 1 else {}
+    try:
+        done = subprocess.run([*launch, _binary(), *arguments], env=os.environ | environment, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, check=False)
+    except FileNotFoundError as error:
+        raise PeterkaError(f"{error.filename} is not here; an MPI has to be installed for {ranks} ranks") from error
+    if done.returncode == BAD_JOB:
+        raise JobError(_faults(done.stderr))
+    if done.returncode not in DONE:
+        raise PeterkaError(done.stderr.strip() or f"the program ended with code {done.returncode}")
+    return done.stdout
+
+
+def _faults(text):
+    """One for each line of the program's, without what mpirun adds below."""
+    lines = text.split("\n-----")[0].splitlines()
+    faults = [PLACE.sub("job:", line).removeprefix("peterka: ") for line in lines if line.strip()]
+    return faults or ["the job is refused without a word"]
+
+
+def _binary():
+    for found in (os.environ.get("PETERKA_BINARY"), CHECKOUT / "build" / "peterka", shutil.which("peterka")):
+        if found and Path(found).is_file():
+            return str(found)
+    raise PeterkaError("the program peterka isn't here: build it (jobs/prepare.sh), put it on the PATH, or name it in "
+                       "PETERKA_BINARY")

@@ -1,0 +1,144 @@
+"""What a journal asks of pictures: a column's width, greys that are told apart, units, parts, formats."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from colour_distance import lightness
+from matplotlib.image import imread
+from peterka.look import fills
+from peterka.look.classes import CLASSES
+from peterka.look.figures import figure_of
+from peterka.maps import peterka_map
+from peterka.pictures import open_file, pictures_of
+from picture_samples import ALL_CLASSES, NO_IMPACT, CHAOTIC, Drawn, orbit, write_basin, write_map
+from picture_texts import faults_of_layout
+from sweep_samples import write_sweep
+from trace_samples import write_trace
+
+COLUMN = 84  # mm
+APART = 12  # of lightness: two greys that are told apart in print, side by side or not
+BLOCKS = np.repeat(np.repeat(np.array(ALL_CLASSES), 12, axis=0), 12, axis=1)
+FIELDS = {name: np.outer(1 + np.arange(4.0), 1 + np.arange(4.0)) for name in ("impact_speed", "max_displacement")}
+
+
+def look_of(pixels):
+    """(median lightness, share of pixels that are far from it): a plain grey has no such pixels, a hatched one has."""
+    light = np.array([lightness("#" + 3 * f"{value:02X}")
+                      for value in pixels.ravel()])
+    middle = np.median(light)
+    return middle, float(np.mean(np.abs(light - middle) > APART))
+
+
+def test_the_greys_are_told_apart_by_lightness_or_hatching():
+    looks = {entry.label: fills.GREYS[entry.label] for entry in CLASSES if entry.label != "not computed yet"}  # open, hatched
+    for (first, (light, hatch)), (second, (other, over)) in combinations(looks.items(), 2):
+        assert abs(light - other) >= APART or hatch != over, f"{first} and {second} look the same in grey"
+
+
+def test_what_looked_the_same_in_grey_does_not_any_more(tmp_path):
+    """1/1, 1/2, 2/4, 3/3 and unresolved, measured in the picture."""
+    with open_file(write_map(tmp_path / "a.h5", BLOCKS)) as file:
+        drawn = Drawn(peterka_map.draw(file, palette="grey"), tmp_path / "a.png")
+        looks = {}
+        for label, row, column in (("1/1", 0, 0), ("1/2", 0, 4), ("2/4", 0, 5), ("3/3", 0, 3), ("unresolved", 2, 5)):
+            x, y = (axis.values[12 * at + np.array([1, 10])] for axis, at in ((file.columns, column), (file.rows, row)))
+            (left, bottom), (right, top) = drawn.map_axes.transData.transform(np.column_stack([x, y]))
+            height = drawn.pixels.shape[0]
+            area = drawn.pixels[int(height - top):int(height - bottom), int(left):int(right), 0]
+            edge = area[: area.shape[0] // 4]  # the name of a class stands in the middle
+            looks[label] = look_of(edge[::3, ::3])
+    for (first, one), (second, other) in combinations(looks.items(), 2):
+        assert abs(one[0] - other[0]) >= APART or abs(one[1] - other[1]) >= 0.1, f"{first} {one}, {second} {other}"
+
+
+def samples(folder):
+    return [write_map(folder / "map.h5", BLOCKS), write_basin(folder / "basin.h5"), write_sweep(folder / "sweep.h5"),
+            write_trace(folder / "trace.h5"), write_map(folder / "fields.h5", fields=FIELDS)]
+
+
+def test_a_grey_picture_has_no_colour(tmp_path):
+    for path in samples(tmp_path):
+        with open_file(path) as file:
+            for name, draw in pictures_of(file).items():
+                figure = figure_of(draw(file, palette="grey"))
+                figure.savefig(tmp_path / "a.png", dpi=100)
+                pixels = imread(tmp_path / "a.png")[..., :3]
+                assert np.ptp(pixels, axis=2).max() < 0.02, f"{path.stem} {name} has colours"
+
+
+def test_a_colour_picture_has(tmp_path):
+    with open_file(write_map(tmp_path / "a.h5", BLOCKS)) as file:
+        pixels = Drawn(peterka_map.draw(file), tmp_path / "a.png").pixels
+        assert np.ptp(pixels, axis=2).max() > 100
+
+
+@pytest.mark.parametrize("palette, units", [("grey", "si"), ("colour", "ratio")])
+def test_every_picture_fits_a_column(tmp_path, monkeypatch, palette, units):
+    for path in samples(tmp_path):
+        with open_file(path) as file:
+            for name, draw in pictures_of(file).items():
+                figure = figure_of(draw(file, width=COLUMN, palette=palette, units=units))
+                assert figure.get_figwidth() * 25.4 == pytest.approx(COLUMN)
+                if file.kind == "sweep":  # two columns wide: a panel's notes want that room
+                    continue
+                faults = faults_of_layout(figure, monkeypatch)
+                assert not faults, f"{path.stem} {name}:\n" + "\n".join(faults)
+
+
+def labels_of(figure):
+    axes = [one for ax in figure.axes for one in (ax, *ax.child_axes)]
+    return {axis.get_label_text() for ax in axes for axis in (ax.xaxis, ax.yaxis)
+            if axis.get_visible() and axis.get_label_text()}
+
+
+def test_units_are_of_one_kind_where_asked_for(tmp_path):
+    with open_file(write_map(tmp_path / "a.h5")) as file:
+        force = pictures_of(file)["force_all"]
+        si, ratio, both = (labels_of(figure_of(force(file, units=units))) for units in ("si", "ratio", "both"))
+    assert si == {"excitation frequency (Hz)", "gap (mm)", "peak force (N), all impacts"}
+    assert ratio == {r"$\Omega/\omega$", r"$\mathrm{gap}/A_0$", "peak force $F/(m\\,g)$, all impacts"}
+    assert both == ratio | {"excitation frequency (Hz)", "gap (mm)", "peak force (N)"}
+
+
+def test_limits_and_a_logarithmic_scale_of_values(tmp_path):
+    with open_file(write_map(tmp_path / "a.h5")) as file:
+        force = pictures_of(file)["force_all"]
+        limited = force(file, limits=(11.0, 12.0), log=True).collections[-1].norm
+        free = force(file, log=True).collections[-1].norm
+    assert (limited.vmin, limited.vmax, type(limited).__name__) == (11.0, 12.0, "LogNorm")
+    assert free.vmin == pytest.approx(10.0)  # the smallest force, of the first cell
+
+
+def test_a_zoom_shows_and_counts_what_is_inside(tmp_path, draw):
+    cells = np.full((6, 6, 3), NO_IMPACT)
+    cells[:3, :3] = orbit(1, 1)
+    cells[3:, 3:] = CHAOTIC
+    path = write_map(tmp_path / "rig.h5", cells, frequency_ratio=np.arange(1.0, 7), gap_ratio=np.arange(0.0, 6))
+    outcome = draw(path, "--only", "map", "--zoom", "1,3,0,3", "--format", "svg")
+    assert (outcome.code, outcome.pictures) == (0, ["rig_map.svg"])
+    text = (tmp_path / "out" / "rig_map.svg").read_text()
+    assert "75.0 %" in text and "chaotic" not in text and "100.0 %" not in text
+    in_hertz = draw(path, "--only", "map", "--zoom", "4.5,13.5,0,2.68", "--units", "si", "--format", "svg")
+    assert in_hertz.code == 0 and "75.0 %" in (tmp_path / "out" / "rig_map.svg").read_text()
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["--only", "mop"], "gives no picture mop; it gives map, force_1_1, force_all"),
+    (["--zoom", "1,1.1"], "points of frequency_ratio from 1 to 1.1; --zoom has to leave 2"),
+    (["--zoom", "3,1"], "wants the smaller number first"),
+    (["--zoom", "1,2,3"], "is not 2 or 4 numbers"),
+    (["--limits", "1"], "is not 2 numbers"),
+    (["--width", "4"], "is not a number from 40 to 500"),
+    (["--font", "No Such Font"], "there is no font 'No Such Font'"),
+    (["--palette", "blue"], "invalid choice"),
+])
+def test_bad_arguments_get_a_word(tmp_path, draw, arguments, words):
+    outcome = draw(write_map(tmp_path / "rig.h5"), *arguments)
+    assert outcome.code == 2 and words in outcome.stderr and outcome.stderr.count("\n") == 1
+
+
+def test_a_title_is_left_out_where_the_caption_says_it(tmp_path):
+    with open_file(write_map(tmp_path / "a.h5", title="Beam springs")) as file:
+        assert peterka_map.draw(file).get_figure()._suptitle.get_text() == "Beam springs"
+        assert peterka_map.draw(file, title=False).get_figure()._suptitle is None

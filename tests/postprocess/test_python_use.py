@@ -1,0 +1,128 @@
+"""peterka from Python: jobs run, files opened, pictures drawn into the user's own Axes; no other use of the package."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import peterka
+import pytest
+import xarray
+from conftest import POSTPROCESS
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from picture_samples import write_map
+from test_picture_real_file import MAP, RIG
+
+JOB = {
+    "schema": 1, "kind": "map",
+    "hammer": {"mass_kg": 0.298, "natural_frequency_hz": 4.5, "damping_ns_per_m": 0.06},
+    "cart": {"amplitude_m": 0.89e-3},
+    "contact": {"law": "kelvin_voigt", "stiffness_n_per_m": 5.5e6, "damping_ns_per_m": 1.2e3},
+    "axes": {"frequency_ratio": {"from": 1.2, "to": 3.9, "points": 4}, "gap_ratio": {"from": 0.0, "to": 5.0, "points": 4}},
+}
+TRACE = RIG.format(kind="trace") + "[operating_point]\nfrequency_ratio = 2.0\ngap_ratio = 0.0\n"
+SWEEP = RIG.format(kind="sweep") + "[sweep]\ngap_ratio = [0.0]\n[axes.frequency_ratio]\nfrom = 1.8\nto = 2.2\npoints = 5\n"
+BASIN = (RIG.format(kind="basin") + "[operating_point]\nfrequency_ratio = 1.8\ngap_ratio = 1.5\n" + "".join(
+    f"[axes.{name}_ratio]\nfrom = -3.0\nto = 1.0\npoints = 4\n" for name in ("displacement", "velocity")))
+
+
+def test_path_text_and_tables_are_the_same_job(tmp_path):
+    (tmp_path / "job.toml").write_text(MAP.replace('title = "Four by four"\n', ""))
+    of_path = peterka.run(tmp_path / "job.toml", ranks=1)
+    of_text = peterka.run(MAP.replace('title = "Four by four"\n', ""), ranks=2)
+    of_tables = peterka.run(JOB, ranks=1)
+    for other in (of_text, of_tables):
+        assert other.attrs["job_identity"] == of_path.attrs["job_identity"]
+        assert other.regime.equals(of_path.regime) and other.peak_force_ratio.equals(of_path.peak_force_ratio)
+    assert of_path.regime.dims == ("gap_ratio", "frequency_ratio") and of_path.regime.dtype == np.int8
+
+
+def test_a_dataset_has_what_xarray_reads_in_the_file(tmp_path):
+    data = peterka.run(JOB, ranks=1, output=tmp_path / "rig.h5")
+    with xarray.open_dataset(tmp_path / "rig.h5", engine="h5netcdf") as other:
+        assert set(other.variables) <= set(data.variables)
+        for name in other.variables:
+            np.testing.assert_array_equal(data[name].values, other[name].values)
+            assert data[name].dims == other[name].dims
+    assert data.peak_force_ratio.attrs["units"] == "1" and "run/ranks" in data
+
+
+def test_changes_are_overrides():
+    data = peterka.run(JOB, ranks=1, axes={"gap_ratio": {"points": 3, "to": 1.0}}, hammer__damping_ns_per_m=0.08)
+    assert data.gap_ratio.values.tolist() == [0.0, 0.5, 1.0]
+    assert data.attrs["damping_ratio"] == pytest.approx(0.08 / (2 * 0.298 * 2 * np.pi * 4.5))
+
+
+def test_all_faults_of_a_job_are_one_exception():
+    bad = JOB | {"hammer": JOB["hammer"] | {"mass_kg": -1.0}, "contcat": {}}
+    with pytest.raises(peterka.JobError) as caught:
+        peterka.run(bad, ranks=2)
+    faults = caught.value.faults
+    assert len(faults) == 2 and any("mass_kg" in fault for fault in faults) and any("contact" in fault for fault in faults)
+    assert isinstance(caught.value, peterka.PeterkaError)
+    with pytest.raises(peterka.JobError):
+        peterka.check(bad)
+    assert "cells" in peterka.check(JOB)
+
+
+def test_what_a_job_cannot_hold_is_refused():
+    with pytest.raises(TypeError, match="nothing that a job can hold"):
+        peterka.run(JOB | {"title": object()})
+
+
+def test_a_file_that_is_none_is_refused(tmp_path):
+    from peterka.files.opened import NotDrawable
+
+    (tmp_path / "a.h5").write_text("no")
+    with pytest.raises(NotDrawable, match="is not an HDF5 file"):
+        peterka.open(tmp_path / "a.h5")
+
+
+@pytest.mark.parametrize("job", [MAP, BASIN, SWEEP, TRACE], ids=["map", "basin", "sweep", "trace"])
+def test_every_picture_goes_into_the_user_s_axes(job):
+    data = peterka.run(job, ranks=1)
+    names = peterka.picture_names(data)
+    assert names
+    for name in names:
+        figure = Figure(figsize=(12, 6))
+        mine, other = figure.subplots(1, 2)
+        drawn = peterka.draw(data, name, ax=mine)
+        if drawn is None:  # nothing to show in so small a file
+            continue
+        first = drawn[0] if isinstance(drawn, list) else drawn
+        assert first is mine and first.get_title() and not other.has_data()
+        figure.draw_without_rendering()
+        renderer = FigureCanvasAgg(figure).get_renderer()
+        boxes = [ax.get_tightbbox(renderer) for ax in figure.axes if ax is not other]
+        assert max(box.x1 for box in boxes if box) < other.get_tightbbox(renderer).x0 + 1
+
+
+def test_a_part_of_a_dataset_is_drawn(tmp_path):
+    data = peterka.open(write_map(tmp_path / "a.h5"))
+    part = data.sel(gap_ratio=slice(0, 2.5), frequency_ratio=slice(2, 4))
+    ax = peterka.draw(part, "map")
+    assert ax.get_xlim() == pytest.approx((1.5, 4.5)) and ax.get_ylim() == pytest.approx((-0.5, 2.5))
+    with pytest.raises(ValueError, match="no picture 'mop' of this map; it has map, force_1_1"):
+        peterka.draw(part, "mop")
+
+
+def test_a_picture_leaves_matplotlib_as_it_was(tmp_path):
+    import matplotlib
+
+    before = dict(matplotlib.rcParams)
+    figure = peterka.draw(peterka.open(write_map(tmp_path / "a.h5"))).get_figure()
+    assert dict(matplotlib.rcParams) == before
+    assert figure._repr_png_().startswith(b"\x89PNG")
+
+
+def test_it_is_installed_by_pip(tmp_path):
+    """From a copy: a build leaves its folders beside the sources."""
+    subprocess.run(["cp", "-r", POSTPROCESS, tmp_path / "source"], check=True)
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
+    done = subprocess.run([*pip, "--target", tmp_path / "site", tmp_path / "source"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    code = "import peterka; print(peterka.__file__, peterka.draw, (__import__('pathlib').Path(peterka.__file__).parent / 'page' / 'page.html').is_file())"
+    said = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True,
+                          env=os.environ | {"PYTHONPATH": str(tmp_path / "site")}).stdout
+    assert said.startswith(str(tmp_path / "site")) and said.endswith("True\n")
