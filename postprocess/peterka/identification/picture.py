@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..look import axes, units
+from ..look import axes, style, units
 from ..look.linear_ticks import LinearNumbers, LinearTicks
 
 WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
@@ -21,6 +21,7 @@ class _Titled:
         self.title = title
 
 
+@style.using()
 def draw(recording, fits, title):
     """The picture of the Fits [one, or one for each impact] of a Recording as a Figure."""
     names = [name for name in NAMES if name in fits[0].fitted]
