@@ -7,8 +7,8 @@
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
 audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
-or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement that they
-hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
+or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
+lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
 300 cycles, or --after, would see. A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the points of --measured over
 them. A trace gives STEM_motion, STEM_phase_plane, STEM_impact and STEM_spectrum. A study gives STEM_work_precision,

@@ -9,7 +9,7 @@ from functools import partial
 
 from .files.opened import OpenedFile
 from .maps import (
-    audit_map, basin_map, computed_map, force_map, last_impact, peterka_map, quantity_map,
+    audit_map, basin_map, computed_map, force_map, last_impact, number_map, peterka_map, quantity_map,
 )
 from .maps.map_file import PeterkaFile
 from .studies import labels, stability, work_precision
@@ -44,6 +44,8 @@ PICTURES = [
     Row("basin_impact", ("basin",), basin_map.draw_impact),
     *(Row(name, PLANES, partial(quantity_map.draw, name=name), lambda file, name=name: name in file.quantities)
       for name in quantity_map.TITLES),
+    *(Row(name, ("map",) if name.startswith("orbit") else PLANES, partial(number_map.draw, name=name),
+          lambda file, name=name: name in file.numbers) for name in number_map.NUMBERS),
     Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),

@@ -22,6 +22,7 @@ WIDTH = 3.7  # in
 COLOURS = "viridis"
 OTHER_COLOUR = "#F2F2F2"
 NO_VALUE_COLOUR = "#F7C6D0"  # of cells that should have a value and haven't: no stop's force where it is rigid, say
+LOW_SHARE = 2  # percentile at which a scale that doesn't begin at 0 begins: exponents of strong orbits go far below
 TOP_SHARE, TOP_EXCESS = 99.9, 1.15  # the scale ends at this percentile where single cells exceed it by this factor
 GREY_SCALE = (95, 8)  # lightness of the smallest and the largest value in the grey palette
 # Areas without a value are hatched there: the scale has all lightnesses for itself.
@@ -125,7 +126,7 @@ def _norm(shown, peak, from_zero):
     logarithmic = style.current().log and positive.count() > 0
     low, high = style.current().limits or (None, None)
     if high is None:
-        low, high = 0.0 if from_zero else float(shown.min()), _top_of_scale(shown.compressed(), peak)
+        low, high = 0.0 if from_zero else float(np.percentile(shown.compressed(), LOW_SHARE)), _top_of_scale(shown.compressed(), peak)
         low = float(positive.min()) if logarithmic else low
         high = high if high > low else low + (abs(low) or 1.0)
     return LogNorm(max(low, 1e-6 * high), high) if logarithmic and high > 0 else Normalize(low, high)

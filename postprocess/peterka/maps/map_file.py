@@ -29,6 +29,8 @@ QUANTITIES = {
     "contact_power_w": ("W",),
     "max_displacement": ("m",),
 }
+PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity", "peak_force_mean_ratio",
+                "peak_force_q95_ratio")
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
 BAND_CELLS = 2**21
 
@@ -46,8 +48,8 @@ class Axis:
 
 
 class PeterkaFile(OpenedFile):
-    """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` (those of QUANTITIES that
-    it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
+    """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
+    QUANTITIES and of PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
 
     @cached_property
     def computed(self):
@@ -90,6 +92,9 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
+        self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
+        for name in self.numbers:
+            self.data.dataset(name, self.shape, REAL)
         self.has_chatter = self._has_integers("chatter")
         self.has_last_impact = self._has_integers("last_impact")
         self._has_observed_cycles = self._has_integers("observed_cycles")

@@ -1,0 +1,68 @@
+"""Numbers without a unit over the plane of a map: how stable the motion is, where its orbit is, and forces of each cycle.
+
+Multipliers and stroboscopic points are those of orbits, Lyapunov exponents and growths of errors those of every motion
+that was followed; forces of each cycle are drawn where impacts are proved. In chaos the largest force of all grows with
+the time observed, the mean and the 95 % quantile of the cycles' largest ones don't.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
+from ..look import style, units
+from ..look.picture import picture
+from . import field_map
+from .field_map import WITHOUT_IMPACTS, Field, Scale
+from .map_file import PeterkaFile
+
+
+def _orbits(regime, *_):
+    return (regime == PERIODIC) | (regime == NO_IMPACT) | (regime == SUSTAINED_CONTACT)
+
+
+def _followed(regime, *_):
+    return (regime != FAILED) & (regime != NOT_COMPUTED)
+
+
+@dataclass(frozen=True)
+class Number:
+    """What a field is called on its scale, the cells that have it, the classes told apart from those, whether its scale
+    begins at 0, and whether it is a force over the hammer's weight."""
+
+    label: str
+    carries: Callable
+    apart: tuple[str, ...]
+    from_zero: bool = True
+    is_force: bool = False
+
+
+NOT_AN_ORBIT = ("chaotic", "unresolved", "failed")
+NUMBERS = {
+    "multiplier": Number(r"largest Floquet multiplier $|\mu|$", _orbits, NOT_AN_ORBIT),
+    "lyapunov": Number("largest Lyapunov exponent (1/cycle)", _followed, ("failed",), from_zero=False),
+    "sensitivity": Number("largest growth of an error, ln $G$", _followed, ("failed",)),
+    "orbit_displacement": Number("$(x - y)/A_0$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
+    "orbit_velocity": Number(r"$(\dot{x} - \dot{y})/(A_0\omega)$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
+    "peak_force_mean_ratio": Number("mean of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
+    "peak_force_q95_ratio": Number("95 % quantile of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
+}
+
+
+@picture(PeterkaFile)
+def draw(file, ax=None, *, name):
+    """The picture of one of NUMBERS that the file has, over its plane (rows, columns); None where no cell has a value."""
+    number = NUMBERS[name]
+    field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero)
+    return field_map.draw(file, field, ax)
+
+
+def _scale(file, number, largest):
+    if not number.is_force:
+        return Scale(number.label, 1, units.number)
+    label = f"{number.label} largest force, $F/(m\\,g)$"
+    if not file.newtons:
+        return Scale(label, 1, units.number)
+    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    in_si = style.current().units == "si"
+    return Scale(label, 1, (lambda force: units.amount(force * file.newtons, "N")) if in_si else units.number,
+                 (f"{number.label} largest force ({unit})" if in_si else f"force ({unit})", file.newtons * factor))

@@ -1,0 +1,51 @@
+"""Numbers without a unit: each that a file holds has a picture, with the cells that carry it and a scale of its own."""
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.colors import to_hex
+from peterka.maps import field_map, number_map
+from peterka.maps.map_file import PURE_NUMBERS, PeterkaFile
+from peterka.pictures import pictures_of
+from picture_samples import CHAOTIC, FAILED, NO_IMPACT, Drawn, colour_named, orbit, write_map
+
+CELLS = [[orbit(1, 1), orbit(1, 2)], [CHAOTIC, NO_IMPACT], [FAILED, orbit(1, 1)]]
+
+
+def drawn_of(folder, name, values):
+    with PeterkaFile(write_map(folder / "a.h5", CELLS, fields={name: values})) as file:
+        drawn = Drawn(number_map.draw(file, name=name), folder / "a.png")
+        return drawn, np.array([[drawn.colour_of(file, row, column) for column in range(2)] for row in range(3)])
+
+
+def test_a_multiplier_is_that_of_orbits(tmp_path):
+    drawn, seen = drawn_of(tmp_path, "multiplier", [[0.2, 0.8], [np.nan, 0.4], [np.nan, 0.0]])
+    colours = matplotlib.colormaps[field_map.COLOURS]
+    assert seen[0, 1] == to_hex(colours(1.0)).upper() and seen[1, 1] == to_hex(colours(0.5)).upper()
+    assert seen[1, 0] == colour_named("chaotic") and seen[2, 0] == colour_named("failed")
+    assert drawn.figure.axes[1].get_xlabel() == r"largest Floquet multiplier $|\mu|$"
+
+
+def test_an_exponent_s_scale_does_not_begin_at_zero_and_chaos_has_one(tmp_path):
+    drawn, seen = drawn_of(tmp_path, "lyapunov", [[-3.0, -1.0], [1.0, -2.0], [np.nan, -0.5]])
+    norm = drawn.map_axes.collections[-1].norm
+    assert norm.vmax == 1.0 and -3.0 <= norm.vmin < -2.5
+    assert seen[1, 0] == to_hex(matplotlib.colormaps[field_map.COLOURS](1.0)).upper()
+
+
+def test_forces_of_each_cycle_are_in_newtons_too(tmp_path):
+    drawn, _ = drawn_of(tmp_path, "peak_force_q95_ratio", [[10.0, 20.0], [30.0, 0.0], [np.nan, 40.0]])
+    second, = drawn.figure.axes[1].child_axes
+    assert second.get_xlabel() == "force (N)"
+    assert second.get_xlim()[1] == pytest.approx(40 * 0.298 * 9.80665)
+    assert drawn.map_texts()[0].startswith("max 40")
+
+
+@pytest.mark.parametrize("name", PURE_NUMBERS)
+def test_each_has_a_picture_where_the_file_has_it(tmp_path, name):
+    assert set(number_map.NUMBERS) == set(PURE_NUMBERS)
+    values = np.where(np.array(CELLS)[..., 0] == 5, np.nan, 0.5)
+    with PeterkaFile(write_map(tmp_path / "a.h5", CELLS, fields={name: values})) as file:
+        assert name in pictures_of(file)
+    with PeterkaFile(write_map(tmp_path / "b.h5", CELLS)) as file:
+        assert name not in pictures_of(file)
