@@ -11,7 +11,8 @@ or not). Both give a picture of each of impact_speed, impulse, contact_time, con
 lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
 300 cycles, or --after, would see. A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the points of --measured over
-them. A trace gives STEM_motion, STEM_phase_plane, STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
+them. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
+STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """

@@ -17,7 +17,7 @@ from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
 from .sweeps.measured import NOTHING_MEASURED
 from .sweeps.sweep_file import SweepFile
-from .traces import impact, motion, phase_plane, spectrum
+from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
 
 READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace": TraceFile, "study": StudyFile}
@@ -55,6 +55,8 @@ PICTURES = [
     Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=("measured",)),
     Row("motion", ("trace",), motion.draw),
     Row("phase_plane", ("trace",), phase_plane.draw),
+    Row("relative_plane", ("trace",), relative_plane.draw_motion),
+    Row("poincare", ("trace",), relative_plane.draw_points, lambda file: bool(file.excitation_hz)),
     Row("impact", ("trace",), impact.draw),
     Row("spectrum", ("trace",), spectrum.draw),
     Row("work_precision", ("study",), work_precision.draw, lambda file: file.topic == "work_precision"),

@@ -26,10 +26,11 @@ def texts(figure):
     return [text.get_text() for ax in figure.axes for text in ax.texts]
 
 
-def test_a_trace_gives_four_pictures(tmp_path, draw):
+def test_a_trace_gives_six_pictures(tmp_path, draw):
     outcome = draw(write_trace(tmp_path / "strike.h5"), "--formats", "png")
     assert outcome.code == 0, outcome.stderr
-    assert outcome.pictures == [f"strike_{name}.png" for name in ("impact", "motion", "phase_plane", "spectrum")]
+    assert outcome.pictures == [f"strike_{name}.png" for name in (
+        "impact", "motion", "phase_plane", "poincare", "relative_plane", "spectrum")]
 
 
 def test_displacements_are_in_mm_and_forces_in_newtons(tmp_path):
@@ -85,7 +86,8 @@ def test_the_impact_names_its_peak_and_its_jump(tmp_path):
 def test_without_impacts_there_is_no_picture_of_one(tmp_path, draw):
     outcome = draw(write_trace(tmp_path / "free.h5", impacts=False), "--formats", "png")
     assert outcome.code == 0, outcome.stderr
-    assert outcome.pictures == [f"free_{name}.png" for name in ("motion", "phase_plane", "spectrum")]
+    assert outcome.pictures == [f"free_{name}.png" for name in (
+        "motion", "phase_plane", "poincare", "relative_plane", "spectrum")]
     assert "impact is left out" in outcome.stdout
 
 

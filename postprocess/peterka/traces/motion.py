@@ -25,22 +25,15 @@ def draw(file, ax=None):
                Line2D([], [], label="stop, $y + \\mathrm{gap}$", **trace_look.STOP_LINE)]
     peaks = [] if file.impacts is None else [Line2D([], [], label="peak of an impact", **PEAK)]
     shows_stop = _near_the_hammer(file)
-    figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=3, columns=4,
+    figure, panels = axes.diagram(WIDTH, HEIGHT, handles[: 3 if shows_stop else 2] + peaks, panels=2 if file.impacts is None else 3, columns=4,
                                   ax=ax)
     time = motion["time"]
     _draw_displacements(panels[0], file, time, shows_stop)
     panels[1].plot(time, motion["hammer_acceleration"], **trace_look.ACCELERATION_LINE)
     panels[1].set_ylabel(r"$\ddot{x}$ (m/s²)")
-    force, unit = trace_look.force(file, motion["force_ratio"])
-    touches, maxima = [], []
     if file.impacts is not None:
-        touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
-    places = np.searchsorted(time, touches)
-    panels[2].plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
-    panels[2].plot(touches, maxima, **PEAK)
-    panels[2].set_ylabel(f"force ({unit})")
-    trace_look.second_force_scale(panels[2], file)
-    panels[2].set_xlabel("time (s)")
+        _draw_force(panels[2], file)
+    panels[-1].set_xlabel("time (s)")
     for ax in panels:
         trace_look.grid(ax)
         ax.set_xlim(time[0], time[-1])
@@ -50,6 +43,17 @@ def draw(file, ax=None):
     figure.align_ylabels(panels)
     trace_look.write_title(figure, file, ax=panels[0])
     return panels
+
+
+def _draw_force(ax, file):
+    time = file.motion["time"]
+    force, unit = trace_look.force(file, file.motion["force_ratio"])
+    touches, maxima = file.impacts["touch_time"], trace_look.force(file, file.impacts["peak_force_ratio"])[0]
+    places = np.searchsorted(time, touches)
+    ax.plot(np.insert(time, places, touches), np.insert(force, places, maxima), **trace_look.FORCE_LINE)
+    ax.plot(touches, maxima, **PEAK)
+    ax.set_ylabel(f"force ({unit})")
+    trace_look.second_force_scale(ax, file)
 
 
 def _near_the_hammer(file):

@@ -14,12 +14,15 @@ import numpy as np
 
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.opened import OpenedFile
+from ..files.regimes import check_labels
 
 MOTION = ("time", "cycle", "hammer_displacement_ratio", "cart_displacement_ratio", "relative_displacement_ratio",
           "hammer_velocity", "cart_velocity", "relative_velocity", "hammer_acceleration", "force_ratio")
 IMPACTS = ("touch_time", "impact_speed", "touch_force_ratio", "peak_force_ratio", "impulse", "contact_time", "work")
 SPECTRUM = ("frequency", "force_amplitude", "acceleration_amplitude")
 IMPACT_SPECTRUM = ("frequency", "force_spectrum", "flight_acceleration_amplitude")
+CELL = {"regime": INTEGER, "impacts": INTEGER, "period": INTEGER, "status": INTEGER, "observed_cycles": INTEGER,
+        "multiplier": REAL, "lyapunov": REAL}
 MAX_ROWS = 10_000_000
 
 
@@ -34,7 +37,8 @@ class HardestImpact:
 
 
 class TraceFile(OpenedFile):
-    """A checked, open trace: motion, impacts, impact, spectrum, impact_spectrum (None where the file has none)."""
+    """A checked, open trace: motion, impacts, impact, spectrum, impact_spectrum, cell: what
+    a map would say (None where the file has none)."""
 
     computed = 1  # it is written whole
 
@@ -45,6 +49,7 @@ class TraceFile(OpenedFile):
         self.impacts = self._columns("impacts/", IMPACTS) if self.data.has("impacts") else None
         self.impact = self._hardest() if self.data.has("impact") else None
         self.spectrum = self._columns("spectrum/", SPECTRUM)
+        self.cell = self._cell() if self.data.has("cell") else None
         self.impact_spectrum = self._columns("impact_spectrum/", IMPACT_SPECTRUM) if self.data.has(
             "impact_spectrum") else None
 
@@ -72,6 +77,14 @@ class TraceFile(OpenedFile):
         if not name.startswith("impacts/") and not np.isfinite(values).all():
             raise self.refusal(f"has a {name} that is not finite")
         return values
+
+    def _cell(self):
+        """{name: value} of what a map would say of the cell: CELL, and `status` in words."""
+        for name, kind in CELL.items():
+            self.data.dataset(f"cell/{name}", (), kind)
+        cell = {name: self.data.values(f"cell/{name}", ()).item() for name in CELL}
+        check_labels(self.data, {name: np.array([cell[name]]) for name in ("regime", "impacts", "period")})
+        return cell | {"status": self.data.words("cell/status").get(cell["status"], "").replace("_", " ")}
 
     def _hardest(self):
         self.data.dataset("impact/impact", (), INTEGER)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, PERIODIC, SUSTAINED_CONTACT, UNRESOLVED
 from ..look import axes, style, units
 
 HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
@@ -56,4 +57,23 @@ def place(file):
 
 
 def write_title(figure, file, extra="", ax=None):
-    axes.write_title(figure, file, "\n".join(filter(None, [place(file), extra])), ax)
+    axes.write_title(figure, file, "\n".join(filter(None, [place(file), claim(file), extra])), ax)
+
+
+def claim(file):
+    """Regime, z, and what decided it, in one line; empty where the file doesn't tell."""
+    cell = file.cell
+    if cell is None:
+        return ""
+    cycles = f"{cell['observed_cycles']:,}"
+    q = f"{cell['period']} cycle{'s' * (cell['period'] != 1)}"
+    proof = {
+        NO_IMPACT: "no impact: what is left of the free motion can't reach the stop",
+        PERIODIC: f"z = {cell['impacts']}/{cell['period']}: repeats after {q}, stable (multipliers within "
+                  f"{cell['multiplier']:.3g})",
+        CHAOTIC: f"chaotic for {cycles} cycles: errors grow (exponent {cell['lyapunov']:.3g} per cycle)",
+        SUSTAINED_CONTACT: "sustained contact: what is left of the motion can't separate the hammer",
+        UNRESOLVED: f"unresolved after {cycles} cycles: {cell['status']}",
+        FAILED: f"failed: {cell['status']}",
+    }
+    return proof.get(cell["regime"], "")

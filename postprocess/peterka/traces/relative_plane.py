@@ -1,0 +1,81 @@
+"""The hammer as the cart sees it: relative velocity over x - y, with the stop as a line, and its stroboscopic points.
+
+Dots are the points at forcing phase 0 (Poincaré's map): q of them on an orbit of q cycles, a strange set in chaos, which
+hundreds of cycles show ([trace] cycles)."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..files.regimes import CHAOTIC
+from ..look import axes
+from ..look.picture import picture
+from . import trace_look
+from .trace_file import TraceFile
+
+WIDTH, HEIGHT = 3.7, 3.3  # in, without the legend
+MANY = 40  # points apart from each other: from there on they are drawn smaller
+ENOUGH = 200  # points to see what chaos lies on
+STROBE = {"marker": "o", "color": "black", "linestyle": "none", "markeredgewidth": 0}
+
+
+@picture(TraceFile)
+def draw_motion(file, ax=None):
+    """The phase plane of x - y, from the trace's samples, as Axes."""
+    points = strobe(file)
+    handles = [Line2D([], [], label="hammer", **trace_look.HAMMER_LINE), _handle(points, 4), *_stop_handle(file)]
+    figure, (ax,) = axes.diagram(WIDTH, HEIGHT, [one for one in handles if one], ax=ax)
+    displacement, _ = trace_look.displacement(file, file.motion["relative_displacement_ratio"])
+    ax.plot(displacement, file.motion["relative_velocity"], **trace_look.HAMMER_LINE)
+    if len(points):
+        ax.plot(displacement[points], file.motion["relative_velocity"][points], markersize=4, **STROBE)
+    return _finished(figure, ax, file)
+
+
+@picture(TraceFile)
+def draw_points(file, ax=None):
+    """The stroboscopic points alone, as Axes; None with the cart at rest, which has no phase."""
+    points = strobe(file)
+    if not len(points):
+        return None
+    places = np.column_stack([file.motion[name][points] for name in ("relative_displacement_ratio", "relative_velocity")])
+    size = 4 if len(np.unique(places.round(6), axis=0)) <= MANY else 1.8
+    figure, (ax,) = axes.diagram(WIDTH, HEIGHT, [_handle(points, size), *_stop_handle(file)], columns=1, ax=ax)
+    displacement, _ = trace_look.displacement(file, file.motion["relative_displacement_ratio"][points])
+    ax.plot(displacement, file.motion["relative_velocity"][points], markersize=size, **STROBE)
+    ax.margins(0.1)
+    few = file.cell and file.cell["regime"] == CHAOTIC and len(points) < ENOUGH
+    return _finished(figure, ax, file, f"{len(points)} points: [trace] cycles = 500 shows what they lie on" if few else "")
+
+
+def strobe(file):
+    """Indices of the samples at forcing phase 0, (n,)."""
+    if not file.excitation_hz:
+        return np.array([], dtype=int)
+    cycle = file.motion["cycle"]
+    return np.flatnonzero(np.abs(cycle - np.rint(cycle)) < 1e-6)
+
+
+def _finished(figure, ax, file, extra=""):
+    gap = file.number("gap_ratio")
+    unit = trace_look.displacement(file, 0.0)[1]
+    if _shows_stop(file):
+        ax.axvline(trace_look.displacement(file, gap)[0], **trace_look.STOP_LINE | {"linewidth": 1.2, "zorder": 1})
+    ax.set_xlabel(f"$x - y$ ({unit})")
+    ax.set_ylabel(r"$\dot{x} - \dot{y}$ (m/s)")
+    trace_look.grid(ax)
+    trace_look.write_title(figure, file, extra, ax)
+    return ax
+
+
+def _handle(points, size):
+    return Line2D([], [], label="forcing phase 0", markersize=size, **STROBE) if len(points) else None
+
+
+def _shows_stop(file):
+    """Where it is near enough not to squeeze the motion."""
+    gap, moved = file.number("gap_ratio"), file.motion["relative_displacement_ratio"]
+    return gap is not None and gap <= moved.max() + max(np.ptp(moved), 0.1)
+
+
+def _stop_handle(file):
+    return [Line2D([], [], label="stop, $x - y$ = gap", **trace_look.STOP_LINE)] if _shows_stop(file) else []
