@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "regime/solve_cell.hpp"
+#include "support/reused_memory.hpp"
 #include "support/stopwatch.hpp"
 #include "trajectory/split_cycle_map.hpp"
 
@@ -23,10 +24,10 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 
 }  // namespace
 
-struct CellPool::Cell {
-    Cell(const CellPool& pool, std::int64_t row, std::int64_t column, std::int64_t its_number)
+struct CellPool::Cell : Reused {
+    Cell(const CellPool& pool, const scene::Cell& cell, std::int64_t its_number)
         : number(its_number),
-          search(solve_cell(desk, pool.scene_, row, column,
+          search(solve_cell(desk, pool.scene_.job(), cell,
                             {&pool.known_, pool.findings_ == Findings::handed_on ? &found : nullptr})) {}
 
     std::int64_t number;
@@ -132,9 +133,13 @@ bool CellPool::has_room() const {
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
-    auto cell = std::make_unique<Cell>(*this, row, column, number);
-    ++in_hand_;
     const Stopwatch stopwatch;
+    const scene::Cell place = scene_.cell(row, column);
+    if (const auto result = solve_at_once(scene_.job(), place)) {
+        return take_({number, *result, stopwatch.seconds(), {}});
+    }
+    auto cell = std::make_unique<Cell>(*this, place, number);
+    ++in_hand_;
     cell->search.start();
     cell->seconds = stopwatch.seconds();
     if (cell->search.done()) return finish(*cell);

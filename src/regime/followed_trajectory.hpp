@@ -42,7 +42,7 @@ class FollowedTrajectory {
     [[nodiscard]] bool is_at_end() const { return cycles_ == last_cycle_; }
     // The first being 1; 0: none.
     [[nodiscard]] std::int64_t last_touched() const { return last_touched_; }
-    [[nodiscard]] bool is_at_checkpoint() const { return is_checkpoint(cycles_); }
+    [[nodiscard]] bool is_at_checkpoint() const { return cycles_ > 0 && is_checkpoint(cycles_); }
     [[nodiscard]] Observation& window() { return window_; }
 
     // Where no cycle ordered is left: take(co_await order(map)).

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "support/reused_memory.hpp"
 #include "trajectory/cycle.hpp"
 
 namespace peterka::regime {
@@ -37,7 +38,7 @@ class PatternMarks {
         return marks_[newest_ + static_cast<std::size_t>(ago)];
     }
     void make_room() {
-        std::vector<Mark> moved(2 * kept_);
+        std::vector<Mark, ReusingAllocator<Mark>> moved(2 * kept_);
         std::copy_n(marks_.begin(), std::min(kept_, marks_.size()),
                     moved.begin() + static_cast<std::ptrdiff_t>(kept_));
         marks_.swap(moved);
@@ -45,7 +46,7 @@ class PatternMarks {
     }
 
     std::size_t kept_;
-    std::vector<Mark> marks_;
+    std::vector<Mark, ReusingAllocator<Mark>> marks_;
     std::size_t newest_ = 0;
 };
 

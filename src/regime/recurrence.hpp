@@ -14,6 +14,7 @@
 #include "regime/orbit_round.hpp"
 #include "regime/pattern_marks.hpp"
 #include "regime/stroboscopic_map.hpp"
+#include "support/reused_memory.hpp"
 
 namespace peterka::regime {
 
@@ -151,9 +152,9 @@ class Recurrence {
     std::int64_t longest_;
     std::size_t ring_;
     bool untouched_;
-    std::vector<Point> states_;  // apart, as a search for candidates looks at many
-    std::vector<Kept> passages_;
-    std::vector<double> tried_at_;
+    std::vector<Point, ReusingAllocator<Point>> states_;  // apart, as a search for candidates looks at many
+    std::vector<Kept, ReusingAllocator<Kept>> passages_;
+    std::vector<double, ReusingAllocator<double>> tried_at_;
     PatternMarks marks_;
     std::int64_t recorded_ = 0;
     std::int64_t last_touch_ = 0;

@@ -75,14 +75,17 @@ bool Settling::close_enough(const scene::State<double>& x) const {
     return loop < 1 && amplitude < room * (1 - loop);
 }
 
+std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>& flight,
+                                           const scene::State<double>& x) {
+    if (!flight.lasts(x)) return std::nullopt;
+    const bool decays = flight.decays();
+    return SettledMotion{flight.steady(), flight.jacobian(), 0,
+                         decays ? flight.amplitude() : flight.largest_displacement(x), decays};
+}
+
 std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
     if (!may_stay_free_) return std::nullopt;
-    if (scene_.cubic == 0) {
-        if (!free_flight_.lasts(x)) return std::nullopt;
-        const bool decays = free_flight_.decays();
-        return SettledMotion{free_flight_.steady(), free_flight_.jacobian(), 0,
-                             decays ? free_flight_.amplitude() : free_flight_.largest_displacement(x), decays};
-    }
+    if (scene_.cubic == 0) return free_for_ever(free_flight_, x);
     if (trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x)) return std::nullopt;
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }

@@ -31,6 +31,11 @@ struct SettledMotion {
 // H of the free hammer: the integral over all times of |impulse response| of u'' + 2 zeta u' + u.
 double gain(double damping_ratio);
 
+// Of a hammer with linear springs that flies, from the state at forcing phase 0: it stays free for ever.
+// Nothing where that isn't proved.
+[[nodiscard]] std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>& flight,
+                                                         const scene::State<double>& x);
+
 class Settling {
   public:
     explicit Settling(const StroboscopicMap& map);

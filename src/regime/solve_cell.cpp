@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "regime/cubic_shift.hpp"
+#include "regime/growth.hpp"
+#include "regime/orbit_result.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/settling.hpp"
 
@@ -51,16 +54,12 @@ class Solution {
     }
 
     Task<CellResult> run() {
-        const bool automatic = solver_.engine == job::EngineChoice::automatic;
-        const bool is_linear = cell_.oscillator.cubic == 0;
-        const bool keeps_all =
-            (!is_linear && solver_.omit_tolerance == 0) || has_nonlinear_contact(cell_.oscillator);
         CellResult result;
-        if (!automatic || keeps_all) {
-            result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
-        } else {
+        if (may_omit()) {
             result = co_await search(without_cubic(cell_.oscillator), cell_.start, exact());
-            if (!is_linear) result = co_await with_cubic_where_it_matters(result);
+            if (cell_.oscillator.cubic != 0) result = co_await with_cubic_where_it_matters(result);
+        } else {
+            result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
         }
         if (has_lasting_proof(result) && result.status == Status::proved &&
             result.sensitivity > rounding_decides && !same_label(result, co_await from_next_door(result))) {
@@ -70,20 +69,35 @@ class Solution {
         co_return result;
     }
 
+    // Most cells of a map never meet the stop, as their start shows: they need no search. Nothing for others.
+    [[nodiscard]] std::optional<CellResult> at_once() const {
+        if (!may_omit() || measures_.detail != trajectory::Detail::force) return std::nullopt;
+        const trajectory::FreeFlight<double> flight(without_cubic(cell_.oscillator));
+        const auto free = free_for_ever(flight, cell_.start);
+        if (!free) return std::nullopt;
+        CellResult result;
+        result.last_impact = 0;
+        result.sensitivity = Growth().sensitivity();
+        write_settled(result, *free, Regime::no_impact, cell_.oscillator.gap, measures_.force_per_cycle);
+        const bool stays =
+            cell_.oscillator.cubic == 0 || !(must_keep_cubic(result) || may_have_another_label(result));
+        return stays ? std::optional(result) : std::nullopt;
+    }
+
   private:
+    // Whether the closed form may do without the cubic term, as far as the job and the stop tell.
+    [[nodiscard]] bool may_omit() const {
+        if (solver_.engine != job::EngineChoice::automatic || has_nonlinear_contact(cell_.oscillator))
+            return false;
+        return cell_.oscillator.cubic == 0 || solver_.omit_tolerance > 0;
+    }
+
     // The result without the cubic term where that changes neither the label, nor the peak force by more than
     // is allowed; of what rounding decides, or chaos, nobody can tell. Else the one with it.
     Task<CellResult> with_cubic_where_it_matters(CellResult without) {
-        const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
-        if (!(effect <= solver_.omit_tolerance) || !cubic_splits()) {
-            co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
-        }
+        if (must_keep_cubic(without)) co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
         if (!has_lasting_proof(without)) co_return without;
-        // How far the term moves the motion in a cycle, and what became of that in the end.
-        const double disturbance = effect / 3 * without.largest_displacement * cell_.oscillator.period();
-        const bool may_turn =
-            disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
-        if (may_turn || is_near_its_edge(without, effect)) {
+        if (may_have_another_label(without)) {
             const EngineSettings split{Engine::split, coarse(), reach_of(without)};
             const CellResult with = co_await again(cell_.oscillator, cell_.start, split, rounding_decides);
             if (with.sensitivity > rounding_decides) {
@@ -100,6 +114,21 @@ class Solution {
         spent_ += shift.cycles;
         if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
         co_return co_await with_all_terms(reach_of(without), coarse());
+    }
+
+    // Too strong to be left out, or to be looked at by `split`.
+    [[nodiscard]] bool must_keep_cubic(const CellResult& without) const {
+        return !(effect_of_cubic(cell_.oscillator, without.largest_displacement) <= solver_.omit_tolerance) ||
+               !cubic_splits();
+    }
+    // Of a cell with a lasting proof.
+    [[nodiscard]] bool may_have_another_label(const CellResult& without) const {
+        const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
+        // How far the term moves the motion in a cycle, and what became of that in the end.
+        const double disturbance = effect / 3 * without.largest_displacement * cell_.oscillator.period();
+        const bool may_turn =
+            disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
+        return may_turn || is_near_its_edge(without, effect);
     }
 
     [[nodiscard]] bool changes_force(const CellResult& with, const CellResult& without) const {
@@ -201,6 +230,11 @@ CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t
     return find_steady_state(cell.oscillator, cell.start, scene.job().steady_state,
                              {.engine = cheaper == first_engine ? other : cheaper,
                               .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
+}
+
+std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell) {
+    CycleDesk desk;
+    return Solution(desk, job, cell, {}, nullptr).at_once();
 }
 
 Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
@@ -17,6 +18,9 @@ Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int
 // The same from any start; `motion` for who wants the one that the search ends in.
 Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors = {},
                             SteadyMotion* motion = nullptr);
+
+// The same result where the start alone shows that the stop is never met, without any cycle; else nothing.
+std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell);
 
 // The same cell with every term of the model and by an integrator, another one than solved it the first time.
 // It shares nothing with the closed form but the decision procedure.

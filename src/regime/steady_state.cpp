@@ -10,6 +10,7 @@
 #include "regime/followed_trajectory.hpp"
 #include "regime/growth.hpp"
 #include "regime/orbit_measurement.hpp"
+#include "regime/orbit_result.hpp"
 #include "regime/periodic_orbit.hpp"
 #include "regime/recurrence.hpp"
 #include "regime/scalar_engine.hpp"
@@ -64,41 +65,44 @@ class Search {
 
     Task<CellResult> run() {
         for (;;) {
+            if (trajectory_.needs_order()) {  // a motion that settled among the last ones is settled still
+                const auto state = map_.unscaled(trajectory_.state());
+                if (const auto free = settling_.stays_free(state)) {
+                    co_return co_await settled(*free, Regime::no_impact);
+                }
+                if (const auto contact = settling_.stays_in_contact(state)) {
+                    co_return co_await settled(*contact, Regime::sustained_contact);
+                }
+                if (trajectory_.is_at_checkpoint() && !conservative_) {
+                    if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
+                    if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
+                        const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
+                        if (orbit && converged(*orbit)) {
+                            if (const auto result = co_await periodic(*orbit)) co_return *result;
+                        }
+                    }
+                    if (is_chaotic()) {
+                        if (!chaos_.asks_for_orbits(growth_))
+                            co_return unproved(Regime::chaotic, Status::proved);
+                        if (co_await is_stable_orbit_near()) chaos_.wait_beside_an_orbit();
+                    }
+                }
+            }
             if (const CellResult* attractor = attractor_reached()) co_return on_known(*attractor);
-            const auto state = map_.unscaled(trajectory_.state());
-            if (const auto free = settling_.stays_free(state)) {
-                co_return co_await settled(*free, Regime::no_impact);
-            }
-            if (const auto contact = settling_.stays_in_contact(state)) {
-                co_return co_await settled(*contact, Regime::sustained_contact);
-            }
-
             if (trajectory_.needs_order()) {
                 if (trajectory_.is_at_end()) co_return unproved(Regime::unresolved, why_unresolved());
                 trajectory_.take(co_await trajectory_.order(map_));
             }
+
             const Passage cycle = trajectory_.advance(map_);
             if (!cycle.ok) co_return failed(cycle.outcome);
             growth_.advance(cycle.jacobian);
             if (conservative_) continue;  // nothing recurs for good
-
             recurrence_.record(cycle);
             if (test_ && converges(cycle)) {
                 trajectory_.keep_ordered();
                 if (const auto result = co_await periodic(test_->orbit())) co_return *result;
                 test_.reset();
-            }
-            if (!trajectory_.is_at_checkpoint()) continue;
-            if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
-            if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
-                const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
-                if (orbit && converged(*orbit)) {
-                    if (const auto result = co_await periodic(*orbit)) co_return *result;
-                }
-            }
-            if (is_chaotic()) {
-                if (!chaos_.asks_for_orbits(growth_)) co_return unproved(Regime::chaotic, Status::proved);
-                if (co_await is_stable_orbit_near()) chaos_.wait_beside_an_orbit();
             }
         }
     }
@@ -170,10 +174,10 @@ class Search {
                 motion, measured.round.touched() ? Regime::sustained_contact : Regime::no_impact);
         }
         if (log_.is_wanted()) log_.settle_on(points_of(orbit), reached);
-        CellResult result = on_orbit(orbit.jacobian, orbit.period(), map_.unscaled(orbit.point()));
+        CellResult result = counted();
         result.regime = Regime::periodic;
         result.impacts = static_cast<std::int32_t>(totals.impacts);
-        result.period = static_cast<std::int32_t>(orbit.period());
+        write_orbit(result, orbit.jacobian, orbit.period(), map_.unscaled(orbit.point()), map_.scene().gap);
         observation.write_to(result);
         if (force_error(map_, orbit, measured.round, result.peak_force) > map_.settings().tolerance) {
             result.status = Status::imprecise;
@@ -197,18 +201,11 @@ class Search {
             if (!cycle.ok) co_return failed(cycle.outcome);
             observation.end_cycle();
         }
-        CellResult result = on_orbit(motion.jacobian, 1, motion.point);
-        result.regime = regime;
+        CellResult result = counted();
         if (regime == Regime::no_impact)
             result.last_impact = static_cast<std::int32_t>(trajectory_.last_touched());
-        result.period = 1;
         observation.write_to(result);
-        result.peak_force = motion.peak_force;
-        if (measures_.force_per_cycle) {
-            result.peak_force_mean = result.peak_force_q95 = motion.peak_force;
-            result.window_cycles = 1;
-        }
-        result.largest_displacement = motion.largest_displacement;
+        write_settled(result, motion, regime, map_.scene().gap, measures_.force_per_cycle);
         if (!records_contacts) co_return result;
         if (!motion.decays) result.max_displacement = motion.largest_displacement;
         if (regime == Regime::sustained_contact) result.impulse = result.contact_time = unknown;  // no impact
@@ -242,16 +239,6 @@ class Search {
         result.status = status_of(outcome);
         result.impact_rate = unknown;
         log_.forget();
-        return result;
-    }
-
-    CellResult on_orbit(const Eigen::Matrix2d& jacobian, std::int64_t period,
-                        const scene::State<double>& point) {
-        CellResult result = counted();
-        result.multiplier = spectral_radius(jacobian);
-        if (result.multiplier > 0) result.lyapunov = std::log(result.multiplier) / static_cast<double>(period);
-        result.orbit_displacement = point[0] + map_.scene().gap;
-        result.orbit_velocity = point[1];
         return result;
     }
 

@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "support/reused_memory.hpp"
+
 namespace peterka {
 
 template <class T>
@@ -18,7 +20,7 @@ class [[nodiscard]] Task {
     struct promise_type;
     using Handle = std::coroutine_handle<promise_type>;
 
-    struct promise_type {
+    struct promise_type : Reused {
         std::optional<T> value;
         std::exception_ptr failure;
         std::coroutine_handle<> awaited_by = std::noop_coroutine();

@@ -24,6 +24,8 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
+import ratios  # noqa: E402
+
 from peterka.scaling.run_record import read_record  # noqa: E402
 from peterka.studies.study_file import StudyFile  # noqa: E402
 from peterka.studies.study_words import work_precision_table  # noqa: E402
@@ -64,6 +66,8 @@ class Run:
 class Bench:
     def __init__(self, build, results):
         self.build, self.results = build, results
+        self.cycle_rows = []  # of batch_cycles: (name, µs, error)
+        self.refined_over_full = None
         results.mkdir(parents=True, exist_ok=True)
 
     def output(self, *command):
@@ -114,7 +118,7 @@ def main():
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
 
     sections = [introduction(bench, arguments.quick)]
-    for measure in (engines, work_precision, maps, decisions, refinement, dealing, memory, huge, scaling):
+    for measure in (engines, work_precision, maps, decisions, refinement, costs, dealing, memory, huge, scaling):
         if measure is huge and not arguments.huge:
             continue
         section = measure(bench, sizes, arguments.page.parent)
@@ -139,6 +143,7 @@ def engines(bench, sizes, _page):
         name, numbers = line[:32].strip(), line[32:].split()
         if len(numbers) == 3:
             rows.append((name, float(numbers[0]), float(numbers[1])))
+    bench.cycle_rows = list(rows)
     cvode = next(microseconds for name, microseconds, _ in rows if name.startswith("cvode"))
     rows += [(f"{name}, quoted", microseconds, error) for name, microseconds, error in HEYOKA]
     table = [[name, f"{microseconds:.3g}", f"{error:.0e}", f"{cvode / microseconds:,.1f}"]
@@ -224,6 +229,7 @@ def refinement(bench, sizes, _page):
     with h5py.File(refined.file) as file:
         computed = np.mean(file["computed"][:])
     wrong = ~found.same(true)
+    bench.refined_over_full = refined.solving / whole.solving
     row = [f"{points} × {points}", str(levels), f"{100 * computed:.2f} %", f"{100 - 100 * np.mean(wrong):.3f} %",
            f"{np.sum(found.cycles) / np.sum(true.cycles):.2f}", f"{refined.solving / whole.solving:.2f}"]
     return "\n\n".join([
@@ -231,6 +237,16 @@ def refinement(bench, sizes, _page):
         "A refined map against the same one with every cell computed; one run of each.",
         markdown(["cells", "levels", "computed", "labels right", "cycles: refined/whole", "solving: refined/whole"], [row]),
         *([what_is_wrong(true.regime[wrong], found.regime[wrong])] if np.any(wrong) else []),
+    ])
+
+
+def costs(bench, sizes, _page):
+    return "\n\n".join([
+        "## What a cell costs",
+        "Over what its cycles cost in the kernel with peak force and Jacobian, measured in the same run. On one rank; "
+        f"{sizes.map} × {sizes.map} cells of the plane, windows of a quarter as many.",
+        markdown(["ratio", "measured", "goal"],
+                 ratios.rows_of(bench, sizes, bench.cycle_rows, bench.refined_over_full)),
     ])
 
 

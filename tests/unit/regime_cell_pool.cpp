@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -11,10 +10,13 @@
 #include "regime/cell_pool.hpp"
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
+#include "same_bytes.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::regime {
 namespace {
+
+using testing::same_bytes;
 
 job::Job split_job(double cubic_stiffness) {
     job::Job job = testing::job_170mm(cubic_stiffness);
@@ -64,38 +66,6 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
         results.push_back(solve_cell(scene, cell / scene.columns(), cell % scene.columns()));
     }
     return results;
-}
-
-// All numbers that a file may hold.
-std::vector<double> numbers(const CellResult& c) {
-    return {static_cast<double>(c.regime),
-            static_cast<double>(c.status),
-            static_cast<double>(c.impacts),
-            static_cast<double>(c.period),
-            static_cast<double>(c.cycles),
-            c.peak_force,
-            c.largest_displacement,
-            c.impact_rate,
-            c.multiplier,
-            c.lyapunov,
-            c.sensitivity,
-            c.orbit_displacement,
-            c.orbit_velocity,
-            c.impact_speed,
-            c.impulse,
-            c.contact_time,
-            c.contact_power,
-            c.max_displacement,
-            c.peak_force_mean,
-            c.peak_force_q95,
-            static_cast<double>(c.window_cycles),
-            static_cast<double>(c.last_impact)};
-}
-
-bool same_bytes(const CellResult& a, const CellResult& b) {
-    const auto x = numbers(a);
-    const auto y = numbers(b);
-    return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
 }
 
 // Both engines round differently. A label may hang on that where a perturbation grew by e^20 (the fractal

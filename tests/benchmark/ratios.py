@@ -1,0 +1,63 @@
+"""What a cell costs over what its cycles cost in the kernel: ratios that hold on any machine."""
+
+from statistics import median
+
+import h5py
+import numpy as np
+
+# Windows of the paper's plane: (frequency ratio, gap ratio), each from and to.
+WINDOWS = {"1/1 alone": ((1.3, 2.0), (0.0, 1.0)), "chaos": ((2.90, 3.05), (0.6, 0.8)),
+           "never meets the stop": ((2.5, 4.5), (3.0, 5.0))}
+KERNEL = " + both"  # of the batched engine with linear springs: with peak force and Jacobian
+
+
+def kernel_times(rows):
+    """(µs per cycle with force and Jacobian, plain, and of the plain exact engine) of the best instruction set, from the
+    rows (name, µs, error) of batch_cycles, where it comes first."""
+    batched = [(name, time) for name, time, _ in rows if name.startswith("batch, ") and "split" not in name]
+    full = next(time for name, time in batched if name.endswith(KERNEL))
+    exact = next(time for name, time, _ in rows if name == "exact")
+    return full, batched[0][1], exact
+
+
+def window_of(name):
+    """Settings of the command line for a window."""
+    (lowest, highest), (near, far) = WINDOWS[name]
+    return (f"axes.frequency_ratio.from={lowest}", f"axes.frequency_ratio.to={highest}", f"axes.gap_ratio.from={near}",
+            f"axes.gap_ratio.to={far}")
+
+
+def cycles_per_cell(file):
+    """Forcing cycles spent, on average."""
+    with h5py.File(file) as opened:
+        return float(np.mean(opened["cycles"][:]))
+
+
+def over_kernel(microseconds, cycles, kernel):
+    """Time per cell over that of its cycles in the kernel."""
+    return microseconds / (cycles * kernel)
+
+
+def rows_of(bench, sizes, kernel_rows, refined_over_full):
+    """[what, value, goal], in words. refined_over_full: None where it wasn't measured."""
+    kernel, plain, exact = kernel_times(kernel_rows)
+    runs = [bench.map(sizes.map, 1, "_ratios") for _ in range(sizes.rounds)]
+    cells = sizes.map**2
+    wall = 1e6 * median(run.wall for run in runs) / cells
+    beyond = 1e6 * median(run.wall - run.solving for run in runs) / cells
+    cycles = cycles_per_cell(runs[0].file)
+    rows = [["a map's cell, everything included, over its cycles in the kernel", over_kernel(wall, cycles, kernel), 1.5]]
+    for name, goal in zip(WINDOWS, (2.5, 1.2, 1)):
+        part = [bench.map(sizes.map // 2, 1, "_window", window_of(name)) for _ in range(sizes.rounds)]
+        solving = 1e6 * median(run.solving for run in part) / (sizes.map // 2)**2
+        if name == "never meets the stop":
+            rows.append([f"solving a cell that {name}, in cycles of the kernel", solving / kernel, goal])
+        else:
+            rows.append([f"solving a cell of a window of {name}, over its cycles in the kernel",
+                         over_kernel(solving, cycles_per_cell(part[0].file), kernel), goal])
+    rows += [["what a run takes beyond solving, in cycles of the kernel a cell", beyond / kernel, 2],
+             ["cycles per cell", cycles, 22]]
+    if refined_over_full is not None:
+        rows.append(["solving a refined map over the full one", refined_over_full, 0.30])
+    rows.append(["kernel: plain exact engine over the batched one", exact / plain, 60])
+    return [[what, f"{value:.3g}", f"{goal:g}"] for what, value, goal in rows]

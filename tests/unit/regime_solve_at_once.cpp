@@ -1,0 +1,69 @@
+// Cells that never meet the stop are decided without a search, and as the search would.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "regime/scalar_engine.hpp"
+#include "regime/solve_cell.hpp"
+#include "rig.hpp"
+#include "same_bytes.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::regime {
+namespace {
+
+// Springs and stops of all kinds, from no cubic at all to one that no closed form carries.
+job::Job any_job(std::mt19937& random) {
+    const auto one_of = [&](std::initializer_list<double> values) {
+        return values.begin()[std::uniform_int_distribution<std::size_t>(0, values.size() - 1)(random)];
+    };
+    job::Job job = testing::job_170mm(one_of({0, 238.2325, 238.2325, 2e4, 1e7}));
+    job.hammer.damping_ns_per_m = one_of({0, 0.06, 1, 30});
+    if (one_of({0, 1}) == 1) job.contact = job::Restitution{0.7};
+    job.solver.omit_tolerance = one_of({1e-3, 1e-3, 0});
+    job.solver.engine = one_of({0, 0, 1}) == 0 ? job::EngineChoice::automatic : job::EngineChoice::arkode;
+    if (one_of({0, 1}) == 1) job.output.fields = {job::OptionalField::force_per_cycle};
+    if (one_of({0, 0, 1}) == 1) job.output.fields = {job::OptionalField::impact_speed};
+    job.steady_state.max_cycles = 60;
+    return job;
+}
+
+scene::Cell any_cell(const job::Job& job, std::mt19937& random) {
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    scene::Cell cell = scene::Scene(job).cell(0, 0);
+    cell.oscillator.frequency = between(1.5, 4.5);
+    cell.oscillator.gap = between(0, 8);
+    const bool at_rest = between(0, 1) < 0.5;
+    const double displacement = at_rest ? 0 : between(-3, 3);
+    cell.start = {displacement - cell.oscillator.gap,
+                  (at_rest ? 0 : between(-3, 3)) - cell.oscillator.frequency};
+    return cell;
+}
+
+TEST(SolveAtOnce, SaysWhatTheSearchSays) {
+    std::mt19937 random(22);
+    int at_once_too = 0;
+    int by_search_alone = 0;
+    for (int n = 0; n < 800; ++n) {
+        const job::Job job = any_job(random);
+        const scene::Cell cell = any_cell(job, random);
+        const auto at_once = solve_at_once(job, cell);
+        CycleDesk desk;
+        const CellResult searched = complete(solve_cell(desk, job, cell), desk);
+        if (at_once) {
+            ++at_once_too;
+            EXPECT_TRUE(testing::same_bytes(*at_once, searched)) << n;
+        } else {
+            ++by_search_alone;
+            // else it needn't have been searched for
+            EXPECT_TRUE(searched.engine != Engine::exact || searched.cycles > 0) << n;
+        }
+    }
+    EXPECT_GT(at_once_too, 100);
+    EXPECT_GT(by_search_alone, 200);
+}
+
+}  // namespace
+}  // namespace peterka::regime
