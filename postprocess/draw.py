@@ -41,6 +41,7 @@ from peterka.program.command_line import (  # noqa: E402
 from peterka.program.picture_options import (  # noqa: E402
     add_style_arguments, check_style, style_of, zoomed,
 )
+from peterka.sweeps import residuals  # noqa: E402
 from peterka.sweeps.measured import Measurements, read_measurements  # noqa: E402
 
 
@@ -92,6 +93,8 @@ def draw_file(path, arguments):
             measured = read_measurements(arguments.measured, file)
         for sentence in measured.left_out:
             tell(sentence)
+        if measured.points:
+            tell_residuals(file, measured.points)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         for name, draw in chosen(file, pictures_of(file, arguments.after, measured), arguments.only).items():
@@ -111,6 +114,12 @@ def chosen(file, pictures, names):
     if unknown:
         raise file.refusal(f"gives no picture {', '.join(unknown)}; it gives {', '.join(pictures)}")
     return {name: draw for name, draw in pictures.items() if name in names or not names}
+
+
+def tell_residuals(file, points):
+    found = residuals.residuals(file, points)
+    for line in residuals.table(file, found) if found else []:
+        tell(line)
 
 
 if __name__ == "__main__":

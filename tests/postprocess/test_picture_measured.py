@@ -3,6 +3,7 @@
 import pytest
 from conftest import POSTPROCESS
 from peterka.sweeps.measured import read_measurements
+from peterka.sweeps.residuals import residuals
 from peterka.sweeps.sweep_file import SweepFile
 from picture_samples import write_map
 from sweep_samples import WEIGHT, write_sweep
@@ -87,3 +88,33 @@ def test_a_unit_needs_the_rig(tmp_path, draw):
     (tmp_path / "points.csv").write_text("frequency_ratio,force_n,gap_ratio\n2,204,0\n")
     outcome = draw(write_sweep(tmp_path / "a.h5", hammer_mass_kg="heavy"), "--measured", tmp_path / "points.csv")
     assert outcome.code == 2 and "what a ratio of 1 is" in outcome.stderr
+
+
+def test_semicolons_and_decimal_commas(tmp_path):
+    found = points(tmp_path, "frequency_hz;force_n;gap_mm;label\n9,0;204,5;1,335;one, two\n11.25;;0;\n")
+    one, two = found.points
+    assert (one.frequency, one.force, one.gap, one.label) == (pytest.approx(2.0), pytest.approx(204.5 / WEIGHT), 1.5, "one, two")
+    assert (two.frequency, two.force, two.gap) == (pytest.approx(2.5), None, 0.0)
+
+
+def test_a_comma_that_is_no_decimal_one_is_told(tmp_path, draw):
+    (tmp_path / "points.csv").write_text("frequency_hz;gap_mm\n1.234,5;0\n")
+    outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")
+    assert outcome.code == 2 and ":2 has '1.234,5' as frequency_hz" in outcome.stderr
+
+
+def test_residuals_are_to_the_nearest_branch(tmp_path):
+    """At gap 1.5 the sample goes up on 30 + 40 (r - 1) to 1.75, and down on it from 1.5; it jumps in between."""
+    found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.3,1.5,45\n1.625,1.5,50\n1.625,1.5,4\n1.8,1.5,30\n9,0,9\n2,0,\n")
+    with SweepFile(tmp_path / "a.h5") as file:
+        told = residuals(file, found.points)
+    assert [(one.point.force, one.branch.direction) for one in told] == [(45, "up"), (50, "up"), (4, "down"), (30, "down")]
+    assert told[0].force == pytest.approx(42.0) and told[0].share == pytest.approx(45 / 42 - 1)
+    assert told[1].force == pytest.approx(55.0) and told[2].force == 0 and told[2].share is None
+
+
+def test_draw_prints_the_residuals(tmp_path, draw):
+    (tmp_path / "points.csv").write_text("frequency_hz,gap_ratio,force_n,label\n9,0,100,mine\n")
+    outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv", "--formats", "png")
+    line = next(line for line in outcome.stdout.splitlines() if line.endswith("mine"))
+    assert line.split() == ["9", "0", "100", f"{40 * WEIGHT:.4g}", "up", f"{100 * (100 / 40 / WEIGHT - 1):+.1f}", "%", "mine"]

@@ -9,15 +9,13 @@ One point a line, named columns in any order, each in SI-like units or as the ra
     natural_frequency_hz                     of the rig; points of other rigs are left out
     label                                    written beside the point
 
-A cell may be empty. A point with a frequency alone is a mark on the frequency axis. Lines that begin with # are comments.
+Columns are parted by commas, or by semicolons or tabs, and then numbers may have decimal commas. A cell may be empty. A point with a frequency alone is a mark on the frequency axis. Lines that begin with # are comments.
 """
 
-import csv
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from ..files.checked_hdf5 import NotDrawable
+from ..files.csv_table import read_csv_table
 from ..files.harmless import harmless
 
 PAIRS = {
@@ -59,11 +57,12 @@ def read_measurements(path, file):
     """The points of a CSV file that belong to this sweep, in its ratios."""
     if file.kind != "sweep":
         raise NotDrawable(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep")
-    rows = _rows(path)
-    factors = _factors(path, file, rows[0][1].keys())
+    table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
+    _check_names(table)
+    factors = _factors(path, file, table.names)
     points, other_rigs, other_gaps = [], 0, []
-    for line, cells in rows:
-        numbers = {name: _number(path, line, name, cells[name]) for name in cells if name != "label"}
+    for line, cells in table.rows:
+        numbers = {name: table.number(line, cells, name) for name in cells if name != "label"}
         ratios = {quantity: _ratio(numbers, pair, factors) for quantity, pair in PAIRS.items()}
         if ratios["frequency"] is None or not ratios["frequency"] > 0:
             raise NotDrawable(f"{path}:{line} has no frequency above 0; every point needs one")
@@ -88,43 +87,12 @@ def read_measurements(path, file):
     return Measurements(points, left_out)
 
 
-def _rows(path):
-    """(line number, {column: text}) of each point; at least one."""
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise NotDrawable(f"{path} is too large for a list of measured points")
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
-    except UnicodeDecodeError as error:
-        raise NotDrawable(f"{path} is not a text in UTF-8; save it as CSV") from error
-    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
-             if line.strip() and not line.startswith("#")]
-    try:
-        cells = list(csv.reader([line for _, line in lines]))
-    except csv.Error as error:
-        raise NotDrawable(f"{path} is no list of measured points: {error}") from error
-    if len(cells) < 2:
-        raise NotDrawable(f"{path} has no points; it needs a line with the names of its columns and one for each point")
-    names = [name.strip() for name in cells[0]]
-    _check_names(path, names)
-    for (number, _), row in zip(lines[1:], cells[1:]):
-        if len(row) != len(names):
-            raise NotDrawable(f"{path}:{number} has {len(row)} cells, and its first line names {len(names)} columns")
-    return [(number, dict(zip(names, row))) for (number, _), row in zip(lines[1:], cells[1:])]
-
-
-def _check_names(path, names):
-    for name in names:
-        if name not in COLUMNS:
-            raise NotDrawable(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(COLUMNS)}")
-    twice = {name for name in names if names.count(name) > 1}
-    both = [pair for pair in PAIRS.values() if set(pair) <= set(names)]
-    if twice or both:
-        which = " and ".join(both[0]) if both else f"{min(twice)} twice"
-        raise NotDrawable(f"{path} has {which}; each quantity has one column")
-    if not set(PAIRS["frequency"]) & set(names):
-        raise NotDrawable(f"{path} has no column frequency_hz or frequency_ratio; every point needs a frequency")
+def _check_names(table):
+    both = [pair for pair in PAIRS.values() if set(pair) <= set(table.names)]
+    if both:
+        raise table.refusal(f"has {' and '.join(both[0])}; each quantity has one column")
+    if not set(PAIRS["frequency"]) & set(table.names):
+        raise table.refusal("has no column frequency_hz or frequency_ratio; every point needs a frequency")
 
 
 def _factors(path, file, names):
@@ -136,18 +104,6 @@ def _factors(path, file, names):
         if name in factors and factors[name] is None:
             raise NotDrawable(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in that unit")
     return factors
-
-
-def _number(path, line, name, text):
-    if not text.strip():
-        return None
-    try:
-        number = float(text)
-    except ValueError:
-        number = np.nan
-    if not np.isfinite(number):
-        raise NotDrawable(f"{path}:{line} has '{harmless(text, 40)}' as {name}; a number is needed")
-    return number
 
 
 def _ratio(numbers, pair, factors):

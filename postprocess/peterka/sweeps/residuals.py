@@ -1,0 +1,65 @@
+"""How far measured forces are from a sweep: each from the nearest branch of its gap, as a table."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .measured import Point
+from .sweep_file import Branch
+
+
+@dataclass(frozen=True)
+class Residual:
+    """`force` of the branch that is nearest at the point's frequency [F/(m g)], between the sweep's own frequencies linear."""
+
+    point: Point
+    branch: Branch
+    force: float
+
+    @property
+    def share(self):
+        """Of the computed force by which the measured one is above it; None where nothing impacts."""
+        return self.point.force / self.force - 1 if self.force > 0 else None
+
+
+def residuals(file, points):
+    """[Residual] of the points with a force, in their order; those outside the sweep have none."""
+    return [found for point in points if point.force is not None
+            for found in [_nearest(file, point)] if found is not None]
+
+
+def table(file, found):
+    """Lines; in Hz and N where the file tells the rig."""
+    hertz, newtons = file.positive("natural_frequency_hz"), file.newtons
+    units = "Hz" if hertz else "Omega/omega", "N" if newtons else "F/(m g)"
+    rows = [(f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")]
+    for one in found:
+        share = "" if one.share is None else f"{100 * one.share:+.1f} %"
+        rows.append((f"{one.point.frequency * (hertz or 1):.5g}", f"{one.branch.gap_ratio:.4g}",
+                     *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.branch.direction, share,
+                     one.point.label))
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}".rstrip() for row in rows]
+
+
+def _nearest(file, point):
+    branches = [branch for gap in file.gaps if point.gap in (None, gap) for branch in file.at_gap(gap)]
+    forces = [(branch, _force(file, branch, point.frequency)) for branch in branches]
+    forces = [(branch, force) for branch, force in forces if np.isfinite(force)]
+    if not forces:
+        return None
+    return Residual(point, *min(forces, key=lambda found: abs(found[1] - point.force)))
+
+
+def _force(file, branch, frequency):
+    """Of a branch at this frequency, from both points around it; NaN outside the sweep, where one has no force, and across a
+    jump, where nothing lies between."""
+    x = file.frequency_ratio
+    after = int(np.searchsorted(x, frequency))
+    if after < len(x) and x[after] == frequency:
+        return float(branch.force[after])
+    jump = branch.jump[after - 1 if branch.direction == "down" else after] if 0 < after < len(x) else True
+    if jump:
+        return np.nan
+    weight = (frequency - x[after - 1]) / (x[after] - x[after - 1])
+    return float((1 - weight) * branch.force[after - 1] + weight * branch.force[after])
