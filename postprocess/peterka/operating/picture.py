@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.patches import Rectangle
 
-from ..look import axes, units
+from ..look import axes, style, units
 from ..look.notes import write_beside
 from ..maps.reduce import block_size, largest, with_edges
 
@@ -11,6 +11,7 @@ WIDTH = 3.7  # in
 COLOURS, NOTHING = "viridis", "#F2F2F2"
 
 
+@style.using()
 def draw(file, guarantee, places, rows, columns, what):
     """As a Figure; `what`: the Quantity, and in words the starts and the drift."""
     quantity, starts, drift = what
