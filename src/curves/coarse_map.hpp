@@ -1,0 +1,64 @@
+// The labels and orbits of a coarse map of the window, and its edges: neighbours with different labels.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "curves/follow.hpp"
+#include "curves/packed.hpp"
+#include "regime/cell_result.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::curves {
+
+// What is kept of a cell.
+struct Site {
+    regime::Regime regime = regime::Regime::failed;
+    std::int64_t impacts = 0;
+    std::int64_t period = 0;
+    State<double> orbit = State<double>::Zero();  // (delta, delta') at forcing phase 0, where it is periodic
+
+    friend bool same_label(const Site& a, const Site& b) {
+        return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
+    }
+    [[nodiscard]] bool is_periodic(std::int64_t most) const {
+        return regime == regime::Regime::periodic && period <= most && impacts > 0;
+    }
+};
+
+class CoarseMap {
+  public:
+    explicit CoarseMap(const scene::Scene& scene) : scene_(&scene) {}
+
+    // The map is computed in parts, each by one call on some rank; together they make it.
+    [[nodiscard]] std::int64_t parts() const;
+    [[nodiscard]] Numbers solve(std::int64_t part) const;
+    void put_together(const std::vector<Numbers>& parts);
+
+    [[nodiscard]] std::int64_t rows() const { return scene_->rows(); }
+    [[nodiscard]] std::int64_t columns() const { return scene_->columns(); }
+    [[nodiscard]] std::int64_t count() const { return rows() * columns(); }
+    [[nodiscard]] const Site& site(std::int64_t cell) const { return sites_[static_cast<std::size_t>(cell)]; }
+    [[nodiscard]] Place place(std::int64_t cell) const;
+    // The orbit of a cell; none where the equations have no stable one next to it.
+    [[nodiscard]] std::optional<OrbitPoint> orbit(const Rig& rig, std::int64_t cell, const Place& window) const;
+
+  private:
+    static constexpr std::int64_t cells_in_part = 2048;
+
+    const scene::Scene* scene_;
+    std::vector<Site> sites_;
+};
+
+// From the cell whose orbit is followed to its neighbour.
+struct Edge {
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+};
+
+// All edges of periodic cells up to a period, each from every side that can be followed, in an order that
+// scatters them over the plane.
+[[nodiscard]] std::vector<Edge> edges_of(const CoarseMap& map, std::int64_t most_period);
+
+}  // namespace peterka::curves

@@ -1,0 +1,140 @@
+#include "curves/defining_system.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace peterka::curves {
+
+namespace {
+
+void add_legs(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns, Equations& result) {
+    const std::size_t count = point.orbit.events.size();
+    const double duration = duration_of(point.orbit.period, point.place);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        const Event& from = point.orbit.events[i];
+        const Event& to = point.orbit.events[next];
+        const bool last = i + 1 == count;
+        const LegEnd end = rig.leg(from.presses, point.place, from.time, rig.departure(from),
+                                   to.time + (last ? duration : 0));
+        const auto row = static_cast<Eigen::Index>(2 * i);
+        result.values.segment<2>(row) = end.state - rig.arrival(to);
+        const auto add = [&](Eigen::Index column, const State<double>& by) {
+            result.jacobian.block<2, 1>(row, column) += by;
+        };
+        add(unknowns.time(i), end.by_start_time);
+        add(unknowns.time(next), end.by_end_time);
+        if (from.kind != EventKind::graze) {
+            add(unknowns.velocity(i), end.by_start * rig.departure_by_velocity(from.kind));
+        }
+        if (to.kind != EventKind::graze) add(unknowns.velocity(next), -rig.arrival_by_velocity(to.kind));
+        add(unknowns.frequency(), end.by_frequency);
+        if (last) add(unknowns.frequency(), -end.by_end_time * duration / point.place.frequency);
+        add(unknowns.gap(), end.by_gap);
+    }
+}
+
+void add_condition(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns, const Condition& condition,
+                   Eigen::Index row, Equations& result) {
+    switch (condition.kind) {
+        case Condition::Kind::line:
+            result.values[row] = condition.normal.frequency * (point.place.frequency - condition.through.frequency) +
+                                 condition.normal.gap * (point.place.gap - condition.through.gap);
+            result.jacobian(row, unknowns.frequency()) = condition.normal.frequency;
+            result.jacobian(row, unknowns.gap()) = condition.normal.gap;
+            return;
+        case Condition::Kind::bifurcation: {
+            const Bifurcation at = bifurcation(rig, point.orbit, point.place, condition.sign, condition.side);
+            result.values[row] = at.value;
+            result.jacobian.row(row) = at.gradient;
+            return;
+        }
+        case Condition::Kind::slow:
+            result.values[row] = point.orbit.events[condition.event].velocity;
+            result.jacobian(row, unknowns.velocity(condition.event)) = 1;
+    }
+}
+
+double length_of(const Eigen::VectorXd& scaled_step) {
+    return scaled_step.lpNorm<Eigen::Infinity>();
+}
+
+}  // namespace
+
+Condition Condition::on_line(const Place& through, const Place& normal) {
+    return {.kind = Kind::line, .through = through, .normal = normal};
+}
+Condition Condition::at_multiplier(int sign, Side side) {
+    return {.kind = Kind::bifurcation, .sign = sign, .side = side};
+}
+Condition Condition::at_rest(std::size_t event) {
+    return {.kind = Kind::slow, .event = event};
+}
+
+Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<Condition>& conditions) {
+    const Unknowns unknowns(point.orbit);
+    const auto legs = static_cast<Eigen::Index>(2 * point.orbit.events.size());
+    const Eigen::Index rows = legs + static_cast<Eigen::Index>(conditions.size());
+    Equations result{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(rows, unknowns.size())};
+    add_legs(rig, point, unknowns, result);
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        add_condition(rig, point, unknowns, conditions[i], legs + static_cast<Eigen::Index>(i), result);
+    }
+    return result;
+}
+
+Eigen::VectorXd sizes_of_unknowns(const Orbit& orbit, const Place& place, const Place& window) {
+    const Unknowns unknowns(orbit);
+    const double share = std::sqrt(static_cast<double>(orbit.events.size()));
+    const double speed = std::max(orbit.largest_speed(), 1e-3 * place.frequency);
+    Eigen::VectorXd sizes(unknowns.size());
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        sizes[unknowns.time(i)] = share / place.frequency;
+        if (orbit.events[i].kind != EventKind::graze) sizes[unknowns.velocity(i)] = share * speed;
+    }
+    sizes[unknowns.frequency()] = window.frequency;
+    sizes[unknowns.gap()] = window.gap;
+    return sizes;
+}
+
+double residual(const OrbitPoint& point, const Equations& equations) {
+    return equations.values.lpNorm<Eigen::Infinity>() / (1 + point.orbit.largest_speed());
+}
+
+std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const Place& window,
+                                const std::vector<Condition>& conditions) {
+    constexpr int most_steps = 12;  // quadratic convergence needs 3 to 6
+    constexpr double rounding = 2e-15;
+    double last = std::numeric_limits<double>::infinity();
+    for (int step = 0; step <= most_steps; ++step) {
+        if (!(guess.place.frequency > 0)) return std::nullopt;
+        const Equations at = equations(rig, guess, conditions);
+        const double error = residual(guess, at);
+        if (!std::isfinite(error) || !at.jacobian.allFinite()) return std::nullopt;
+        // at the level of rounding a further step moves the point no closer
+        if (error <= largest_residual && (error < rounding || error > last / 4)) return guess;
+        last = error;
+        const Eigen::VectorXd sizes = sizes_of_unknowns(guess.orbit, guess.place, window);
+        const Eigen::MatrixXd scaled = at.jacobian * sizes.asDiagonal();
+        const Eigen::VectorXd move_by = -scaled.completeOrthogonalDecomposition().solve(at.values);
+        if (!(length_of(move_by) < 0.5)) return std::nullopt;
+        move(guess, move_by.cwiseProduct(sizes));
+    }
+    return std::nullopt;
+}
+
+Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const Place& window,
+                        const std::vector<Condition>& conditions) {
+    const Eigen::VectorXd sizes = sizes_of_unknowns(point.orbit, point.place, window);
+    const Eigen::MatrixXd scaled = equations(rig, point, conditions).jacobian * sizes.asDiagonal();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factors(scaled.transpose());
+    const Eigen::Index size = sizes.size();
+    Eigen::VectorXd last = Eigen::VectorXd::Zero(size);
+    last[size - 1] = 1;
+    return factors.householderQ() * last;
+}
+
+}  // namespace peterka::curves

@@ -1,0 +1,45 @@
+#include "curves/known_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace peterka::curves {
+
+Nearest nearest_on(const Curve& curve, const Place& place, const Place& sizes) {
+    Nearest nearest{std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+        const CurvePoint& a = curve.points[i];
+        const CurvePoint& b = curve.points[i + 1];
+        const double ax = (a.place.frequency - place.frequency) / sizes.frequency;
+        const double ay = (a.place.gap - place.gap) / sizes.gap;
+        const double dx = (b.place.frequency - a.place.frequency) / sizes.frequency;
+        const double dy = (b.place.gap - a.place.gap) / sizes.gap;
+        const double length2 = dx * dx + dy * dy;
+        const double share = length2 > 0 ? std::clamp(-(ax * dx + ay * dy) / length2, 0.0, 1.0) : 0;
+        const double distance = std::hypot(ax + share * dx, ay + share * dy);
+        if (distance >= nearest.distance) continue;
+        nearest = {distance, a.trace + share * (b.trace - a.trace),
+                   a.total_speed + share * (b.total_speed - a.total_speed)};
+    }
+    return nearest;
+}
+
+bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
+             const Place& window) {
+    constexpr double chord = 1e-3;  // that a curve may bulge between two points, in shares of the window
+    constexpr double alike = 0.03;
+    if (curve.kind != kind || curve.period != period) return false;
+    const Nearest nearest = nearest_on(curve, point.place, window);
+    return nearest.distance < chord && std::abs(nearest.trace - point.trace) < alike * (1 + std::abs(point.trace)) &&
+           std::abs(nearest.total_speed - point.total_speed) < alike * (1e-3 + point.total_speed);
+}
+
+bool is_known(const std::vector<Curve>& known, const Curve& curve, const Place& window) {
+    const CurvePoint& middle = curve.points[curve.points.size() / 2];
+    return std::ranges::any_of(known, [&](const Curve& other) {
+        return lies_on(other, curve.kind, curve.period, middle, window);
+    });
+}
+
+}  // namespace peterka::curves

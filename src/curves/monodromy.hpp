@@ -1,0 +1,36 @@
+// How a small change of the state grows over one period of an orbit: the product M of flows and saltations,
+// beginning just before the first event.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "curves/rig.hpp"
+
+namespace peterka::curves {
+
+// Which side of a grazing: the orbit that passes by, or that with the impact.
+enum class Side : std::uint8_t { without_impact, with_impact };
+
+struct Monodromy {
+    Jacobian<double> matrix;
+    double determinant = 0;  // of the matrix, without cancellation
+
+    // det(M - sign I): 0 where a multiplier is sign.
+    [[nodiscard]] double bifurcation(int sign) const { return 1 - sign * matrix.trace() + determinant; }
+    // The multiplier that is largest in size, with the sign of its real part.
+    [[nodiscard]] double multiplier() const;
+    [[nodiscard]] bool is_stable() const { return std::abs(multiplier()) < 1; }
+};
+
+[[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side side);
+
+// det(M - sign I), and its derivatives by the unknowns of the orbit, then frequency and gap
+// (defining_system.hpp).
+struct Bifurcation {
+    double value = 0;
+    Eigen::VectorXd gradient;
+};
+[[nodiscard]] Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, int sign,
+                                      Side side);
+
+}  // namespace peterka::curves

@@ -1,0 +1,112 @@
+#include "curves/motion_events.hpp"
+
+#include <variant>
+
+#include "motion/signal.hpp"
+#include "support/stop_if_asked.hpp"
+#include "trajectory/first_crossing.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+using motion::Leg;
+using motion::LinearMotion;
+using motion::Moment;
+using motion::Probe;
+using trajectory::first_crossing;
+using Outcome = trajectory::Search<double>::Outcome;
+
+// The same legs and events as those of trajectory/linear_legs.hpp and rigid_legs.hpp, with their times kept.
+class Walk {
+  public:
+    Walk(const Rig& rig, const Place& place)
+        : rig_(rig),
+          scene_(rig.scene_at(place)),
+          flight_(motion::flight_equation(scene_)),
+          contact_(rig.is_rigid() ? motion::flight_equation(scene_) : motion::contact_equation(scene_)),
+          touch_({.position = 1}, flight_),
+          leave_({.position = -1}, flight_),
+          resume_({.position = rig.force({1, 0}), .velocity = rig.force({0, 1})}, flight_),
+          release_({.position = -rig.force({1, 0}), .velocity = -rig.force({0, 1})}, contact_) {}
+
+    [[nodiscard]] std::optional<std::vector<Event>> events(State<double> x, std::int64_t cycles) const {
+        std::vector<Event> found;
+        Phase phase = trajectory::phase_of(scene_, x);
+        if (rig_.is_rigid() && phase == Phase::contact) return std::nullopt;
+        for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
+            const double begin = duration_of(cycle, {scene_.frequency, scene_.gap});
+            double time = 0;
+            while (true) {
+                stop_if_asked();
+                const Leg<double> leg(phase == Phase::contact ? contact_ : flight_, x, scene_.frequency * time);
+                const double left = scene_.period() - time;
+                const Next next = next_event(phase, leg, left);
+                if (next.outcome == Outcome::none) {
+                    x = leg.at(left).state;
+                    break;
+                }
+                if (next.outcome != Outcome::crossing || found.size() >= most_events) return std::nullopt;
+                time += next.moment.time;
+                enter(next, begin + time, phase, x, found);
+            }
+            if (!x.allFinite()) return std::nullopt;
+        }
+        return found;
+    }
+
+  private:
+    struct Next {
+        Outcome outcome = Outcome::none;
+        Phase phase = Phase::flight;
+        Moment<double> moment = {};
+    };
+
+    [[nodiscard]] Next next_event(Phase phase, const Leg<double>& leg, double end) const {
+        if (phase == Phase::unloaded) {
+            const auto out = first_crossing(leg, leave_, leg.start(), end);
+            const bool leaves = out.outcome == Outcome::crossing;
+            const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
+            if (back.outcome != Outcome::none) return {back.outcome, Phase::contact, back.moment};
+            return {out.outcome, Phase::flight, out.moment};
+        }
+        const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
+        return {found.outcome, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
+    }
+
+    void enter(const Next& next, double time, Phase& phase, State<double>& x, std::vector<Event>& found) const {
+        const Phase before = phase;
+        phase = next.phase;
+        x = next.moment.state;
+        if (next.phase == Phase::flight) {  // it leaves the stop that has let go before
+            x[0] = 0;
+            return;
+        }
+        const bool presses = next.phase == Phase::contact;
+        EventKind kind = EventKind::release;
+        if (presses) kind = before == Phase::unloaded && x[1] < 0 ? EventKind::resume : EventKind::touch;
+        found.push_back({kind, presses && !rig_.is_rigid(), time, x[1]});
+        x = rig_.departure(found.back());
+        if (rig_.is_rigid()) phase = Phase::flight;
+    }
+
+    const Rig& rig_;
+    scene::Oscillator<double> scene_;
+    LinearMotion<double> flight_;
+    LinearMotion<double> contact_;
+    Probe<double> touch_;
+    Probe<double> leave_;
+    Probe<double> resume_;
+    Probe<double> release_;
+};
+
+}  // namespace
+
+std::optional<Orbit> orbit_from(const Rig& rig, const Place& place, const State<double>& start,
+                                std::int64_t period) {
+    auto events = Walk(rig, place).events(start, period);
+    if (!events || events->empty()) return std::nullopt;
+    return Orbit{period, std::move(*events)};
+}
+
+}  // namespace peterka::curves

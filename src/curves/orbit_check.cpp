@@ -1,0 +1,166 @@
+#include "curves/orbit_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace peterka::curves {
+
+namespace {
+
+// One leg of an orbit as a motion in time.
+struct LegInTime {
+    const Rig* rig;
+    const OrbitPoint* point;
+    std::size_t event;
+    double from;
+    double to;
+    State<double> start;
+
+    [[nodiscard]] bool presses() const { return point->orbit.events[event].presses; }
+    [[nodiscard]] State<double> at(double time) const {
+        return rig->state_in_leg(presses(), point->place, from, start, time);
+    }
+    // f and df/dtau, were the stop to press.
+    [[nodiscard]] State<double> force(double time, const State<double>& x) const {
+        const State<double> slope = rig->slope(presses(), point->place, time, x);
+        return {rig->force(x), rig->force(slope)};
+    }
+};
+
+LegInTime leg_in_time(const Rig& rig, const OrbitPoint& point, std::size_t i) {
+    const Event& from = point.orbit.events[i];
+    const bool last = i + 1 == point.orbit.events.size();
+    const double to = point.orbit.after(i).time + (last ? duration_of(point.orbit.period, point.place) : 0);
+    return {&rig, &point, i, from.time, to, rig.departure(from)};
+}
+
+// Times at which a leg is looked at: 24 in each oscillation of the forcing and of its own, and of the latter
+// only for as long as it lasts.
+constexpr double looks_in_a_turn = 24;
+constexpr int most_looks = 4000;
+
+double next_look(const LegInTime& leg, double time) {
+    const double b = leg.rig->damping(leg.presses());
+    const double natural = std::sqrt(leg.rig->stiffness(leg.presses()));
+    const bool rings = !leg.presses() || b * (time - leg.from) < 25;
+    const double fastest = std::max(leg.point->place.frequency, rings ? natural : 1.0);
+    return time + std::max(2 * std::numbers::pi / (looks_in_a_turn * fastest), (leg.to - leg.from) / most_looks);
+}
+
+using Quantity = std::function<double(double time, const State<double>& x)>;
+
+// Where a slope changes its sign between two times.
+double zero_between(const LegInTime& leg, double low, double high, const Quantity& slope) {
+    const bool rises = slope(high, leg.at(high)) > 0;
+    for (int halving = 0; halving < 60 && high - low > 1e-13 * (1 + std::abs(high)); ++halving) {
+        const double middle = (low + high) / 2;
+        ((slope(middle, leg.at(middle)) > 0) == rises ? high : low) = middle;
+    }
+    return (low + high) / 2;
+}
+
+// Calls `look` at each time at which a slope falls through 0 within a leg.
+void each_maximum(const LegInTime& leg, const Quantity& slope,
+                  const std::function<void(double time, const State<double>& x)>& look) {
+    double before = leg.from;
+    bool rises = slope(before, leg.at(before)) > 0;
+    while (before < leg.to) {
+        const double now = std::min(next_look(leg, before), leg.to);
+        const bool rises_now = slope(now, leg.at(now)) > 0;
+        if (rises && !rises_now) {
+            const double top = zero_between(leg, before, now, slope);
+            look(top, leg.at(top));
+        }
+        rises = rises_now;
+        before = now;
+    }
+}
+
+// A flight may rise above the stop while it has not left it yet, and at its very ends by rounding.
+Fault fault_of_flight(const LegInTime& leg) {
+    constexpr double depth = 1e-9;  // [A0] that is no impact, for a grazing curve runs along it
+    Fault fault;
+    double highest = depth;
+    bool has_left = leg.start[0] <= 0;
+    double looked_until = leg.from;
+    const double margin = 1e-6 * (leg.to - leg.from);
+    const auto velocity = [](double, const State<double>& x) { return x[1]; };
+    const auto leaves_before = [&](double until) {
+        for (double time = looked_until; !has_left && time < until;) {
+            time = std::min(next_look(leg, time), until);
+            has_left = leg.at(time)[0] < 0;
+        }
+        looked_until = until;
+        return has_left;
+    };
+    each_maximum(leg, velocity, [&](double time, const State<double>& x) {
+        if (!leaves_before(time) || x[0] <= highest || leg.to - time < margin || time - leg.from < margin) return;
+        highest = x[0];
+        fault = {Fault::Kind::pierces, leg.event, time};
+    });
+    if (fault.kind != Fault::Kind::none || leg.rig->is_rigid()) return fault;
+    // the force may not rise through 0 before the hammer has left
+    const double tiny = 1e-9 * (1 + leg.rig->force({0, leg.point->orbit.largest_speed()}));
+    const auto force_slope = [&](double time, const State<double>& x) { return leg.force(time, x)[1]; };
+    each_maximum(leg, force_slope, [&](double time, const State<double>& x) {
+        if (x[0] > 0 && leg.rig->force(x) > tiny && leg.to - time > margin) {
+            fault = {Fault::Kind::pattern, leg.event, time};
+        }
+    });
+    return fault;
+}
+
+Fault fault_of_contact(const LegInTime& leg) {
+    Fault fault;
+    const double tiny = 1e-9 * (1 + leg.rig->force({0, leg.point->orbit.largest_speed()}));
+    const auto falling = [&](double time, const State<double>& x) { return -leg.force(time, x)[1]; };
+    each_maximum(leg, falling, [&](double time, const State<double>& x) {
+        if (leg.rig->force(x) < -tiny) fault = {Fault::Kind::pattern, leg.event, time};
+    });
+    return fault;
+}
+
+bool has_lost_its_speed(const Event& event) {
+    if (event.kind == EventKind::touch) return event.velocity <= 0;
+    if (event.kind == EventKind::resume) return event.velocity >= 0;
+    return false;
+}
+
+}  // namespace
+
+Fault find_fault(const Rig& rig, const OrbitPoint& point) {
+    Fault pattern;
+    const std::size_t count = point.orbit.events.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (has_lost_its_speed(point.orbit.events[i])) return {Fault::Kind::slow, i, point.orbit.events[i].time};
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const LegInTime leg = leg_in_time(rig, point, i);
+        if (!(leg.to > leg.from)) {
+            pattern = {Fault::Kind::pattern, i, leg.from};
+            continue;
+        }
+        const Fault fault = leg.presses() ? fault_of_contact(leg) : fault_of_flight(leg);
+        if (fault.kind == Fault::Kind::pierces) return fault;
+        if (fault.kind == Fault::Kind::pattern) pattern = fault;
+    }
+    return pattern;
+}
+
+double peak_force(const Rig& rig, const OrbitPoint& point) {
+    if (rig.is_rigid()) return std::numeric_limits<double>::quiet_NaN();
+    double largest = 0;
+    for (std::size_t i = 0; i < point.orbit.events.size(); ++i) {
+        const LegInTime leg = leg_in_time(rig, point, i);
+        if (!leg.presses()) continue;
+        largest = std::max(largest, rig.force(leg.start));
+        const auto slope = [&](double time, const State<double>& x) { return leg.force(time, x)[1]; };
+        each_maximum(leg, slope, [&](double, const State<double>& x) { largest = std::max(largest, rig.force(x)); });
+    }
+    return largest;
+}
+
+}  // namespace peterka::curves

@@ -1,0 +1,31 @@
+// Whether an orbit that obeys the equations is a motion of the hammer: the equations know nothing of what a leg
+// does between its events.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "curves/rig.hpp"
+#include "curves/unknowns.hpp"
+
+namespace peterka::curves {
+
+struct Fault {
+    enum class Kind : std::uint8_t {
+        none,
+        pierces,  // a flight reaches beyond the stop before its end
+        slow,     // an impact has lost its speed
+        pattern,  // the stop lets go, or presses again, in between: the motion goes on smoothly with other events
+    };
+    Kind kind = Kind::none;
+    std::size_t event = 0;  // after which the leg begins, or which lost its speed
+    double time = 0;        // pierces: when the flight goes furthest
+};
+
+// The first fault of a kind that ends a branch, or else one of the pattern.
+[[nodiscard]] Fault find_fault(const Rig& rig, const OrbitPoint& point);
+
+// Largest F/(k A0) of the orbit; NaN with a rigid stop.
+[[nodiscard]] double peak_force(const Rig& rig, const OrbitPoint& point);
+
+}  // namespace peterka::curves

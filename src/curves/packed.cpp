@@ -1,0 +1,89 @@
+#include "curves/packed.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+template <class Integer>
+double as_number(Integer value) {
+    return static_cast<double>(value);
+}
+
+void pack(const Place& place, Numbers& to) {
+    to.insert(to.end(), {place.frequency, place.gap});
+}
+
+}  // namespace
+
+void pack(const OrbitPoint& point, Numbers& to) {
+    pack(point.place, to);
+    to.insert(to.end(), {as_number(point.orbit.period), as_number(point.orbit.events.size())});
+    for (const Event& event : point.orbit.events) {
+        to.insert(to.end(), {as_number(event.kind), event.presses ? 1.0 : 0.0, event.time, event.velocity});
+    }
+}
+
+OrbitPoint unpack_point(NumberReader& from) {
+    OrbitPoint point;
+    point.place = from.place();
+    point.orbit.period = from.integer();
+    point.orbit.events.resize(static_cast<std::size_t>(from.integer()));
+    for (Event& event : point.orbit.events) {
+        event.kind = static_cast<EventKind>(from.integer());
+        event.presses = from.number() != 0;
+        event.time = from.number();
+        event.velocity = from.number();
+    }
+    return point;
+}
+
+void pack(const Seed& seed, Numbers& to) {
+    to.push_back(as_number(seed.kind));
+    pack(seed.point, to);
+}
+
+Seed unpack_seed(NumberReader& from) {
+    const auto kind = static_cast<CurveKind>(from.integer());
+    return {kind, unpack_point(from)};
+}
+
+void pack(const Curve& curve, Numbers& to) {
+    to.insert(to.end(), {as_number(curve.kind), as_number(curve.impacts), as_number(curve.period),
+                         as_number(curve.begins), as_number(curve.ends), as_number(curve.points.size()),
+                         as_number(curve.specials.size())});
+    for (const CurvePoint& point : curve.points) {
+        pack(point.place, to);
+        to.insert(to.end(),
+                  {point.multiplier, point.peak_force, point.residual, point.trace, point.total_speed});
+    }
+    for (const Special& special : curve.specials) {
+        to.push_back(as_number(special.kind));
+        pack(special.place, to);
+    }
+}
+
+Curve unpack_curve(NumberReader& from) {
+    Curve curve;
+    curve.kind = static_cast<CurveKind>(from.integer());
+    curve.impacts = from.integer();
+    curve.period = from.integer();
+    curve.begins = static_cast<CurveEnd>(from.integer());
+    curve.ends = static_cast<CurveEnd>(from.integer());
+    curve.points.resize(static_cast<std::size_t>(from.integer()));
+    curve.specials.resize(static_cast<std::size_t>(from.integer()));
+    for (CurvePoint& point : curve.points) {
+        point.place = from.place();
+        point.multiplier = from.number();
+        point.peak_force = from.number();
+        point.residual = from.number();
+        point.trace = from.number();
+        point.total_speed = from.number();
+    }
+    for (Special& special : curve.specials) {
+        special.kind = static_cast<SpecialKind>(from.integer());
+        special.place = from.place();
+    }
+    return curve;
+}
+
+}  // namespace peterka::curves

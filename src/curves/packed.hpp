@@ -1,0 +1,40 @@
+// Seeds and curves as plain numbers, for the way between ranks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "curves/trace_curve.hpp"
+
+namespace peterka::curves {
+
+using Numbers = std::vector<double>;
+
+// Reads numbers one after the other.
+class NumberReader {
+  public:
+    explicit NumberReader(std::span<const double> numbers) : left_(numbers) {}
+    [[nodiscard]] bool done() const { return left_.empty(); }
+    double number() {
+        const double first = left_.front();
+        left_ = left_.subspan(1);
+        return first;
+    }
+    std::int64_t integer() { return static_cast<std::int64_t>(number()); }
+    Place place() {
+        const double frequency = number();
+        return {frequency, number()};
+    }
+
+  private:
+    std::span<const double> left_;
+};
+
+void pack(const OrbitPoint& point, Numbers& to);
+[[nodiscard]] OrbitPoint unpack_point(NumberReader& from);
+void pack(const Seed& seed, Numbers& to);
+[[nodiscard]] Seed unpack_seed(NumberReader& from);
+void pack(const Curve& curve, Numbers& to);
+[[nodiscard]] Curve unpack_curve(NumberReader& from);
+
+}  // namespace peterka::curves

@@ -1,0 +1,148 @@
+#include "curves/reshape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves/motion_events.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+using EventPlace = std::vector<Event>::const_iterator;
+
+// At forcing phase 0, and in which cycle of the orbit's own count.
+struct Stroboscopic {
+    State<double> state;
+    double time = 0;
+};
+
+Stroboscopic at_phase_0(const Rig& rig, const OrbitPoint& point) {
+    const double cycle = duration_of(1, point.place);
+    const double first = point.orbit.events.front().time;
+    const double time = cycle * std::ceil(first / cycle);
+    std::size_t leg = 0;
+    while (leg + 1 < point.orbit.events.size() && point.orbit.events[leg + 1].time <= time) ++leg;
+    const Event& event = point.orbit.events[leg];
+    return {rig.state_in_leg(event.presses, point.place, event.time, rig.departure(event), time), time};
+}
+
+// The grazing of an orbit among the events of a simulated motion, which may have a weak impact instead.
+bool put_grazing_back(const Event& grazing, double duration, double speed, std::vector<Event>& events) {
+    constexpr double weak = 1e-2;  // of the largest speed
+    double time = grazing.time;
+    while (time < events.front().time) time += duration;
+    while (time >= events.front().time + duration) time -= duration;
+    const auto near = [&](const Event& event) { return std::abs(event.time - time) < weak * duration; };
+    const auto touch = std::ranges::find_if(events, [&](const Event& event) {
+        return event.kind == EventKind::touch && std::abs(event.velocity) < weak * speed && near(event);
+    });
+    if (touch != events.end()) {
+        const auto after = touch + 1;
+        if (touch->presses && !grazing.presses) {
+            if (after == events.end() || after->kind != EventKind::release) return false;
+            events.erase(after);
+        }
+        events.erase(touch);
+    }
+    Event put = grazing;
+    put.time = time;
+    const auto place = std::ranges::find_if(events, [&](const Event& event) { return event.time > time; });
+    events.insert(place, put);
+    return true;
+}
+
+}  // namespace
+
+OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share) {
+    OrbitPoint point = from;
+    const auto mix = [share](double a, double b) { return a + share * (b - a); };
+    for (std::size_t i = 0; i < point.orbit.events.size(); ++i) {
+        Event& event = point.orbit.events[i];
+        event.time = mix(event.time, to.orbit.events[i].time);
+        event.velocity = mix(event.velocity, to.orbit.events[i].velocity);
+    }
+    point.place = {mix(from.place.frequency, to.place.frequency), mix(from.place.gap, to.place.gap)};
+    return point;
+}
+
+bool has_same_events(const Orbit& a, const Orbit& b) {
+    return a.period == b.period && std::ranges::equal(a.events, b.events, {}, &Event::kind, &Event::kind);
+}
+
+OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced) {
+    OrbitPoint result = point;
+    const auto place = result.orbit.events.begin() + static_cast<std::ptrdiff_t>(pierced.event) + 1;
+    result.orbit.events.insert(place, {EventKind::graze, false, pierced.time, 0});
+    return result;
+}
+
+std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point, std::size_t event) {
+    OrbitPoint result = point;
+    std::vector<Event>& events = result.orbit.events;
+    Event& slow = events[event];
+    const double pressing = rig.slope(false, point.place, slow.time, State<double>::Zero())[1];
+    slow.velocity = 0;
+    if (pressing > 0) {
+        if (rig.is_rigid()) return std::nullopt;  // the hammer stays on the stop
+        slow.kind = EventKind::graze;
+        return result;
+    }
+    if (slow.kind != EventKind::touch) return std::nullopt;
+    slow.kind = EventKind::graze;
+    if (slow.presses) {
+        const std::size_t next = (event + 1) % events.size();
+        if (events[next].kind != EventKind::release) return std::nullopt;
+        slow.presses = false;
+        events.erase(events.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+    return result;
+}
+
+std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point) {
+    const Stroboscopic start = at_phase_0(rig, point);
+    auto orbit = orbit_from(rig, point.place, start.state, point.orbit.period);
+    if (!orbit) return std::nullopt;
+    for (Event& event : orbit->events) event.time += start.time;
+    const std::size_t grazing = point.orbit.grazing();
+    if (grazing < point.orbit.events.size() &&
+        !put_grazing_back(point.orbit.events[grazing], duration_of(point.orbit.period, point.place),
+                          point.orbit.largest_speed(), orbit->events)) {
+        return std::nullopt;
+    }
+    // the same ones may begin with another
+    const std::size_t count = orbit->events.size();
+    if (count == point.orbit.events.size()) {
+        std::vector<Event> turned = orbit->events;
+        for (std::size_t turn = 0; turn < count; ++turn) {
+            if (std::ranges::equal(turned, point.orbit.events, {}, &Event::kind, &Event::kind)) return std::nullopt;
+            std::ranges::rotate(turned, turned.begin() + 1);
+        }
+    }
+    return OrbitPoint{*orbit, point.place};
+}
+
+OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness) {
+    const std::vector<Event>& events = point.orbit.events;
+    const double duration = duration_of(point.orbit.period, point.place);
+    const double speed = point.orbit.largest_speed();
+    for (std::int64_t divisor = 1; divisor < point.orbit.period; ++divisor) {
+        const auto parts = static_cast<std::size_t>(point.orbit.period / divisor);
+        if (point.orbit.period % divisor != 0 || events.size() % parts != 0) continue;
+        const std::size_t length = events.size() / parts;
+        const double later = duration / static_cast<double>(parts);
+        bool repeats = true;
+        for (std::size_t i = 0; i + length < events.size() && repeats; ++i) {
+            const Event& now = events[i];
+            const Event& then = events[i + length];
+            repeats = now.kind == then.kind &&
+                      std::abs(then.time - now.time - later) < nearness * later &&
+                      std::abs(then.velocity - now.velocity) < nearness * speed;
+        }
+        if (!repeats) continue;
+        return {{divisor, {events.begin(), events.begin() + static_cast<std::ptrdiff_t>(length)}}, point.place};
+    }
+    return point;
+}
+
+}  // namespace peterka::curves

@@ -1,0 +1,30 @@
+// The same orbit with other events: where an impact is gained, lost or split, and where the events of a motion
+// change while it goes on smoothly.
+#pragma once
+
+#include <optional>
+
+#include "curves/orbit_check.hpp"
+
+namespace peterka::curves {
+
+// A point a share of the way from one to another with the same events.
+[[nodiscard]] OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share);
+
+[[nodiscard]] bool has_same_events(const Orbit& a, const Orbit& b);
+
+// With a grazing where a flight reaches furthest.
+[[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced);
+
+// With a grazing in place of an impact that has lost its speed: it is left out, or, where the stop presses the
+// hammer there, becomes one with the impact before.
+[[nodiscard]] std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point,
+                                                            std::size_t event);
+
+// With the events of the true motion; none where these are no others.
+[[nodiscard]] std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point);
+
+// The orbit of a divisor's period that a point nearly is; itself where there is none.
+[[nodiscard]] OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness);
+
+}  // namespace peterka::curves

@@ -1,0 +1,124 @@
+#include "curves/rig.hpp"
+
+#include <cmath>
+#include <complex>
+#include <variant>
+
+namespace peterka::curves {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// The steady motion of a leg's equation at a time, and its derivatives by frequency and gap.
+struct SteadyMotion {
+    State<double> state;
+    State<double> by_frequency;
+    State<double> by_gap;
+};
+
+SteadyMotion steady_motion(double damping, double stiffness, const Place& place, double time) {
+    const double eta = place.frequency;
+    const Complex impedance(stiffness - eta * eta, 2 * damping * eta);
+    const Complex impedance_slope(-2 * eta, 2 * damping);
+    const Complex response = eta * eta / impedance;
+    const Complex response_slope = (2 * eta - response * impedance_slope) / impedance;
+    const Complex turn(std::cos(eta * time), std::sin(eta * time));
+    const Complex turn_rate(0, eta);
+    const Complex change = (response_slope + Complex(0, time) * response) * turn;  // of the response, by eta
+    return {{(response * turn).imag() - place.gap / stiffness, (turn_rate * response * turn).imag()},
+            {change.imag(), (Complex(0, 1) * response * turn + turn_rate * change).imag()},
+            {-1 / stiffness, 0}};
+}
+
+motion::LinearEquation<double> unforced(double damping, double stiffness) {
+    return {.damping = damping, .stiffness = stiffness, .offset = 0, .drive = 0, .frequency = 1};
+}
+
+double kappa_of(const scene::Oscillator<double>& scene) {
+    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);
+    return voigt == nullptr ? 0 : voigt->stiffness;
+}
+
+double chi_of(const scene::Oscillator<double>& scene) {
+    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);
+    return voigt == nullptr ? 0 : voigt->damping;
+}
+
+}  // namespace
+
+Rig::Rig(const scene::Oscillator<double>& scene)
+    : scene_(scene),
+      rigid_(std::holds_alternative<scene::Restitution<double>>(scene.contact)),
+      restitution_(rigid_ ? std::get<scene::Restitution<double>>(scene.contact).coefficient : 0),
+      kappa_(kappa_of(scene)),
+      chi_(chi_of(scene)),
+      contact_damping_(scene.damping_ratio + chi_ / 2),
+      flight_(unforced(scene.damping_ratio, 1)),
+      contact_(unforced(contact_damping_, 1 + kappa_)) {
+    scene_.cubic = 0;
+}
+
+scene::Oscillator<double> Rig::scene_at(const Place& place) const {
+    scene::Oscillator<double> scene = scene_;
+    scene.frequency = place.frequency;
+    scene.gap = place.gap;
+    return scene;
+}
+
+State<double> Rig::slope(bool presses, const Place& place, double time, const State<double>& x) const {
+    const double eta = place.frequency;
+    return {x[1], eta * eta * std::sin(eta * time) - place.gap - 2 * damping(presses) * x[1] -
+                      stiffness(presses) * x[0]};
+}
+
+Jacobian<double> Rig::flow(bool presses, double length) const {
+    return (presses ? contact_ : flight_).flow(length);
+}
+
+State<double> Rig::state_in_leg(bool presses, const Place& place, double from, const State<double>& start,
+                                double to) const {
+    const double b = damping(presses);
+    const double w2 = stiffness(presses);
+    return steady_motion(b, w2, place, to).state +
+           flow(presses, to - from) * (start - steady_motion(b, w2, place, from).state);
+}
+
+LegEnd Rig::leg(bool presses, const Place& place, double from, const State<double>& start, double to) const {
+    const double b = damping(presses);
+    const double w2 = stiffness(presses);
+    const SteadyMotion here = steady_motion(b, w2, place, from);
+    const SteadyMotion there = steady_motion(b, w2, place, to);
+    LegEnd end;
+    end.by_start = flow(presses, to - from);
+    end.state = there.state + end.by_start * (start - here.state);
+    end.by_start_time = -end.by_start * slope(presses, place, from, start);
+    end.by_end_time = slope(presses, place, to, end.state);
+    end.by_frequency = there.by_frequency - end.by_start * here.by_frequency;
+    end.by_gap = there.by_gap - end.by_start * here.by_gap;
+    return end;
+}
+
+Change Rig::saltation(const Event& event, const Place& place, bool grazing_counts) const {
+    Change change;
+    const bool begins = event.kind == EventKind::touch || (event.kind == EventKind::graze && grazing_counts);
+    if (!begins) return change;
+    if (!rigid_) {
+        change.value(1, 0) = -chi_;
+        return change;
+    }
+    const double r = restitution_;
+    const double v = event.velocity;
+    const double eta = place.frequency;
+    const double sine = std::sin(eta * event.time);
+    const double cosine = std::cos(eta * event.time);
+    const double pressing = (1 + r) * (eta * eta * sine - place.gap) / v;
+    change.value << -r, 0, pressing, -r;
+    change.by_time(1, 0) = (1 + r) * eta * eta * eta * cosine / v;
+    change.by_velocity(1, 0) = -pressing / v;
+    change.by_frequency(1, 0) = (1 + r) * (2 * eta * sine + eta * eta * event.time * cosine) / v;
+    change.by_gap(1, 0) = -(1 + r) / v;
+    return change;
+}
+
+}  // namespace peterka::curves

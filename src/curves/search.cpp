@@ -1,0 +1,218 @@
+#include "curves/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "curves/known_curves.hpp"
+#include "support/stopwatch.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+class Search {
+  public:
+    Search(const scene::Scene& scene, const Deal& deal)
+        : deal_(deal),
+          rig_(scene.cell(0, 0).oscillator),
+          map_(scene),
+          most_period_(scene.job().curves.max_period) {}
+
+    std::optional<Findings> run() {
+        const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
+        if (!parts) return std::nullopt;
+        map_.put_together(*parts);
+        window_ = {map_.place(0), map_.place(map_.count() - 1)};
+        cell_ = {window_.size().frequency / static_cast<double>(map_.columns() - 1),
+                 window_.size().gap / static_cast<double>(map_.rows() - 1)};
+        for (std::int64_t cell = 0; cell < map_.count(); ++cell) {
+            if (map_.site(cell).is_periodic(most_period_)) ++found_.periodic_cells;
+        }
+        if (!trace_all(reaches_of_free_motion())) return std::nullopt;
+        const std::vector<Edge> edges = edges_of(map_, most_period_);
+        if (!follow_all(edges)) return std::nullopt;
+        count_edges(edges);
+        put_in_order();
+        return found_;
+    }
+
+  private:
+    static constexpr std::size_t followed_at_once = 256;
+    static constexpr std::size_t traced_at_once = 32;
+
+    // One in each stretch of frequencies at which the free motion ends within the window.
+    [[nodiscard]] std::vector<Seed> reaches_of_free_motion() const {
+        std::vector<Seed> seeds;
+        bool inside_before = false;
+        for (std::int64_t column = 0; column < map_.columns(); ++column) {
+            const auto seed = reach_of_free_motion(rig_, map_.place(column).frequency, window_.size());
+            const bool inside = seed && window_.holds(seed->point.place);
+            if (inside && !inside_before) seeds.push_back(*seed);
+            inside_before = inside;
+        }
+        return seeds;
+    }
+
+    [[nodiscard]] bool has_curve_near(const Edge& edge) const {
+        const Place a = map_.place(edge.from);
+        const Place b = map_.place(edge.to);
+        const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
+        const Site& site = map_.site(edge.from);
+        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
+            const std::int64_t other = curve.impacts - site.impacts;
+            return curve.period == site.period && std::abs(other) <= 1 &&
+                   nearest_on(curve, middle, cell_).distance <= 1;
+        });
+    }
+
+    // 0, or 1 where the orbit reached the neighbour, and the seed.
+    [[nodiscard]] Numbers follow_edge(const Edge& edge) const {
+        Numbers numbers{0};
+        const auto orbit = map_.orbit(rig_, edge.from, window_.size());
+        if (!orbit) return numbers;
+        const Followed followed = follow(rig_, *orbit, map_.place(edge.to), window_.size());
+        numbers[0] = followed.reached ? 1 : 0;
+        if (followed.seed) pack(*followed.seed, numbers);
+        return numbers;
+    }
+
+    bool follow_all(const std::vector<Edge>& edges) {
+        for (std::size_t next = 0; next < edges.size();) {
+            std::vector<Edge> batch;
+            for (; next < edges.size() && batch.size() < followed_at_once; ++next) {
+                if (!has_curve_near(edges[next])) batch.push_back(edges[next]);
+            }
+            const auto results = deal_(std::ssize(batch), [&](std::int64_t task) {
+                return follow_edge(batch[static_cast<std::size_t>(task)]);
+            });
+            if (!results) return false;
+            std::vector<Seed> seeds;
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                NumberReader reader((*results)[i]);
+                if (reader.number() != 0) reached_.emplace_back(batch[i].from, batch[i].to);
+                if (!reader.done()) seeds.push_back(unpack_seed(reader));
+            }
+            found_.followed += std::ssize(batch);
+            if (!trace_all(std::move(seeds))) return false;
+        }
+        std::ranges::sort(reached_);
+        return true;
+    }
+
+    [[nodiscard]] bool is_on_known_curve(const Seed& seed) const {
+        const CurvePoint point = curve_point(rig_, seed.point, seed.kind);
+        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
+            return lies_on(curve, seed.kind, seed.point.orbit.period, point, window_.size());
+        });
+    }
+
+    // Far enough from those chosen already to be on another curve, as likely as not.
+    [[nodiscard]] bool stands_apart(const Seed& seed, const std::vector<Seed>& chosen) const {
+        constexpr double far = 0.15;
+        return std::ranges::none_of(chosen, [&](const Seed& other) {
+            const double across = (seed.point.place.frequency - other.point.place.frequency) / window_.size().frequency;
+            const double up = (seed.point.place.gap - other.point.place.gap) / window_.size().gap;
+            return seed.kind == other.kind && seed.point.orbit.period == other.point.orbit.period &&
+                   seed.point.orbit.impacts() == other.point.orbit.impacts() && std::hypot(across, up) < far;
+        });
+    }
+
+    bool trace_all(std::vector<Seed> seeds) {
+        std::erase_if(seeds, [&](const Seed& seed) { return seed.point.orbit.period > most_period_; });
+        while (true) {
+            std::erase_if(seeds, [&](const Seed& seed) { return is_on_known_curve(seed); });
+            if (seeds.empty()) return true;
+            std::vector<Seed> chosen;
+            std::vector<Seed> waiting;
+            for (const Seed& seed : seeds) {
+                const bool now = chosen.size() < traced_at_once && stands_apart(seed, chosen);
+                (now ? chosen : waiting).push_back(seed);
+            }
+            const auto results = deal_(std::ssize(chosen), [&](std::int64_t task) {
+                const Stopwatch stopwatch;
+                Numbers numbers(1);
+                pack(trace_curve(rig_, chosen[static_cast<std::size_t>(task)], window_), numbers);
+                numbers[0] = stopwatch.seconds();
+                return numbers;
+            });
+            if (!results) return false;
+            for (const Numbers& numbers : *results) {
+                NumberReader reader(numbers);
+                const double seconds = reader.number();
+                Curve curve = unpack_curve(reader);
+                if (curve.points.size() < 2 || is_known(found_.curves, curve, window_.size())) continue;
+                found_.curves.push_back(std::move(curve));
+                found_.seconds.push_back(seconds);
+            }
+            seeds = std::move(waiting);
+        }
+    }
+
+    [[nodiscard]] bool did_reach(std::int64_t from, std::int64_t to) const {
+        return std::ranges::binary_search(reached_, std::pair(from, to));
+    }
+
+    [[nodiscard]] bool counts(const Site& a, const Site& b) const {
+        const auto known = [&](const Site& site) {
+            return site.is_periodic(most_period_) || site.regime == regime::Regime::no_impact;
+        };
+        return known(a) && known(b);
+    }
+
+    void count_edges(const std::vector<Edge>& edges) {
+        for (const Edge& edge : edges) {
+            const Site& a = map_.site(edge.from);
+            const Site& b = map_.site(edge.to);
+            const bool both_followed = b.is_periodic(most_period_);
+            if (!counts(a, b) || (both_followed && edge.from > edge.to)) continue;
+            ++found_.edges.edges;
+            if (is_within_a_cell(edge)) {
+                ++found_.edges.on_curve;
+            } else if (did_reach(edge.from, edge.to) || did_reach(edge.to, edge.from)) {
+                ++found_.edges.basin;
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
+        const Place a = map_.place(edge.from);
+        const Place b = map_.place(edge.to);
+        const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
+        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
+            return nearest_on(curve, middle, cell_).distance <= 1;
+        });
+    }
+
+    void put_in_order() {
+        std::vector<std::size_t> order(found_.curves.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+            const Curve& curve = found_.curves[i];
+            return std::tuple(curve.period, curve.impacts, curve.kind);
+        });
+        Findings sorted = found_;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            sorted.curves[i] = found_.curves[order[i]];
+            sorted.seconds[i] = found_.seconds[order[i]];
+        }
+        found_ = std::move(sorted);
+    }
+
+    const Deal& deal_;
+    Rig rig_;
+    CoarseMap map_;
+    std::int64_t most_period_;
+    Window window_;
+    Place cell_;
+    std::vector<std::pair<std::int64_t, std::int64_t>> reached_;
+    Findings found_;
+};
+
+}  // namespace
+
+std::optional<Findings> find_curves(const scene::Scene& scene, const Deal& deal) {
+    return Search(scene, deal).run();
+}
+
+}  // namespace peterka::curves

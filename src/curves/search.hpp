@@ -1,0 +1,46 @@
+// All curves of a window: from the edges of a coarse map to seeds, and from seeds to curves, each one once.
+//
+// What is dealt to ranks are tasks whose results hang on their numbers alone, and what follows from all results
+// is worked out by each rank by itself: so nothing hangs on the number of ranks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "curves/coarse_map.hpp"
+#include "curves/trace_curve.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::curves {
+
+// Has tasks 0 to count - 1 done, and gives their results in this order; none where somebody asked to stop.
+using Task = std::function<Numbers(std::int64_t task)>;
+using Deal = std::function<std::optional<std::vector<Numbers>>(std::int64_t count, const Task& task)>;
+
+// What is known of an edge between two cells of the coarse map.
+enum class EdgeFate : std::int8_t {
+    on_curve,    // a curve lies within one cell of it
+    basin,       // both orbits live on both sides: the start alone decides
+    unexplained, // neither
+};
+
+struct EdgeCount {
+    std::int64_t edges = 0;  // between periodic cells up to the period, or of one and no impact
+    std::int64_t on_curve = 0;
+    std::int64_t basin = 0;
+    [[nodiscard]] std::int64_t unexplained() const { return edges - on_curve - basin; }
+};
+
+struct Findings {
+    std::vector<Curve> curves;    // in the order of the file
+    std::vector<double> seconds;  // that each took
+    EdgeCount edges;
+    std::int64_t periodic_cells = 0;  // of the coarse map, up to the period
+    std::int64_t followed = 0;        // edges across which an orbit was followed
+};
+
+[[nodiscard]] std::optional<Findings> find_curves(const scene::Scene& scene, const Deal& deal);
+
+}  // namespace peterka::curves

@@ -1,0 +1,257 @@
+#include "curves/trace_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "curves/reshape.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+struct MultiplierTest {
+    int sign;
+    Side side;
+};
+constexpr std::array<MultiplierTest, 4> multiplier_tests{
+    {{1, Side::without_impact}, {-1, Side::without_impact}, {1, Side::with_impact}, {-1, Side::with_impact}}};
+
+double dot(const Place& a, const Place& b) {
+    return a.frequency * b.frequency + a.gap * b.gap;
+}
+
+// Half a curve: from the seed on in one direction.
+class HalfCurve {
+  public:
+    HalfCurve(const Rig& rig, const Seed& seed, const Window& window)
+        : rig_(rig), kind_(seed.kind), window_(window), stepper_(rig, window.size(), conditions_of(seed.kind)) {}
+
+    std::vector<CurvePoint> points;
+    std::vector<Special> specials;
+    CurveEnd end = CurveEnd::lost;
+
+    void trace(const Stepper::Here& seed) {
+        constexpr int most_points = 4000;
+        Stepper::Here here = seed;
+        for (int count = 0; count < most_points; ++count) {
+            const double along = std::sqrt(dot(Stepper::along(here.tangent), Stepper::along(here.tangent)));
+            auto there = stepper_.next(here, std::min(0.25, 0.012 / std::max(along, 1e-3)));
+            if (!there) return;
+            if (ends_between(here, *there)) return;
+            const Fault fault = find_fault(rig_, there->point);
+            if (fault.kind == Fault::Kind::pattern && !change_events(*there)) return;
+            look_for_specials(here, *there);
+            if (bounds_nothing(there->point)) return end_at_last_special();
+            keep(there->point);
+            if (count > 4 && closes(seed, here, *there)) {
+                end = CurveEnd::closed;
+                keep(seed.point);
+                return;
+            }
+            here = *there;
+        }
+    }
+
+    // Whether neither orbit next to a curve is stable. At a fold and a period doubling one of them always is,
+    // for the other multiplier lies inside the unit circle.
+    [[nodiscard]] bool bounds_nothing(const OrbitPoint& point) const {
+        if (kind_ != CurveKind::grazing) return false;
+        return !stable(point, Side::without_impact) && (rig_.is_rigid() || !stable(point, Side::with_impact));
+    }
+
+    [[nodiscard]] bool stable(const OrbitPoint& point, Side side) const {
+        return monodromy(rig_, point.orbit, point.place, side).is_stable();
+    }
+
+    [[nodiscard]] const Stepper& stepper() const { return stepper_; }
+
+  private:
+    void keep(const OrbitPoint& point) { points.push_back(curve_point(rig_, point, kind_)); }
+
+    std::optional<OrbitPoint> solve_with(const OrbitPoint& guess, const Condition& condition) const {
+        return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
+    }
+
+    // At the border, or where another impact grazes.
+    bool ends_between(const Stepper::Here& here, const Stepper::Here& there) {
+        const bool leaves = !window_.holds(there.point.place);
+        const Fault fault = find_fault(rig_, there.point);
+        const bool breaks = fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow;
+        if (breaks && has_same_events(here.point.orbit, there.point.orbit)) {
+            const auto last = other_grazing(here.point, there.point, fault);
+            if (last && window_.holds(last->place)) {
+                add_special(kind_ == CurveKind::fold
+                                ? SpecialKind::fold_grazing
+                                : (kind_ == CurveKind::grazing ? SpecialKind::double_grazing
+                                                               : SpecialKind::flip_grazing),
+                            *last);
+                end = CurveEnd::special;
+                return true;
+            }
+        }
+        if (leaves) {
+            const auto last = at_border(here.point, there.point);
+            if (last) keep(*last);
+            end = last ? CurveEnd::border : CurveEnd::lost;
+        }
+        return leaves || breaks;
+    }
+
+    std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {
+        double share = 1;
+        Condition border;
+        const auto meet = [&](double from, double to, double line, const Place& through, const Place& normal) {
+            if ((from - line) * (to - line) >= 0) return;
+            const double at = (line - from) / (to - from);
+            if (at > share) return;
+            share = at;
+            border = Condition::on_line(through, normal);
+        };
+        for (const Place& corner : {window_.low, window_.high}) {
+            meet(here.place.frequency, there.place.frequency, corner.frequency, corner, {1, 0});
+            meet(here.place.gap, there.place.gap, corner.gap, corner, {0, 1});
+        }
+        if (border.normal.frequency == 0 && border.normal.gap == 0) return std::nullopt;
+        return solve_with(between(here, there, share), border);
+    }
+
+    std::optional<OrbitPoint> other_grazing(const OrbitPoint& here, const OrbitPoint& there,
+                                            const Fault& fault) const {
+        if (fault.kind == Fault::Kind::pierces) {
+            const OrbitPoint guess = with_grazing(there, fault);
+            return solve(rig_, guess, window_.size(), stepper_.conditions());
+        }
+        const double before = here.orbit.events[fault.event].velocity;
+        const double after = there.orbit.events[fault.event].velocity;
+        const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
+        return solve_with(between(here, there, share), Condition::at_rest(fault.event));
+    }
+
+    void add_special(SpecialKind kind, const OrbitPoint& point) {
+        specials.push_back({kind, point.place});
+        keep(point);
+    }
+
+    void look_for_specials(const Stepper::Here& here, const Stepper::Here& there) {
+        if (!has_same_events(here.point.orbit, there.point.orbit)) return;
+        if (kind_ == CurveKind::fold) look_for_cusp(here, there);
+        if (kind_ != CurveKind::grazing) return;
+        for (const MultiplierTest& test : multiplier_tests) {
+            if (test.side == Side::with_impact && rig_.is_rigid()) continue;
+            const auto value = [&](const OrbitPoint& point) {
+                return monodromy(rig_, point.orbit, point.place, test.side).bifurcation(test.sign);
+            };
+            const double before = value(here.point);
+            const double after = value(there.point);
+            if ((before > 0) == (after > 0)) continue;
+            const auto found = solve_with(between(here.point, there.point, before / (before - after)),
+                                          Condition::at_multiplier(test.sign, test.side));
+            if (found) add_special(test.sign > 0 ? SpecialKind::fold_grazing : SpecialKind::flip_grazing, *found);
+        }
+    }
+
+    // In the plane a curve turns back at a cusp, while its orbits go on smoothly.
+    void look_for_cusp(const Stepper::Here& here, const Stepper::Here& there) {
+        const Place before = Stepper::along(here.tangent);
+        if (dot(before, Stepper::along(there.tangent)) > 0) return;
+        constexpr int most_halvings = 40;
+        OrbitPoint low = here.point;
+        OrbitPoint high = there.point;
+        for (int halving = 0; halving < most_halvings; ++halving) {
+            const auto middle = solve(rig_, between(low, high, 0.5), window_.size(), stepper_.conditions());
+            if (!middle) return;
+            const Stepper::Here at = stepper_.at(*middle, here.tangent);
+            (dot(before, Stepper::along(at.tangent)) > 0 ? low : high) = *middle;
+        }
+        add_special(SpecialKind::cusp, low);
+    }
+
+    void end_at_last_special() {
+        end = specials.empty() ? CurveEnd::lost : CurveEnd::special;
+    }
+
+    bool closes(const Stepper::Here& seed, const Stepper::Here& here, const Stepper::Here& there) const {
+        if (!has_same_events(seed.point.orbit, there.point.orbit)) return false;
+        const Eigen::VectorXd sizes = sizes_of_unknowns(seed.point.orbit, seed.point.place, window_.size());
+        const auto along = [&](const Stepper::Here& from) {
+            const Unknowns unknowns(from.point.orbit);
+            Eigen::VectorXd way = Eigen::VectorXd::Zero(unknowns.size());
+            for (std::size_t i = 0; i < from.point.orbit.events.size(); ++i) {
+                const Event& now = from.point.orbit.events[i];
+                const Event& then = seed.point.orbit.events[i];
+                way[unknowns.time(i)] = now.time - then.time;
+                if (now.kind != EventKind::graze) way[unknowns.velocity(i)] = now.velocity - then.velocity;
+            }
+            way[unknowns.frequency()] = from.point.place.frequency - seed.point.place.frequency;
+            way[unknowns.gap()] = from.point.place.gap - seed.point.place.gap;
+            return Eigen::VectorXd(way.cwiseQuotient(sizes));
+        };
+        if (!has_same_events(seed.point.orbit, here.point.orbit)) return false;
+        const Eigen::VectorXd before = along(here);
+        const Eigen::VectorXd now = along(there);
+        return before.dot(seed.tangent) < 0 && now.dot(seed.tangent) >= 0 && now.norm() < (now - before).norm() * 1.5;
+    }
+
+    bool change_events(Stepper::Here& here) {
+        const Place ahead = Stepper::along(here.tangent);
+        const auto changed = with_true_events(rig_, here.point);
+        const auto settled =
+            changed ? solve(rig_, *changed, window_.size(), stepper_.conditions()) : std::nullopt;
+        if (!settled) return false;
+        here = stepper_.at(*settled);
+        if (dot(Stepper::along(here.tangent), ahead) < 0) here.tangent = -here.tangent;
+        return true;
+    }
+
+    const Rig& rig_;
+    CurveKind kind_;
+    Window window_;
+    Stepper stepper_;
+};
+
+}  // namespace
+
+CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) {
+    const Monodromy product = monodromy(rig, point.orbit, point.place, Side::without_impact);
+    CurvePoint result;
+    result.place = point.place;
+    result.multiplier = product.multiplier();
+    result.peak_force = peak_force(rig, point);
+    result.residual = residual(point, equations(rig, point, conditions_of(kind)));
+    result.trace = product.matrix.trace();
+    for (const Event& event : point.orbit.events) {
+        if (event.kind == EventKind::touch) result.total_speed += event.velocity;
+    }
+    return result;
+}
+
+Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
+    Curve curve;
+    curve.kind = seed.kind;
+    HalfCurve forward(rig, seed, window);
+    if (forward.bounds_nothing(seed.point) || !window.holds(seed.point.place)) return curve;
+    const bool counts = seed.kind == CurveKind::grazing && !forward.stable(seed.point, Side::without_impact);
+    curve.impacts = seed.point.orbit.impacts() + (counts ? 1 : 0);
+    curve.period = seed.point.orbit.period;
+
+    Stepper::Here start = forward.stepper().at(seed.point);
+    forward.trace(start);
+    HalfCurve backward(rig, seed, window);
+    if (forward.end != CurveEnd::closed) {
+        start.tangent = -start.tangent;
+        backward.trace(start);
+    }
+    curve.begins = forward.end == CurveEnd::closed ? CurveEnd::closed : backward.end;
+    curve.ends = forward.end;
+    curve.points.assign(backward.points.rbegin(), backward.points.rend());
+    curve.points.push_back(curve_point(rig, seed.point, seed.kind));
+    curve.points.insert(curve.points.end(), forward.points.begin(), forward.points.end());
+    curve.specials = backward.specials;
+    curve.specials.insert(curve.specials.end(), forward.specials.begin(), forward.specials.end());
+    return curve;
+}
+
+}  // namespace peterka::curves

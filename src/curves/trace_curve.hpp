@@ -1,0 +1,62 @@
+// A curve from a seed on, both ways, until it leaves the window, ends at a special point or closes.
+#pragma once
+
+#include <vector>
+
+#include "curves/follow.hpp"
+
+namespace peterka::curves {
+
+// Codimension-two points. Stored as int8; the numbers are part of the file format. Multipliers are never both
+// +-1 or a pair on the unit circle: det M < 1 wherever anything dissipates.
+enum class SpecialKind : std::int8_t {
+    fold_grazing = 0,   // a multiplier is 1 where an impact is just gained or lost
+    flip_grazing = 1,   // the same with -1
+    double_grazing = 2, // two at once
+    cusp = 3,           // two folds meet
+};
+
+struct CurvePoint {
+    Place place;
+    double multiplier = 0;  // of the orbit without the grazing impact; largest in size, with its sign
+    double peak_force = 0;  // F/(k A0)
+    double residual = 0;
+    // to tell curves apart
+    double trace = 0;        // of the orbit's monodromy matrix
+    double total_speed = 0;  // of all impacts
+};
+
+struct Special {
+    SpecialKind kind = SpecialKind::cusp;
+    Place place;
+};
+
+enum class CurveEnd : std::int8_t { border = 0, special = 1, closed = 2, lost = 3 };
+
+struct Curve {
+    CurveKind kind = CurveKind::fold;
+    std::int64_t impacts = 0;  // of the orbit that is stable next to the curve
+    std::int64_t period = 1;
+    std::vector<CurvePoint> points;
+    std::vector<Special> specials;
+    CurveEnd begins = CurveEnd::lost;
+    CurveEnd ends = CurveEnd::lost;
+};
+
+// The part of the plane in which curves are wanted.
+struct Window {
+    Place low;
+    Place high;
+    [[nodiscard]] Place size() const { return {high.frequency - low.frequency, high.gap - low.gap}; }
+    [[nodiscard]] bool holds(const Place& place) const {
+        return place.frequency >= low.frequency && place.frequency <= high.frequency && place.gap >= low.gap &&
+               place.gap <= high.gap;
+    }
+};
+
+[[nodiscard]] CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind);
+
+// Without points where the seed bounds nothing stable.
+[[nodiscard]] Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window);
+
+}  // namespace peterka::curves

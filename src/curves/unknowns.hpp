@@ -1,0 +1,57 @@
+// Where each unknown of an orbit stands in a vector: of each event its time and, where it doesn't graze, its
+// velocity; then the frequency and the gap.
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+#include <vector>
+
+#include "curves/orbit.hpp"
+
+namespace peterka::curves {
+
+// q forcing cycles, in tau.
+[[nodiscard]] inline double duration_of(std::int64_t period, const Place& place) {
+    return 2 * std::numbers::pi * static_cast<double>(period) / place.frequency;
+}
+
+class Unknowns {
+  public:
+    explicit Unknowns(const Orbit& orbit) {
+        for (const Event& event : orbit.events) {
+            times_.push_back(size_);
+            size_ += event.kind == EventKind::graze ? 1 : 2;
+        }
+        size_ += 2;
+    }
+
+    [[nodiscard]] Eigen::Index size() const { return size_; }
+    [[nodiscard]] Eigen::Index time(std::size_t event) const { return times_[event]; }
+    [[nodiscard]] Eigen::Index velocity(std::size_t event) const { return times_[event] + 1; }
+    [[nodiscard]] Eigen::Index frequency() const { return size_ - 2; }
+    [[nodiscard]] Eigen::Index gap() const { return size_ - 1; }
+
+  private:
+    std::vector<Eigen::Index> times_;
+    Eigen::Index size_ = 0;
+};
+
+// An orbit at its place: a point on a branch or a curve.
+struct OrbitPoint {
+    Orbit orbit;
+    Place place;
+};
+
+// Moves all unknowns of a point.
+inline void move(OrbitPoint& point, const Eigen::VectorXd& step) {
+    const Unknowns unknowns(point.orbit);
+    for (std::size_t i = 0; i < point.orbit.events.size(); ++i) {
+        Event& event = point.orbit.events[i];
+        event.time += step[unknowns.time(i)];
+        if (event.kind != EventKind::graze) event.velocity += step[unknowns.velocity(i)];
+    }
+    point.place.frequency += step[unknowns.frequency()];
+    point.place.gap += step[unknowns.gap()];
+}
+
+}  // namespace peterka::curves
