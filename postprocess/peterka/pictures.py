@@ -9,8 +9,9 @@ from functools import partial
 
 from .files.opened import OpenedFile
 from .maps import (
-    audit_map, basin_map, computed_map, force_map, last_impact, number_map, peterka_map, quantity_map,
+    audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map, quantity_map,
 )
+from .maps.curves_file import CurvesFile
 from .maps.map_file import PeterkaFile
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
@@ -20,7 +21,8 @@ from .sweeps.sweep_file import SweepFile
 from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
 
-READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace": TraceFile, "study": StudyFile}
+READERS = {"map": PeterkaFile, "basin": PeterkaFile, "sweep": SweepFile, "trace": TraceFile, "study": StudyFile,
+           "curves": CurvesFile}
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,8 @@ PICTURES = [
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
+    Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
+    Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
     Row("response", ("sweep",), response.draw, takes=("measured",)),
     Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=("measured",)),
     Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=("measured",)),

@@ -10,7 +10,7 @@ namespace peterka::curves {
 namespace {
 
 // The numbers of a site on their way between ranks.
-constexpr std::size_t site_numbers = 5;
+constexpr std::size_t site_numbers = 6;
 
 std::uint64_t scattered(std::uint64_t n) {
     n = (n ^ (n >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -37,7 +37,8 @@ Numbers CoarseMap::solve(std::int64_t part) const {
     regime::CellPool pool(*scene_, nothing_known, [&](const regime::CellPool::Solved& solved) {
         const regime::CellResult& cell = solved.result;
         const Numbers site{static_cast<double>(cell.regime), static_cast<double>(cell.impacts),
-                           static_cast<double>(cell.period), cell.orbit_displacement, cell.orbit_velocity};
+                           static_cast<double>(cell.period), cell.orbit_displacement, cell.orbit_velocity,
+                           cell.peak_force};
         std::ranges::copy(site, numbers.begin() + (solved.number - first) * std::ptrdiff_t{site_numbers});
     });
     for (std::int64_t next = first; next < end || !pool.empty(); pool.step()) {
@@ -56,6 +57,7 @@ void CoarseMap::put_together(const std::vector<Numbers>& parts) {
             site.period = reader.integer();
             const double displacement = reader.number();
             site.orbit = {displacement - place(std::ssize(sites_)).gap, reader.number()};
+            site.peak_force = reader.number();
             sites_.push_back(site);
         }
     }

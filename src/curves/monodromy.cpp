@@ -1,5 +1,6 @@
 #include "curves/monodromy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -38,8 +39,10 @@ Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side
         const Event& event = orbit.events[i];
         const double length = length_of_leg(orbit, i, place);
         const bool counts = side == Side::with_impact;
-        product.matrix = rig.flow(event.presses, length) *
-                         (rig.saltation(event, place, counts).value * product.matrix).eval();
+        const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
+        const Jacobian<double> jump =
+            rig.saltation(event, place, counts, strikes ? event.velocity : 1).value;  // a speed of its own: unscaled
+        product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
         product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
         if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
     }
@@ -52,18 +55,33 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
     const bool counts = side == Side::with_impact;
+    const double speed = std::max(orbit.largest_speed(), place.frequency);
+    const auto strikes = [&](std::size_t i) {
+        return rig.is_rigid() && orbit.events[i].kind == EventKind::touch;
+    };
+    // The product of all speeds on a rigid stop, over the largest one, but for one of them.
+    const auto speeds_without = [&](std::size_t left_out) {
+        double product = 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (strikes(i) && i != left_out) product *= orbit.events[i].velocity / speed;
+        }
+        return product;
+    };
+    double determinant = 1;
     std::vector<Factor> factors;
     Jacobian<double> up_to_here = Jacobian<double>::Identity();
     for (std::size_t i = 0; i < count; ++i) {
         const Event& event = orbit.events[i];
-        Factor factor{up_to_here, rig.saltation(event, place, counts),
+        Factor factor{up_to_here, rig.saltation(event, place, counts, speed),
                       rig.flow(event.presses, length_of_leg(orbit, i, place)), {}};
         up_to_here = (factor.flow * factor.change.value * factor.before).eval();
         factor.through = up_to_here;
         factors.push_back(factor);
+        determinant *= std::exp(-2 * rig.damping(event.presses) * length_of_leg(orbit, i, place));
+        if (event.kind == EventKind::touch) determinant *= rig.determinant_of_touch();
     }
-    const Monodromy product = monodromy(rig, orbit, place, side);
-    Bifurcation result{product.bifurcation(sign), Eigen::VectorXd::Zero(unknowns.size())};
+    const double speeds = speeds_without(count);
+    Bifurcation result{speeds * (1 + determinant) - sign * up_to_here.trace(), Eigen::VectorXd::Zero(unknowns.size())};
     const double turn = 2 * std::numbers::pi * static_cast<double>(orbit.period);
     const double last_longer = -turn / (place.frequency * place.frequency);  // of the last leg, by the frequency
     Jacobian<double> after = Jacobian<double>::Identity();
@@ -73,7 +91,8 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         const double b = rig.damping(event.presses);
         Jacobian<double> generator;
         generator << 0, 1, -rig.stiffness(event.presses), -2 * b;
-        const double longer = -sign * (after * generator * factor.through).trace() - 2 * b * product.determinant;
+        const double longer = -sign * (after * generator * factor.through).trace() -
+                              2 * b * speeds * determinant;
         result.gradient[unknowns.time(i)] -= longer;
         result.gradient[unknowns.time((i + 1) % count)] += longer;
         if (i + 1 == count) result.gradient[unknowns.frequency()] += longer * last_longer;
@@ -81,10 +100,10 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         const auto trace_of = [&](const Jacobian<double>& change) {
             return -sign * (after * change * factor.before).trace();
         };
-        const bool touches = event.kind == EventKind::touch && rig.is_rigid();
-        if (touches) {
+        if (strikes(i)) {
             result.gradient[unknowns.time(i)] += trace_of(factor.change.by_time);
-            result.gradient[unknowns.velocity(i)] += trace_of(factor.change.by_velocity);
+            result.gradient[unknowns.velocity(i)] +=
+                trace_of(factor.change.by_velocity) + speeds_without(i) / speed * (1 + determinant);
             result.gradient[unknowns.frequency()] += trace_of(factor.change.by_frequency);
             result.gradient[unknowns.gap()] += trace_of(factor.change.by_gap);
         }

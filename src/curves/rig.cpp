@@ -99,7 +99,7 @@ LegEnd Rig::leg(bool presses, const Place& place, double from, const State<doubl
     return end;
 }
 
-Change Rig::saltation(const Event& event, const Place& place, bool grazing_counts) const {
+Change Rig::saltation(const Event& event, const Place& place, bool grazing_counts, double speed) const {
     Change change;
     const bool begins = event.kind == EventKind::touch || (event.kind == EventKind::graze && grazing_counts);
     if (!begins) return change;
@@ -108,16 +108,16 @@ Change Rig::saltation(const Event& event, const Place& place, bool grazing_count
         return change;
     }
     const double r = restitution_;
-    const double v = event.velocity;
+    const double v = event.velocity / speed;
     const double eta = place.frequency;
     const double sine = std::sin(eta * event.time);
     const double cosine = std::cos(eta * event.time);
-    const double pressing = (1 + r) * (eta * eta * sine - place.gap) / v;
-    change.value << -r, 0, pressing, -r;
-    change.by_time(1, 0) = (1 + r) * eta * eta * eta * cosine / v;
-    change.by_velocity(1, 0) = -pressing / v;
-    change.by_frequency(1, 0) = (1 + r) * (2 * eta * sine + eta * eta * event.time * cosine) / v;
-    change.by_gap(1, 0) = -(1 + r) / v;
+    const double share = (1 + r) / speed;
+    change.value << -r * v, 0, share * (eta * eta * sine - place.gap), -r * v;
+    change.by_velocity << -r / speed, 0, 0, -r / speed;
+    change.by_time(1, 0) = share * eta * eta * eta * cosine;
+    change.by_frequency(1, 0) = share * (2 * eta * sine + eta * eta * event.time * cosine);
+    change.by_gap(1, 0) = -share;
     return change;
 }
 

@@ -68,8 +68,9 @@ class Rig {
     [[nodiscard]] State<double> state_in_leg(bool presses, const Place& place, double from,
                                              const State<double>& start, double to) const;
     [[nodiscard]] Jacobian<double> flow(bool presses, double length) const;
-    // At a touch, or, where a grazing counts as an impact, at one that just begins (spring-dashpot stops).
-    [[nodiscard]] Change saltation(const Event& event, const Place& place, bool grazing_counts) const;
+    // At a touch, or, where a grazing counts as an impact, at one that just begins (spring-dashpot stops). That of
+    // a rigid stop is given times the impact's speed over `speed`, and has a limit at a grazing.
+    [[nodiscard]] Change saltation(const Event& event, const Place& place, bool grazing_counts, double speed) const;
     // det of all saltations of an impact.
     [[nodiscard]] double determinant_of_touch() const { return rigid_ ? restitution_ * restitution_ : 1; }
 

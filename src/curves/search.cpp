@@ -33,6 +33,7 @@ class Search {
         const std::vector<Edge> edges = edges_of(map_, most_period_);
         if (!follow_all(edges)) return std::nullopt;
         count_edges(edges);
+        for (std::int64_t cell = 0; cell < map_.count(); ++cell) found_.sites.push_back(map_.site(cell));
         put_in_order();
         return found_;
     }

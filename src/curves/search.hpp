@@ -34,6 +34,7 @@ struct EdgeCount {
 };
 
 struct Findings {
+    std::vector<Site> sites;      // the coarse map, row by row
     std::vector<Curve> curves;    // in the order of the file
     std::vector<double> seconds;  // that each took
     EdgeCount edges;

@@ -95,7 +95,7 @@ class HalfCurve {
         if (leaves) {
             const auto last = at_border(here.point, there.point);
             if (last) keep(*last);
-            end = last ? CurveEnd::border : CurveEnd::lost;
+            end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
         return leaves || breaks;
     }

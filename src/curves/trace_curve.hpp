@@ -48,9 +48,12 @@ struct Window {
     Place low;
     Place high;
     [[nodiscard]] Place size() const { return {high.frequency - low.frequency, high.gap - low.gap}; }
-    [[nodiscard]] bool holds(const Place& place) const {
-        return place.frequency >= low.frequency && place.frequency <= high.frequency && place.gap >= low.gap &&
-               place.gap <= high.gap;
+    // Its border belongs to it, as far as rounding lets tell.
+    [[nodiscard]] bool holds(const Place& place, double beyond = 1e-9) const {
+        const double across = beyond * size().frequency;
+        const double up = beyond * size().gap;
+        return place.frequency >= low.frequency - across && place.frequency <= high.frequency + across &&
+               place.gap >= low.gap - up && place.gap <= high.gap + up;
     }
 };
 

@@ -13,7 +13,7 @@
 
 namespace peterka::job {
 
-enum class Kind { map, basin, sweep, study, trace };
+enum class Kind { map, basin, sweep, study, trace, curves };
 enum class CubicForm { relative, absolute };  // k3 (x - y)^3 (eq. 14 of the paper) or k3 (x^3 - y^3) (eq. 3)
 enum class StudyTopic { work_precision, labels, stability };
 enum class Spacing { linear, log };
@@ -154,6 +154,12 @@ struct Sweep {
     friend bool operator==(const Sweep&, const Sweep&) = default;
 };
 
+// Where regimes end: the curves of a window.
+struct Curves {
+    std::int64_t max_period = 4;  // of orbits [forcing cycles]
+    friend bool operator==(const Curves&, const Curves&) = default;
+};
+
 // What a study compares: engines and common practice, on cells, on a map, or on a battery of extreme scenes.
 struct Study {
     StudyTopic topic = StudyTopic::work_precision;
@@ -208,6 +214,7 @@ struct Job {
     Sweep sweep;    // sweep only
     Study study;    // study only
     Trace trace;    // trace only
+    Curves curves;  // curves only
     Limits limits;
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;

@@ -28,7 +28,7 @@ template <>
 struct Names<Kind> {
     static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
                                     Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"},
-                                    Named{Kind::trace, "trace"}};
+                                    Named{Kind::trace, "trace"}, Named{Kind::curves, "curves"}};
 };
 
 template <>

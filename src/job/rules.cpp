@@ -164,6 +164,26 @@ std::string rule_of_traced_cell(const Trace& trace) {
     return "trace.row and trace.column name a cell together; one of them is missing; give both, or neither";
 }
 
+std::string rule_of_curves(const Job& job) {
+    if (std::holds_alternative<HuntCrossley>(job.contact)) {
+        return "curves need contact.law = \"kelvin_voigt\" or \"restitution\"; they rest on the closed form of "
+               "the motion, which a nonlinear stop has not; take one of these laws";
+    }
+    const auto* voigt = std::get_if<KelvinVoigt>(&job.contact);
+    if (voigt != nullptr && voigt->stiffness_n_per_m == 0 && voigt->damping_ns_per_m > 0) {
+        return "contact.stiffness_n_per_m = 0; a dashpot alone never pushes the hammer back, and no impact ends; "
+               "give a stiffness";
+    }
+    const bool keeps_cubic = job.solver.omit_tolerance == 0 && job.hammer.cubic_stiffness_n_per_m3 != 0;
+    const EngineChoice engine = job.solver.engine;
+    if (keeps_cubic || (engine != EngineChoice::automatic && engine != EngineChoice::exact)) {
+        return "curves leave the cubic part of the springs out; they rest on the closed form of the motion, which "
+               "those springs have not; leave solver.engine at \"auto\" and solver.omit_tolerance above 0, or set "
+               "hammer.cubic_stiffness_n_per_m3 to 0";
+    }
+    return {};
+}
+
 std::string rule_of_title(std::string_view title) {
     constexpr std::size_t longest = 1000;  // [bytes]
     if (title.size() > longest) {

@@ -27,6 +27,8 @@ namespace peterka::job {
 // Of a trace with a rig of its own: what fits to a cart at rest and to one that vibrates, and how long it is.
 [[nodiscard]] std::string rule_of_trace(const Job& job);
 [[nodiscard]] std::string rule_of_traced_cell(const Trace& trace);
+// Of curves: the stops and springs whose orbits have a closed form.
+[[nodiscard]] std::string rule_of_curves(const Job& job);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

@@ -10,6 +10,7 @@
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/schema_curves.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_rig.hpp"
 #include "job/schema_settings.hpp"
@@ -55,7 +56,7 @@ void describe(Walker& file, Job& job) {
     file.integer({"schema", "version of the job file's own format", "1"}, schema,
                  from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
     const bool kind_is_known =
-        file.choice({"kind", "kind of the job: map, basin, sweep, study or trace", "\"map\""}, job.kind);
+        file.choice({"kind", "kind of the job: map, basin, sweep, study, trace or curves", "\"map\""}, job.kind);
     file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
     file.rule({"title"}, [&] { return rule_of_title(job.title); });
     file.skip({"rig"});  // followed before anything is read (rig_files.hpp)
@@ -64,7 +65,7 @@ void describe(Walker& file, Job& job) {
     describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point", "refine", "sweep", "study", "trace"});
+        file.skip({"axes", "start", "operating_point", "refine", "sweep", "study", "trace", "curves"});
     }
     if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
@@ -76,6 +77,8 @@ void describe(Walker& file, Job& job) {
                [&](auto& table) { describe(table, job.steady_state); });
     if (kind_is_known && job.kind == Kind::study) {
         describe_study(file, job);
+    } else if (kind_is_known && job.kind == Kind::curves) {
+        describe_curves(file, job);
     } else {
         describe_settings(file, job);
         if (kind_is_known)
@@ -87,6 +90,9 @@ void describe(Walker& file, Job& job) {
     if (kind_is_known) {
         file.refuse("trace",
                     "belongs to kind = \"trace\"; this job follows no single cell in time; remove this table");
+    }
+    if (kind_is_known && job.kind != Kind::curves) {
+        file.refuse("curves", "belongs to kind = \"curves\"; this job traces none; remove this table");
     }
 }
 

@@ -103,6 +103,7 @@ void refuse_other_tables_in_trace(Walker& file) {
     file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
     file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; a trace compares nothing; remove this table");
+    file.refuse("curves", "belongs to kind = \"curves\"; a trace follows one cell; remove this table");
     file.refuse("sweep", "belongs to kind = \"sweep\"; a trace follows one cell; remove this table");
     file.refuse("limits", "is for maps; a trace that fails says so; remove this table");
 }

@@ -31,6 +31,7 @@ std::string what_the_cells_are(const job::Job& job) {
         case job::Kind::map:
         case job::Kind::study:
         case job::Kind::trace:
+        case job::Kind::curves:
             break;
     }
     return "excitation frequencies and gaps";

@@ -14,7 +14,7 @@ from .harmless import harmless
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
 LAYOUT = 2
-KINDS = ("map", "basin", "sweep", "trace", "study")
+KINDS = ("map", "basin", "sweep", "trace", "study", "curves")
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 

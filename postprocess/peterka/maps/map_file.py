@@ -51,6 +51,8 @@ class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     QUANTITIES and of PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
 
+    coordinates = COORDINATES  # of each kind that this class reads
+
     @cached_property
     def computed(self):
         """Share of the cells that are computed, 0 to 1."""
@@ -82,9 +84,9 @@ class PeterkaFile(OpenedFile):
         return band
 
     def check_content(self):
-        if self.kind not in COORDINATES:
-            raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(COORDINATES)} file is needed")
-        self.rows, self.columns = (self._axis(name) for name in COORDINATES[self.kind])
+        if self.kind not in self.coordinates:
+            raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(self.coordinates)} file is needed")
+        self.rows, self.columns = (self._axis(name) for name in self.coordinates[self.kind])
         self.shape = (len(self.rows.values), len(self.columns.values))
         for name in ("regime", "impacts", "period"):
             self.data.dataset(name, self.shape, INTEGER)

@@ -1,0 +1,78 @@
+"""A file of curves, checked before anything in it is believed: the coarse map in which orbits were looked for, as that
+of a map file, the curves over the same plane, and the special points on them.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.checked_hdf5 import INTEGER, REAL
+from .map_file import PeterkaFile
+
+KINDS = ("fold", "period_doubling", "grazing")
+SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp")
+MAX_POINTS = 10_000_000
+
+
+@dataclass(frozen=True)
+class Curve:
+    """`kind` of KINDS, p and q of the orbit on the stable side, and its points in their order, each (points,)."""
+
+    kind: str
+    impacts: int
+    period: int
+    frequency_ratio: np.ndarray
+    gap_ratio: np.ndarray
+
+
+@dataclass(frozen=True)
+class Special:
+    """`kind` of SPECIALS, and where."""
+
+    kind: str
+    frequency_ratio: float
+    gap_ratio: float
+
+
+class CurvesFile(PeterkaFile):
+    """A checked, open file of curves: besides the coarse map `curves` and `specials`."""
+
+    coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
+
+    def check_content(self):
+        super().check_content()
+        self.curves = self._curves() if self.data.has("curve_kind") else []
+        self.specials = self._specials() if self.data.has("special_kind") else []
+
+    def _curves(self):
+        kinds = self._column("curve_kind", INTEGER)
+        impacts, periods, firsts, counts = (
+            self._column(name, INTEGER, kinds.shape)
+            for name in ("curve_impacts", "curve_period", "curve_first", "curve_points"))
+        frequencies = self._column("point_frequency_ratio", REAL)
+        gaps = self._column("point_gap_ratio", REAL, frequencies.shape)
+        if not (np.isin(kinds, range(len(KINDS))).all() and (impacts >= 0).all() and (periods > 0).all()):
+            raise self.refusal("has a curve of no known kind or orbit")
+        if not ((firsts >= 0).all() and (counts >= 0).all() and (counts <= len(gaps)).all()
+                and (firsts <= len(gaps) - counts).all()):
+            raise self.refusal("has a curve with points that the file does not have")
+        if not (np.isfinite(frequencies).all() and np.isfinite(gaps).all()):
+            raise self.refusal("has a point that is not finite")
+        return [
+            Curve(KINDS[kind], int(p), int(q), frequencies[first:first + count], gaps[first:first + count])
+            for kind, p, q, first, count in zip(kinds, impacts, periods, firsts, counts)]
+
+    def _specials(self):
+        kinds = self._column("special_kind", INTEGER)
+        frequencies, gaps = (self._column(name, REAL, kinds.shape)
+                             for name in ("special_frequency_ratio", "special_gap_ratio"))
+        if not (np.isin(kinds, range(len(SPECIALS))).all() and np.isfinite(frequencies).all()
+                and np.isfinite(gaps).all()):
+            raise self.refusal("has a special point of no known kind or place")
+        return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, frequencies, gaps)]
+
+    def _column(self, name, numbers, shape=None):
+        found = self.data.dataset(name, shape, numbers).shape
+        if len(found) != 1 or not 1 <= found[0] <= MAX_POINTS:
+            raise self.refusal(f"has {name} of shape {found}; 1 to {MAX_POINTS} can be drawn")
+        return self.data.values(name, slice(None))

@@ -1,0 +1,98 @@
+"""Where regimes end: the curves of a window, over the coarse map in which they were looked for or alone.
+
+Folds are solid, period doublings dashed, grazings dotted; letters stand at the special points. z = p/q, of the orbit on
+the stable side, is written at the longest curves.
+"""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+from .peterka_map import WIDTH
+from .reduce import class_picture
+
+LOOKS = {
+    "fold": {"linestyle": "-", "linewidth": 1.0},
+    "period_doubling": {"linestyle": (0, (4, 1.6)), "linewidth": 0.9},
+    "grazing": {"linestyle": (0, (1, 1.1)), "linewidth": 0.9},
+}
+WORDS = {"fold": "fold: the orbit is born or ends", "period_doubling": "period doubling",
+         "grazing": "grazing: an impact is gained or lost"}
+LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "period doubling with grazing"),
+           "double_grazing": ("G", "two grazings"), "cusp": ("C", "cusp: two folds meet")}
+COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
+MOST_NAMES = 24
+APART = 0.06  # of the picture, between two names or letters
+
+
+def draw(file):
+    """The curves alone as a Figure; None without any."""
+    return _draw(file, over_map=False) if file.curves else None
+
+
+def draw_over_map(file):
+    """The same over the coarse map."""
+    return _draw(file, over_map=True) if file.curves else None
+
+
+def _draw(file, over_map):
+    reduced, _ = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in file.curves)]
+    curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
+    specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]
+    letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
+                      label=LETTERS[kind][1]) for kind in specials]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(curves, 1, None), (letters, 2, None)])
+    if over_map:
+        axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
+    axes.label_axes(ax, file)
+    for curve in file.curves:
+        ax.plot(curve.frequency_ratio, curve.gap_ratio, **_look(curve.kind, over_map))
+    taken = _write_names(ax, file)
+    _write_letters(ax, file, taken)
+    axes.write_title(figure, file, "where regimes end")
+    return figure
+
+
+def _look(kind, over_map):
+    effects = {"path_effects": axes.outline(1.8)} if over_map else {}
+    return LOOKS[kind] | {"color": COLOURS[kind]} | effects
+
+
+def _in_picture(ax, x, y):
+    return ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
+
+
+def _has_room(place, taken):
+    inside = np.all((place > 0.02) & (place < 0.98))
+    return inside and all(np.hypot(*(place - other)) > APART for other in taken)
+
+
+def _write_names(ax, file):
+    """z = p/q at the middle of the longest curves, where there is room; gives the places in the picture."""
+    taken = []
+    lengths = [float(np.sum(np.hypot(np.diff(curve.frequency_ratio), np.diff(curve.gap_ratio))))
+               for curve in file.curves]
+    for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
+        curve = file.curves[number]
+        middle = len(curve.gap_ratio) // 2
+        place = _in_picture(ax, curve.frequency_ratio[middle], curve.gap_ratio[middle])
+        if not _has_room(place, taken):
+            continue
+        taken.append(place)
+        ax.text(*place, f"{curve.impacts}/{curve.period}", transform=ax.transAxes, fontsize=6, ha="center",
+                va="center", color=COLOURS[curve.kind], path_effects=axes.outline(1.6))
+    return taken
+
+
+def _write_letters(ax, file, taken):
+    """Letters at special points; where they crowd, a dot stands for the others."""
+    for special in file.specials:
+        place = _in_picture(ax, special.frequency_ratio, special.gap_ratio)
+        ax.plot(special.frequency_ratio, special.gap_ratio, marker=".", markersize=2.5, color="black",
+                linestyle="none")
+        if _has_room(place + 0.02, taken):
+            taken.append(place + 0.02)
+            ax.text(*(place + 0.018), LETTERS[special.kind][0], transform=ax.transAxes, fontsize=6, weight="bold",
+                    ha="center", va="center", path_effects=axes.outline(1.6))

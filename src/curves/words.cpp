@@ -1,0 +1,84 @@
+#include "curves/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "support/readable.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+constexpr std::array kind_words{"fold", "period doubling", "grazing"};
+constexpr std::array special_words{"fold with grazing", "period doubling with grazing", "two grazings", "cusp"};
+
+std::string table_of_curves(const Findings& found) {
+    struct Row {
+        std::array<int, 3> curves{};
+        std::size_t points = 0;
+    };
+    std::map<std::pair<std::int64_t, std::int64_t>, Row> rows;
+    for (const Curve& curve : found.curves) {
+        Row& row = rows[{curve.period, curve.impacts}];
+        ++row.curves[static_cast<std::size_t>(curve.kind)];
+        row.points += curve.points.size();
+    }
+    std::string text = fmt::format("  {:<8}{:>8}{:>18}{:>10}{:>10}\n", "z", kind_words[0], kind_words[1],
+                                   kind_words[2], "points");
+    for (const auto& [label, row] : rows) {
+        text += fmt::format("  {:<8}{:>8}{:>18}{:>10}{:>10}\n", fmt::format("{}/{}", label.second, label.first),
+                            row.curves[0], row.curves[1], row.curves[2], row.points);
+    }
+    return text;
+}
+
+std::string specials_text(const Findings& found) {
+    std::array<int, 4> counts{};
+    for (const Curve& curve : found.curves) {
+        for (const Special& special : curve.specials) ++counts[static_cast<std::size_t>(special.kind)];
+    }
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], special_words[i]);
+    }
+    return text.empty() ? "" : fmt::format("Special points: {}\n", text);
+}
+
+std::string edges_text(const EdgeCount& edges) {
+    if (edges.edges == 0) return "";
+    return fmt::format(
+        "Edges of the coarse map between these orbits, or one of them and no impact: {}\n"
+        "  {:>8} within one cell of a curve\n"
+        "  {:>8} where both motions live on both sides: the start decides\n"
+        "  {:>8} neither\n",
+        readable_count(edges.edges), readable_share(edges.on_curve, edges.edges),
+        readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
+}
+
+}  // namespace
+
+std::string in_words(const scene::Scene& scene, const Findings& found) {
+    const job::Job& job = scene.job();
+    const std::string title = job.title.empty() ? "(no title)" : job.title;
+    if (found.curves.empty()) {
+        return fmt::format(
+            "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and q up to {}, and "
+            "the motion without impacts nowhere ends within the window\n",
+            title, found.periodic_cells, readable_count(scene.rows() * scene.columns()), job.curves.max_period);
+    }
+    double largest = 0;
+    std::size_t points = 0;
+    for (const Curve& curve : found.curves) {
+        points += curve.points.size();
+        for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
+    }
+    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}", title, found.curves.size(),
+                       readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found),
+                       specials_text(found), edges_text(found.edges));
+}
+
+}  // namespace peterka::curves

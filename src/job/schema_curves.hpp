@@ -1,0 +1,37 @@
+// The tables of a job of curves: those of a map, whose cells are where orbits are looked for, and [curves].
+#pragma once
+
+#include "job/job.hpp"
+#include "job/key.hpp"
+#include "job/names.hpp"
+#include "job/rules.hpp"
+#include "job/schema_plane.hpp"
+#include "job/schema_settings.hpp"
+
+namespace peterka::job {
+
+template <typename Walker>
+void describe(Walker& table, Curves& curves) {
+    table.integer({"max_period", "curves of orbits up to this q [forcing cycles]"}, curves.max_period,
+                  from_to<std::int64_t>(1, 16, "longer orbits have curves too fine for any picture"));
+}
+
+template <typename Walker>
+void describe_curves(Walker& file, Job& job) {
+    describe_plane(file, job);
+    file.rule({"axes"}, [&] {
+        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
+                                  "the lowest axes.gap_ratio", job.rows.from);
+    });
+    file.table({"curves", "which curves are traced"}, [&](auto& table) { describe(table, job.curves); });
+    describe_solver(file, job);
+    file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
+    describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
+    file.refuse("operating_point", "belongs to a basin; curves cross the plane of their axes; remove this table");
+    file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
+    file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
+    file.refuse("study", "belongs to kind = \"study\"; curves compare nothing; remove this table");
+    file.refuse("limits", "is for maps; cells that fail bear no curve; remove this table");
+}
+
+}  // namespace peterka::job

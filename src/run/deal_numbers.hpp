@@ -1,0 +1,20 @@
+// Tasks whose results are plain numbers: dealt to all ranks, and every rank gets all results.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "parallel/session.hpp"
+#include "support/stop_request.hpp"
+
+namespace peterka {
+
+// Collective, inside failing_ends_all. The results of tasks 0 to count - 1, in this order; nothing, on every
+// rank, if somebody asked to stop before the end.
+[[nodiscard]] std::optional<std::vector<std::vector<double>>> deal_numbers(
+    const parallel::Session& session, const StopRequest& stop, std::int64_t count,
+    const std::function<std::vector<double>(std::int64_t task)>& solve);
+
+}  // namespace peterka

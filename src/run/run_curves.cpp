@@ -1,0 +1,69 @@
+#include "run/run_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "curves/search.hpp"
+#include "curves/tables.hpp"
+#include "curves/words.hpp"
+#include "map_file/provenance.hpp"
+#include "map_file/whole_file.hpp"
+#include "run/deal_numbers.hpp"
+#include "run/words.hpp"
+#include "support/readable.hpp"
+#include "support/stop_if_asked.hpp"
+#include "support/stop_request.hpp"
+#include "support/stopwatch.hpp"
+#include "support/tell.hpp"
+
+namespace peterka {
+namespace {
+
+constexpr std::int64_t largest_file = 50'000'000;  // far above any [bytes]
+
+std::string omitted_text(const scene::Scene& scene) {
+    return scene.cell(0, 0).oscillator.cubic == 0 ? "nothing" : "cubic part of the springs";
+}
+
+}  // namespace
+
+ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
+    if (plan.existing == map_file::Existing::complete) {
+        parallel::on_root(session, [&] { print_complete(plan); });
+        return ExitCode::done;
+    }
+    parallel::on_root(session, [&] { map_file::require_place(plan.file, largest_file); });
+    const Stopwatch wall;
+    const StopRequest stop(plan.max_wall_seconds);
+    const std::string hosts = host_names(session, plan);
+    ExitCode code = ExitCode::stopped_early;
+    std::string words;
+    parallel::failing_ends_all(session, [&] {
+        const scene::Scene scene(plan.job);
+        const auto found = curves::find_curves(scene, [&](std::int64_t count, const curves::Task& task) {
+            return deal_numbers(session, stop, count, task);
+        });
+        if (!found) return;
+        code = ExitCode::done;
+        if (!session.is_root()) return;
+        map_file::write_whole_file(plan.file, plan.job, map_file::collect_provenance(),
+                                 {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, *found)},
+                                 {session.size(), wall.seconds(), hosts});
+        if (plan.quiet) return;
+        words = fmt::format("{}\nThis run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
+                            curves::in_words(scene, *found), readable_duration(wall.seconds()), session.size(),
+                            session.size() == 1 ? "rank" : "ranks", plan.file.string(), plan.file.string());
+    });
+    if (code == ExitCode::stopped_early && session.is_root()) {
+        tell(
+            "peterka: stopped early ({}); curves keep nothing of an unfinished run: the same command starts "
+            "over\n",
+            stop.reason());
+    }
+    parallel::on_root(session, [&] { print_of_file(words, plan); });
+    return code;
+}
+
+}  // namespace peterka

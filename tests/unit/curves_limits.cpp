@@ -1,0 +1,212 @@
+// Curves at the limits that are known from elsewhere: formulas, an independent run of the model, other engines.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "curves/follow.hpp"
+#include "curves/trace_curve.hpp"
+#include "regime/steady_state.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+
+namespace peterka::curves {
+namespace {
+
+const Place window{4, 5};
+
+// Beam springs of 170 mm, as the paper prints their numbers.
+scene::Oscillator<double> rig_170mm() {
+    const double mass = 0.298;
+    const double omega = 2 * std::numbers::pi * 4.5;
+    scene::Oscillator<double> rig;
+    rig.damping_ratio = 0.06 / (2 * mass * omega);
+    rig.contact = scene::KelvinVoigt<double>{5.5e6 / (mass * omega * omega), 1.2e3 / (mass * omega)};
+    rig.frequency = 1;
+    return rig;
+}
+
+scene::Oscillator<double> rigid_rig() {
+    scene::Oscillator<double> rig;
+    rig.damping_ratio = 0.02;
+    rig.contact = scene::Restitution<double>{0.6};
+    rig.frequency = 1;
+    return rig;
+}
+
+template <class Map>
+std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> scene, const Place& place, std::int64_t period,
+                                   const State<double>& start = {0, 0}) {
+    scene.frequency = place.frequency;
+    scene.gap = place.gap;
+    const Map map(scene);
+    State<double> x(start[0] - place.gap, start[1] - place.frequency);
+    for (int cycle = 0; cycle < 2000; ++cycle) x = map(x).end;
+    return stable_orbit_near(Rig(scene), place, x, period, window);
+}
+
+Seed edge(const scene::Oscillator<double>& scene, const Place& from, const Place& to,
+          const State<double>& start = {0, 0}) {
+    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
+    const auto orbit = rigid ? orbit_at<trajectory::RigidExactMap<double>>(scene, from, 1, {-1, from.frequency})
+                             : orbit_at<trajectory::ExactCycleMap<double>>(scene, from, 1, start);
+    EXPECT_TRUE(orbit);
+    const Followed followed = follow(Rig(scene), *orbit, to, window);
+    EXPECT_TRUE(followed.seed);
+    return *followed.seed;
+}
+
+regime::CellResult by_cvode(const Place& place, const State<double>& start = {0, 0}) {
+    scene::Oscillator<double> scene = rig_170mm();
+    scene.frequency = place.frequency;
+    scene.gap = place.gap;
+    return regime::find_steady_state(scene, {start[0] - place.gap, start[1] - place.frequency}, {},
+                                     {.engine = regime::Engine::cvode, .tolerance = 1e-9});
+}
+
+std::pair<int, int> label(const regime::CellResult& cell) {
+    return {cell.impacts, cell.period};
+}
+
+// The numbers are those of an independent long-double program.
+TEST(Curves, LimitsOf11OnThe170mmRig) {
+    const auto rig = rig_170mm();
+    struct Known {
+        Place from;
+        Place to;
+        State<double> start;
+        CurveKind kind;
+        double frequency;
+    };
+    for (const Known& known :
+         {Known{{2, 0}, {3, 0}, {0, 0}, CurveKind::period_doubling, 2.659361979},
+          Known{{2, 1}, {3, 1}, {0, 0}, CurveKind::period_doubling, 2.264326891},
+          Known{{1, 1}, {0.5, 1}, {0, 0}, CurveKind::period_doubling, 0.718391067},
+          Known{{1.6, 1.5}, {2.2, 1.5}, {-1, 2}, CurveKind::fold, 1.862464993},
+          Known{{1.3, 0}, {0.9, 0}, {0, 0}, CurveKind::grazing, 1.15008754}}) {
+        const Seed seed = edge(rig, known.from, known.to, known.start);
+        EXPECT_EQ(seed.kind, known.kind);
+        EXPECT_NEAR(seed.point.place.frequency, known.frequency, 1e-8);
+        EXPECT_LE(curve_point(Rig(rig), seed.point, seed.kind).residual, largest_residual);
+    }
+}
+
+TEST(Curves, PeriodDoublingOfARigidStop) {
+    const auto rig = rigid_rig();
+    EXPECT_NEAR(edge(rig, {2, 0}, {3, 0}).point.place.frequency, 2.6609482425529, 1e-9);
+    EXPECT_NEAR(edge(rig, {2, 0.5}, {3, 0.5}).point.place.frequency, 2.494678798104, 1e-9);
+}
+
+// alpha^2 V^2 + ... has a double root at g = P sqrt(1 + alpha^2 eta^2 / (r + beta)^2).
+TEST(Curves, FoldOfARigidStopInClosedForm) {
+    const double eta = 1.7;
+    const double r = 0.6;
+    const double zeta = 0.02;
+    const Seed seed = edge(rigid_rig(), {eta, 1.0}, {eta, 4.0});
+    ASSERT_EQ(seed.kind, CurveKind::fold);
+    const double turn = 2 * std::numbers::pi / eta;
+    const double nu = std::sqrt(1 - zeta * zeta);
+    const double decay = std::exp(-zeta * turn);
+    Eigen::Matrix2d flow;
+    flow << decay * (std::cos(nu * turn) + zeta / nu * std::sin(nu * turn)), decay * std::sin(nu * turn) / nu,
+        -decay * std::sin(nu * turn) / nu, decay * (std::cos(nu * turn) - zeta / nu * std::sin(nu * turn));
+    const Eigen::Matrix2d inverse = (flow - Eigen::Matrix2d::Identity()).inverse();
+    const double alpha = (1 + r) * inverse(0, 1);
+    const double beta = (1 + r) * inverse(1, 1);
+    const double reach = eta * eta / std::hypot(1 - eta * eta, 2 * zeta * eta);
+    EXPECT_NEAR(seed.point.place.gap, reach * std::hypot(1, alpha * eta / (r + beta)), 1e-9);
+}
+
+TEST(Curves, MotionWithoutImpactEndsWhereItsSwingReachesTheStop) {
+    const auto rig = rig_170mm();
+    const auto seed = reach_of_free_motion(Rig(rig), 3.0, window);
+    ASSERT_TRUE(seed);
+    const Curve curve = trace_curve(Rig(rig), *seed, {{0.5, 0}, {4.5, 5}});
+    ASSERT_GT(curve.points.size(), 50U);
+    EXPECT_EQ(curve.impacts, 0);
+    for (const CurvePoint& point : curve.points) {
+        const double eta = point.place.frequency;
+        EXPECT_NEAR(point.place.gap, eta * eta / std::hypot(1 - eta * eta, 2 * rig.damping_ratio * eta), 1e-11);
+        EXPECT_LE(point.residual, largest_residual);
+    }
+}
+
+// The fold of 1/1 and the edge of no impact meet in a point that each of them finds for itself: the fold where its
+// impact loses its speed, the edge where the orbit with the new impact has the multiplier 1. So do the period
+// doubling and the edge.
+TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
+    const auto rig = rig_170mm();
+    const Window plane{{0.5, 0}, {4.5, 5}};
+    const Curve reach = trace_curve(Rig(rig), *reach_of_free_motion(Rig(rig), 3.0, window), plane);
+    const Curve fold = trace_curve(Rig(rig), edge(rig, {1.6, 1.5}, {2.2, 1.5}, {-1, 2}), plane);
+    const Curve doubling = trace_curve(Rig(rig), edge(rig, {2, 1}, {3, 1}), plane);
+    const auto special = [](const Curve& curve, SpecialKind kind) {
+        for (const Special& each : curve.specials) {
+            if (each.kind == kind) return each.place;
+        }
+        ADD_FAILURE() << "no such point";
+        return Place{};
+    };
+    for (const auto& [curve, kind] : {std::pair(fold, SpecialKind::fold_grazing),
+                                      std::pair(doubling, SpecialKind::flip_grazing)}) {
+        EXPECT_NEAR(special(curve, kind).frequency, special(reach, kind).frequency, 1e-9);
+        EXPECT_NEAR(special(curve, kind).gap, special(reach, kind).gap, 1e-9);
+    }
+    // quadratic tangency: half as far away from the point, a quarter as far from the edge
+    const Place tip = special(fold, SpecialKind::cusp);
+    EXPECT_NEAR(tip.frequency, special(fold, SpecialKind::fold_grazing).frequency, 0.01);
+}
+
+// Beyond each point an orbit is another one: CVODE, which knows nothing of the closed form, finds it so.
+TEST(Curves, AnotherEngineSeesTheEdges) {
+    const std::pair one{1, 1};
+    const double step = 1e-3;
+    EXPECT_EQ(label(by_cvode({2.659361979 - step, 0})), one);
+    EXPECT_EQ(label(by_cvode({2.659361979 + step, 0})), std::pair(2, 2));
+    EXPECT_EQ(label(by_cvode({1.15008754 + step, 0})), one);
+    EXPECT_EQ(label(by_cvode({1.15008754 - step, 0})), std::pair(2, 1));
+    const Place before{1.862464993 - step, 1.5};
+    const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig_170mm(), {1.8, 1.5}, 1, {-1, 2});
+    ASSERT_TRUE(orbit);
+    EXPECT_EQ(label(by_cvode(before, {-1, 2})), one);
+    EXPECT_NE(label(by_cvode({1.862464993 + step, 1.5}, {-1, 2})), one);
+}
+
+// The closed form of all derivatives, against central differences.
+void expect_derivatives(const Rig& rig, const Seed& seed) {
+    const Equations at = equations(rig, seed.point, conditions_of(seed.kind));
+    for (Eigen::Index i = 0; i < at.jacobian.cols(); ++i) {
+        const double step = 1e-6;
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(at.jacobian.cols());
+        OrbitPoint up = seed.point;
+        OrbitPoint down = seed.point;
+        change[i] = step;
+        move(up, change);
+        move(down, -change);
+        const Eigen::VectorXd slope = (equations(rig, up, conditions_of(seed.kind)).values -
+                                       equations(rig, down, conditions_of(seed.kind)).values) / (2 * step);
+        EXPECT_LT((slope - at.jacobian.col(i)).norm(), 1e-5 * (1 + slope.norm())) << "unknown " << i;
+    }
+}
+
+TEST(Curves, DerivativesAreThoseOfTheEquations) {
+    expect_derivatives(Rig(rig_170mm()), edge(rig_170mm(), {2, 1}, {3, 1}));
+    expect_derivatives(Rig(rig_170mm()), edge(rig_170mm(), {1.6, 1.5}, {2.2, 1.5}, {-1, 2}));
+    expect_derivatives(Rig(rig_170mm()), edge(rig_170mm(), {1.3, 0}, {0.9, 0}));
+    const auto other = [] {
+        auto rig = rigid_rig();
+        rig.damping_ratio = 0.1;
+        return rig;
+    }();
+    expect_derivatives(Rig(other), edge(other, {2, 0.5}, {3, 0.5}));
+}
+
+TEST(Curves, AMotionThatIsNoOrbitGivesNone) {
+    scene::Oscillator<double> rig = rigid_rig();
+    EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));   // never touches
+    EXPECT_FALSE(stable_orbit_near(Rig(rig), {0.3, 0}, {-0.1, 0}, 1, window));  // ends in chatter
+    rig.damping_ratio = 0;
+    EXPECT_FALSE(reach_of_free_motion(Rig(rig), 1.0, window));  // its swing has no limit
+}
+
+}  // namespace
+}  // namespace peterka::curves
