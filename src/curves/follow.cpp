@@ -131,18 +131,19 @@ class Follower {
         return judged;
     }
 
-    // An orbit of twice the period that ends where its halves become equal ends at a period doubling.
+    // An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one that
+    // repeats itself where it grazes does so in each of its parts.
     [[nodiscard]] std::optional<Seed> sound(const Seed& seed, bool& lost) const {
         Seed result = seed;
-        if (seed.kind == CurveKind::fold) {
-            const OrbitPoint halved = with_smallest_period(seed.point, 1e-4);
-            if (halved.orbit.period < seed.point.orbit.period) {
-                const auto doubling = solve(stepper_.rig(), halved, window_,
-                                            stepper_.conditions_and(Condition::at_multiplier(-1)));
-                lost = !doubling;
-                if (lost) return std::nullopt;
-                result = {CurveKind::period_doubling, *doubling};
-            }
+        const OrbitPoint shortest = with_smallest_period(seed.point, 1e-4);
+        const bool is_fold = seed.kind == CurveKind::fold;
+        if (seed.kind != CurveKind::period_doubling && shortest.orbit.period < seed.point.orbit.period) {
+            const auto found = solve(stepper_.rig(), shortest, window_,
+                                     is_fold ? stepper_.conditions_and(Condition::at_multiplier(-1))
+                                             : stepper_.conditions());
+            lost = !found;
+            if (lost) return std::nullopt;
+            result = {is_fold ? CurveKind::period_doubling : CurveKind::grazing, *found};
         }
         const Fault::Kind fault = find_fault(stepper_.rig(), result.point).kind;
         lost = fault == Fault::Kind::pierces || fault == Fault::Kind::slow;
@@ -153,6 +154,7 @@ class Follower {
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(stepper_.rig(), here.point);
+        if (changed && has_same_events(changed->orbit, here.point.orbit)) return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(stepper_.rig(), *changed, window_, stepper_.conditions()) : std::nullopt;
         if (!settled) return false;

@@ -115,14 +115,37 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
     if (count == point.orbit.events.size()) {
         std::vector<Event> turned = orbit->events;
         for (std::size_t turn = 0; turn < count; ++turn) {
-            if (std::ranges::equal(turned, point.orbit.events, {}, &Event::kind, &Event::kind)) return std::nullopt;
+            if (std::ranges::equal(turned, point.orbit.events, {}, &Event::kind, &Event::kind)) return point;
             std::ranges::rotate(turned, turned.begin() + 1);
         }
     }
     return OrbitPoint{*orbit, point.place};
 }
 
+namespace {
+
+// What grazes once in an orbit of twice the period that repeats itself grazes every time.
+OrbitPoint grazing_with_smallest_period(const OrbitPoint& point, double nearness) {
+    OrbitPoint rest = point;
+    const std::size_t place = point.orbit.grazing();
+    Event grazing = point.orbit.events[place];
+    if (grazing.presses) return point;
+    rest.orbit.events.erase(rest.orbit.events.begin() + static_cast<std::ptrdiff_t>(place));
+    if (rest.orbit.events.empty()) return {{1, {grazing}}, point.place};
+    rest = with_smallest_period(rest, nearness);
+    if (rest.orbit.period == point.orbit.period) return point;
+    std::vector<Event>& events = rest.orbit.events;
+    const double duration = duration_of(rest.orbit.period, point.place);
+    grazing.time -= duration * std::floor((grazing.time - events.front().time) / duration);
+    events.insert(std::ranges::find_if(events, [&](const Event& event) { return event.time > grazing.time; }),
+                  grazing);
+    return rest;
+}
+
+}  // namespace
+
 OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness) {
+    if (point.orbit.grazing() < point.orbit.events.size()) return grazing_with_smallest_period(point, nearness);
     const std::vector<Event>& events = point.orbit.events;
     const double duration = duration_of(point.orbit.period, point.place);
     const double speed = point.orbit.largest_speed();

@@ -21,7 +21,7 @@ namespace peterka::curves {
 [[nodiscard]] std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point,
                                                             std::size_t event);
 
-// With the events of the true motion; none where these are no others.
+// With the events of the true motion; the same point where these are no others, and none where it has no orbit.
 [[nodiscard]] std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point);
 
 // The orbit of a divisor's period that a point nearly is; itself where there is none.

@@ -40,9 +40,13 @@ class HalfCurve {
             const double along = std::sqrt(dot(Stepper::along(here.tangent), Stepper::along(here.tangent)));
             auto there = stepper_.next(here, std::min(0.25, 0.012 / std::max(along, 1e-3)));
             if (!there) return;
-            if (ends_between(here, *there)) return;
-            const Fault fault = find_fault(rig_, there->point);
-            if (fault.kind == Fault::Kind::pattern && !change_events(*there)) return;
+            const Step step = judge(here, *there);
+            if (step == Step::ends) return;
+            if (step == Step::unclear) {
+                if (stepper_.step() < 1e-6) return;
+                stepper_.set_step(stepper_.step() / 8);
+                continue;
+            }
             look_for_specials(here, *there);
             if (bounds_nothing(there->point)) return end_at_last_special();
             keep(there->point);
@@ -75,8 +79,11 @@ class HalfCurve {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
     }
 
-    // At the border, or where another impact grazes.
-    bool ends_between(const Stepper::Here& here, const Stepper::Here& there) {
+    enum class Step : std::uint8_t { goes_on, ends, unclear };
+
+    // A step ends the curve at the border, or where another impact grazes. What it has met may be too much at once
+    // for so long a step.
+    Step judge(const Stepper::Here& here, Stepper::Here& there) {
         const bool leaves = !window_.holds(there.point.place);
         const Fault fault = find_fault(rig_, there.point);
         const bool breaks = fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow;
@@ -89,15 +96,17 @@ class HalfCurve {
                                                                : SpecialKind::flip_grazing),
                             *last);
                 end = CurveEnd::special;
-                return true;
+                return Step::ends;
             }
+            if (!last && !leaves) return Step::unclear;
         }
         if (leaves) {
             const auto last = at_border(here.point, there.point);
             if (last) keep(*last);
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
-        return leaves || breaks;
+        if (leaves || breaks) return Step::ends;
+        return fault.kind != Fault::Kind::pattern || change_events(there) ? Step::goes_on : Step::unclear;
     }
 
     std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {
@@ -198,6 +207,7 @@ class HalfCurve {
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(rig_, here.point);
+        if (changed && has_same_events(changed->orbit, here.point.orbit)) return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(rig_, *changed, window_.size(), stepper_.conditions()) : std::nullopt;
         if (!settled) return false;

@@ -111,6 +111,18 @@ std::string check_study(const Request& request, const job::Job& job, const job::
            job::resolved_text(job, origins);
 }
 
+std::string check_curves(const Request& request, const job::Job& job, const job::Origins& origins) {
+    return fmt::format(
+               "# {} is a sound job. It would be computed as follows.\n"
+               "#   orbits   looked for in a coarse map of {} cells, {} by {}\n"
+               "#   curves   of all that are found, up to q = {}, dealt to the ranks\n"
+               "#   file     {} ({})\n\n",
+               request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
+               readable_count(job.row_count()), job.curves.max_period, map_file_of(request).string(),
+               free_space_text(map_file_of(request))) +
+           job::resolved_text(job, origins);
+}
+
 std::string check_trace(const Request& request, const TracedCell& traced, const job::Origins& origins) {
     const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}", traced.map->row,
                                                       traced.map->column, traced.map->file.string())
@@ -133,6 +145,7 @@ std::string check_job(const Request& request) {
     const job::Job& job = traced.job;
     if (traced.map) job::take_from(traced.map->file.string(), job, origins);
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
+    if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job.kind);

@@ -26,6 +26,12 @@ def small_map(columns=40, rows=35, title="small map"):
             + axis("frequency_ratio", 0.5, 4.5, columns) + axis("gap_ratio", 0.0, 5.0, rows))
 
 
+def small_curves(points=24):
+    """Where regimes end, from few cells."""
+    return (RIG.format(kind="curves", title="small curves")
+            + axis("frequency_ratio", 0.5, 4.5, points) + axis("gap_ratio", 0.0, 5.0, points))
+
+
 def map_of_steps(columns, rows):
     """Steps of 1/8 with 41 columns and 21 rows, of 1/4 with 21 and 11: exact in binary, so the maps share cells."""
     return (RIG.format(kind="map", title="steps")

@@ -16,6 +16,7 @@ KINDS = {
     "sweep": jobs.small_sweep(points=8),
     "trace": jobs.trace(2.0),
     "study": jobs.small_label_study(points=3),
+    "curves": jobs.small_curves(points=8),
 }
 FULL = "exec >/dev/full; "
 CLOSED = "exec >&-; "

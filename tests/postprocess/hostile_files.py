@@ -4,6 +4,7 @@ import shutil
 
 import h5py
 import numpy as np
+from curves_samples import write_curves
 from picture_samples import PLAIN, write_audit, write_basin, write_map
 from sealing import SealedFile
 from study_samples import write_labels, write_stability, write_work_precision
@@ -45,6 +46,7 @@ KINDS = {
     "precision": write_work_precision,
     "labels": write_labels,
     "stability": write_stability,
+    "curves": lambda path: write_curves(path, job=JOB),
 }
 
 # Names under which claims.py looks for files of a kind.

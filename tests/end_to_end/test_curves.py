@@ -1,0 +1,119 @@
+"""Curves: the same at any number of ranks, open in xarray, on the edges of the map's labels, and words for what has none."""
+
+import h5py
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import launch
+import map_contents
+
+FOLD, DOUBLING, GRAZING = range(3)
+
+
+def compute(folder, text, *arguments, ranks=None):
+    jobs.write(folder, text)
+    finished = launch.run("run", "job.toml", *arguments, cwd=folder, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5", finished
+
+
+@pytest.fixture(scope="module")
+def curves(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("curves"), jobs.small_curves(points=32))
+
+
+def lines(path, kind, impacts, period):
+    with h5py.File(path) as file:
+        chosen = ((file["curve_kind"][()] == kind) & (file["curve_impacts"][()] == impacts)
+                  & (file["curve_period"][()] == period))
+        points = np.column_stack([file["point_frequency_ratio"][()], file["point_gap_ratio"][()]])
+        return [points[first:first + count] for first, count in zip(
+            file["curve_first"][()][chosen], file["curve_points"][()][chosen])]
+
+
+@pytest.mark.parametrize("ranks", [2, 3])
+def test_curves_are_the_same_at_any_number_of_ranks(tmp_path, curves, ranks):
+    path, _ = compute(tmp_path, jobs.small_curves(points=32), "--quiet", ranks=ranks)
+    map_contents.assert_same_map(path, curves[0])
+
+
+def test_the_file_opens_in_xarray_and_each_point_obeys_its_equations(curves):
+    with xarray.open_dataset(curves[0]) as data:
+        assert float(data.point_residual.max()) <= 1e-11
+        assert int(data.curve_points.sum()) == data.sizes["point"]
+        assert (np.diff(data.curve_first) == data.curve_points[:-1]).all()
+        assert data.regime.dims == ("gap_ratio", "frequency_ratio")
+        assert data.curve_kind.attrs["flag_meanings"] == "fold period_doubling grazing"
+        of_fold = np.repeat(data.curve_kind.values == FOLD, data.curve_points.values)
+        assert np.isclose(np.abs(data.point_multiplier.values[of_fold]), 1, atol=1e-6).all()
+
+
+# Numbers of an independent program, at given gaps.
+@pytest.mark.parametrize("kind, gap, frequency", [
+    (DOUBLING, 1.0, 2.264326891), (DOUBLING, 1.0, 0.718391067), (FOLD, 1.5, 1.862464993)])
+def test_limits_of_1_1_lie_on_curves(curves, kind, gap, frequency):
+    place = np.array([frequency, gap])
+    distances = []
+    for points in lines(curves[0], kind, 1, 1):
+        start, way = points[:-1], np.diff(points, axis=0)
+        share = np.clip(np.sum((place - start) * way, axis=1) / np.maximum(np.sum(way**2, axis=1), 1e-300), 0, 1)
+        distances.append(np.hypot(*(start + share[:, None] * way - place).T).min())
+    assert min(distances) < 1e-3  # of a straight line between two points of the curve
+
+
+def test_the_summary_explains_the_edges(curves):
+    with h5py.File(curves[0]) as file:
+        count, explained = (int(file[f"edges/{name}"][()]) for name in ("count", "on_curve"))
+        basins = int(file["edges/basin"][()])
+        assert count > 50 and explained + basins >= 0.98 * count
+    assert "within one cell of a curve" in curves[1].stdout
+
+
+def test_a_complete_file_is_left_as_it_is(curves):
+    again = launch.run("run", "job.toml", cwd=curves[0].parent)
+    assert again.returncode == 0 and "nothing is computed" in again.stdout
+
+
+@pytest.mark.parametrize("ranks", [None, 2])
+def test_a_run_that_is_stopped_leaves_nothing_and_starts_again(tmp_path, curves, ranks):
+    jobs.write(tmp_path, jobs.small_curves(points=32))
+    stopped = launch.run("run", "job.toml", "--max-wall", "1e-9", cwd=tmp_path, ranks=ranks)
+    assert stopped.returncode == 5 and "starts over" in stopped.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
+    map_contents.assert_same_map(compute(tmp_path, jobs.small_curves(points=32), ranks=ranks)[0], curves[0])
+
+
+def test_a_window_without_impacts_has_words(tmp_path):
+    job = (jobs.RIG.format(kind="curves", title="far stop") + jobs.axis("frequency_ratio", 2.0, 4.0, 4)
+           + jobs.axis("gap_ratio", 20.0, 30.0, 4))
+    path, finished = compute(tmp_path, job)
+    assert "No curve: 0 of the 16 cells" in finished.stdout
+    with h5py.File(path) as file:
+        assert "curve_kind" not in file and file["regime"].shape == (4, 4)
+
+
+@pytest.mark.parametrize("change, words", [
+    (("law = \"kelvin_voigt\"\nstiffness_n_per_m = 5.5e6\ndamping_ns_per_m = 1.2e3",
+      "law = \"hunt_crossley\"\nstiffness_n_per_m_pow_n = 1e9\ndissipation_s_per_m = 0.1"), "closed form"),
+    (("[curves]\nmax_period = 4", "[curves]\nmax_period = 0"), "curves.max_period"),
+    (("[curves]\nmax_period = 4", "[refine]\nlevels = 2"), "curves are exact")])
+def test_what_curves_cannot_do_is_refused(tmp_path, change, words):
+    text = jobs.small_curves(points=8) + "\n[curves]\nmax_period = 4\n"
+    assert change[0] in text
+    jobs.write(tmp_path, text.replace(*change))
+    refused = launch.run("run", "job.toml", cwd=tmp_path)
+    assert refused.returncode == 2 and words in refused.stderr
+
+
+# A rigid stop at gap 0 chatters, and without any damping nothing settles: no orbit, but an end.
+def test_rigs_that_have_few_orbits_come_to_an_end(tmp_path):
+    rigid = jobs.with_rigid_stop(jobs.small_curves(points=12)).replace("to = 5.0", "to = 0.5")
+    path, _ = compute(tmp_path, rigid)
+    with h5py.File(path) as file:
+        assert float(file["point_residual"][()].max()) <= 1e-11
+    undamped = tmp_path / "undamped"
+    undamped.mkdir()
+    compute(undamped, jobs.small_curves(points=6), "--set", "hammer.damping_ns_per_m=0", "--set",
+            "steady_state.max_cycles=200", "--set", "contact.damping_ns_per_m=0")

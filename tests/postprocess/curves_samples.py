@@ -1,0 +1,40 @@
+"""A small file of curves in layout version 2, written without peterka."""
+
+import numpy as np
+from picture_samples import PLAIN, write_map
+from sealing import SealedFile
+
+LINES = [  # kind, p, q, points (frequency_ratio, gap_ratio)
+    (0, 1, 1, [(1.5, 0.5), (2.0, 1.5), (2.5, 2.5)]),
+    (1, 1, 2, [(3.0, 0.2), (3.2, 1.0), (3.6, 2.0)]),
+    (2, 3, 2, [(1.2, 2.9), (2.0, 2.2), (3.8, 0.4)]),
+]
+SPECIALS = [(0, 2.5, 2.5), (3, 1.5, 0.5)]
+
+
+def write_curves(path, lines=None, specials=None, **attributes):
+    lines, specials = LINES if lines is None else lines, SPECIALS if specials is None else specials
+    write_map(path, PLAIN, **attributes)
+    with SealedFile(path, "r+") as file:
+        file.attrs["peterka_kind"] = "curves"
+        counts = [len(points) for *_, points in lines]
+        points = np.array([point for *_, points in lines for point in points], dtype="f8").reshape(-1, 2)
+        _table(file, "curve", len(lines), {
+            "curve_kind": np.array([line[0] for line in lines], dtype="i1"),
+            "curve_impacts": np.array([line[1] for line in lines], dtype="i4"),
+            "curve_period": np.array([line[2] for line in lines], dtype="i4"),
+            "curve_first": np.cumsum([0, *counts[:-1]]).astype("i8"), "curve_points": np.array(counts, dtype="i8")})
+        _table(file, "point", len(points), {"point_frequency_ratio": points[:, 0], "point_gap_ratio": points[:, 1]})
+        _table(file, "special", len(specials), {
+            "special_kind": np.array([special[0] for special in specials], dtype="i1"),
+            "special_frequency_ratio": np.array([special[1] for special in specials], dtype="f8"),
+            "special_gap_ratio": np.array([special[2] for special in specials], dtype="f8")})
+    return path
+
+
+def _table(file, dimension, size, columns):
+    if size == 0:
+        return
+    file.create_dataset(dimension, data=np.arange(size, dtype="i8")).make_scale(dimension)
+    for name, values in columns.items():
+        file.create_dataset(name, data=values).dims[0].attach_scale(file[dimension])
