@@ -36,8 +36,11 @@ Numbers CoarseMap::solve(std::int64_t part) const {
     const regime::AttractorTable nothing_known;
     regime::CellPool pool(*scene_, nothing_known, [&](const regime::CellPool::Solved& solved) {
         const regime::CellResult& cell = solved.result;
-        const Numbers site{static_cast<double>(cell.regime), static_cast<double>(cell.impacts),
-                           static_cast<double>(cell.period), cell.orbit_displacement, cell.orbit_velocity,
+        const Numbers site{static_cast<double>(cell.regime),
+                           static_cast<double>(cell.impacts),
+                           static_cast<double>(cell.period),
+                           cell.orbit_displacement,
+                           cell.orbit_velocity,
                            cell.peak_force};
         std::ranges::copy(site, numbers.begin() + (solved.number - first) * std::ptrdiff_t{site_numbers});
     });
@@ -81,7 +84,8 @@ std::vector<Edge> edges_of(const CoarseMap& map, std::int64_t most_period) {
         if (cell + map.columns() < map.count()) add(cell, cell + map.columns());
     }
     const auto key = [](const Edge& edge) {
-        return scattered(static_cast<std::uint64_t>(edge.from) * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(edge.to));
+        return scattered(static_cast<std::uint64_t>(edge.from) * 0x9e3779b97f4a7c15ULL +
+                         static_cast<std::uint64_t>(edge.to));
     };
     std::ranges::sort(edges, {}, key);
     return edges;

@@ -17,7 +17,7 @@ struct Site {
     regime::Regime regime = regime::Regime::failed;
     std::int64_t impacts = 0;
     std::int64_t period = 0;
-    double peak_force = regime::unknown;  // F/(k A0)
+    double peak_force = regime::unknown;          // F/(k A0)
     State<double> orbit = State<double>::Zero();  // (delta, delta') at forcing phase 0, where it is periodic
 
     friend bool same_label(const Site& a, const Site& b) {

@@ -18,8 +18,8 @@ void add_legs(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns,
         const Event& from = point.orbit.events[i];
         const Event& to = point.orbit.events[next];
         const bool last = i + 1 == count;
-        const LegEnd end = rig.leg(from.presses, point.place, from.time, rig.departure(from),
-                                   to.time + (last ? duration : 0));
+        const LegEnd end =
+            rig.leg(from.presses, point.place, from.time, rig.departure(from), to.time + (last ? duration : 0));
         const auto row = static_cast<Eigen::Index>(2 * i);
         result.values.segment<2>(row) = end.state - rig.arrival(to);
         const auto add = [&](Eigen::Index column, const State<double>& by) {
@@ -37,12 +37,13 @@ void add_legs(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns,
     }
 }
 
-void add_condition(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns, const Condition& condition,
-                   Eigen::Index row, Equations& result) {
+void add_condition(const Rig& rig, const OrbitPoint& point, const Unknowns& unknowns,
+                   const Condition& condition, Eigen::Index row, Equations& result) {
     switch (condition.kind) {
         case Condition::Kind::line:
-            result.values[row] = condition.normal.frequency * (point.place.frequency - condition.through.frequency) +
-                                 condition.normal.gap * (point.place.gap - condition.through.gap);
+            result.values[row] =
+                condition.normal.frequency * (point.place.frequency - condition.through.frequency) +
+                condition.normal.gap * (point.place.gap - condition.through.gap);
             result.jacobian(row, unknowns.frequency()) = condition.normal.frequency;
             result.jacobian(row, unknowns.gap()) = condition.normal.gap;
             return;

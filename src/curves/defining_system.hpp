@@ -38,7 +38,8 @@ struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd jacobian;
 };
-[[nodiscard]] Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<Condition>& conditions);
+[[nodiscard]] Equations equations(const Rig& rig, const OrbitPoint& point,
+                                  const std::vector<Condition>& conditions);
 
 // Sizes in which unknowns are measured, so that a step of 1 is a large one in each of them.
 [[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Orbit& orbit, const Place& place, const Place& window);

@@ -20,7 +20,8 @@ Place minus(const Place& a, const Place& b) {
 // What a multiplier has done between two points of a branch.
 std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const OrbitPoint& from,
                                                  const OrbitPoint& to, int sign) {
-    const double before = monodromy(stepper.rig(), from.orbit, from.place, Side::without_impact).bifurcation(sign);
+    const double before =
+        monodromy(stepper.rig(), from.orbit, from.place, Side::without_impact).bifurcation(sign);
     const double after = monodromy(stepper.rig(), to.orbit, to.place, Side::without_impact).bifurcation(sign);
     if ((before > 0) == (after > 0)) return std::nullopt;
     return solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
@@ -49,7 +50,8 @@ class Follower {
         : begin_(stable.place),
           way_(minus(target, stable.place)),
           window_(window),
-          stepper_(rig, window, {Condition::on_line(stable.place, {-way_.gap / size(), way_.frequency / size()})}) {
+          stepper_(rig, window,
+                   {Condition::on_line(stable.place, {-way_.gap / size(), way_.frequency / size()})}) {
         stepper_.set_step(length() / 3);
     }
 
@@ -131,16 +133,16 @@ class Follower {
         return judged;
     }
 
-    // An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one that
-    // repeats itself where it grazes does so in each of its parts.
+    // An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one
+    // that repeats itself where it grazes does so in each of its parts.
     [[nodiscard]] std::optional<Seed> sound(const Seed& seed, bool& lost) const {
         Seed result = seed;
         const OrbitPoint shortest = with_smallest_period(seed.point, 1e-4);
         const bool is_fold = seed.kind == CurveKind::fold;
         if (seed.kind != CurveKind::period_doubling && shortest.orbit.period < seed.point.orbit.period) {
-            const auto found = solve(stepper_.rig(), shortest, window_,
-                                     is_fold ? stepper_.conditions_and(Condition::at_multiplier(-1))
-                                             : stepper_.conditions());
+            const auto found =
+                solve(stepper_.rig(), shortest, window_,
+                      is_fold ? stepper_.conditions_and(Condition::at_multiplier(-1)) : stepper_.conditions());
             lost = !found;
             if (lost) return std::nullopt;
             result = {is_fold ? CurveKind::period_doubling : CurveKind::grazing, *found};
@@ -154,7 +156,8 @@ class Follower {
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(stepper_.rig(), here.point);
-        if (changed && has_same_events(changed->orbit, here.point.orbit)) return true;  // by less than rounding tells
+        if (changed && has_same_events(changed->orbit, here.point.orbit))
+            return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(stepper_.rig(), *changed, window_, stepper_.conditions()) : std::nullopt;
         if (!settled) return false;

@@ -25,7 +25,8 @@ struct Followed {
 };
 
 // From a place on, to another; the step's length is a share of the window.
-[[nodiscard]] Followed follow(const Rig& rig, const OrbitPoint& stable, const Place& target, const Place& window);
+[[nodiscard]] Followed follow(const Rig& rig, const OrbitPoint& stable, const Place& target,
+                              const Place& window);
 
 // The orbit through a state at forcing phase 0, if there is one and it is stable.
 [[nodiscard]] std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const Place& place,

@@ -31,15 +31,15 @@ bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const Curv
     constexpr double alike = 0.03;
     if (curve.kind != kind || curve.period != period) return false;
     const Nearest nearest = nearest_on(curve, point.place, window);
-    return nearest.distance < chord && std::abs(nearest.trace - point.trace) < alike * (1 + std::abs(point.trace)) &&
+    return nearest.distance < chord &&
+           std::abs(nearest.trace - point.trace) < alike * (1 + std::abs(point.trace)) &&
            std::abs(nearest.total_speed - point.total_speed) < alike * (1e-3 + point.total_speed);
 }
 
 bool is_known(const std::vector<Curve>& known, const Curve& curve, const Place& window) {
     const CurvePoint& middle = curve.points[curve.points.size() / 2];
-    return std::ranges::any_of(known, [&](const Curve& other) {
-        return lies_on(other, curve.kind, curve.period, middle, window);
-    });
+    return std::ranges::any_of(
+        known, [&](const Curve& other) { return lies_on(other, curve.kind, curve.period, middle, window); });
 }
 
 }  // namespace peterka::curves

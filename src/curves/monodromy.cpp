@@ -40,8 +40,8 @@ Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side
         const double length = length_of_leg(orbit, i, place);
         const bool counts = side == Side::with_impact;
         const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
-        const Jacobian<double> jump =
-            rig.saltation(event, place, counts, strikes ? event.velocity : 1).value;  // a speed of its own: unscaled
+        const Jacobian<double> jump = rig.saltation(event, place, counts, strikes ? event.velocity : 1)
+                                          .value;  // a speed of its own: unscaled
         product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
         product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
         if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
@@ -72,8 +72,10 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
     Jacobian<double> up_to_here = Jacobian<double>::Identity();
     for (std::size_t i = 0; i < count; ++i) {
         const Event& event = orbit.events[i];
-        Factor factor{up_to_here, rig.saltation(event, place, counts, speed),
-                      rig.flow(event.presses, length_of_leg(orbit, i, place)), {}};
+        Factor factor{up_to_here,
+                      rig.saltation(event, place, counts, speed),
+                      rig.flow(event.presses, length_of_leg(orbit, i, place)),
+                      {}};
         up_to_here = (factor.flow * factor.change.value * factor.before).eval();
         factor.through = up_to_here;
         factors.push_back(factor);
@@ -81,9 +83,11 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         if (event.kind == EventKind::touch) determinant *= rig.determinant_of_touch();
     }
     const double speeds = speeds_without(count);
-    Bifurcation result{speeds * (1 + determinant) - sign * up_to_here.trace(), Eigen::VectorXd::Zero(unknowns.size())};
+    Bifurcation result{speeds * (1 + determinant) - sign * up_to_here.trace(),
+                       Eigen::VectorXd::Zero(unknowns.size())};
     const double turn = 2 * std::numbers::pi * static_cast<double>(orbit.period);
-    const double last_longer = -turn / (place.frequency * place.frequency);  // of the last leg, by the frequency
+    const double last_longer =
+        -turn / (place.frequency * place.frequency);  // of the last leg, by the frequency
     Jacobian<double> after = Jacobian<double>::Identity();
     for (std::size_t i = count; i-- > 0;) {
         const Event& event = orbit.events[i];
@@ -91,8 +95,8 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         const double b = rig.damping(event.presses);
         Jacobian<double> generator;
         generator << 0, 1, -rig.stiffness(event.presses), -2 * b;
-        const double longer = -sign * (after * generator * factor.through).trace() -
-                              2 * b * speeds * determinant;
+        const double longer =
+            -sign * (after * generator * factor.through).trace() - 2 * b * speeds * determinant;
         result.gradient[unknowns.time(i)] -= longer;
         result.gradient[unknowns.time((i + 1) % count)] += longer;
         if (i + 1 == count) result.gradient[unknowns.frequency()] += longer * last_longer;

@@ -25,7 +25,8 @@ struct Monodromy {
 [[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side side);
 
 // 0 where a multiplier is sign, and its derivatives by the unknowns (unknowns.hpp): det(M - sign I), times the
-// speed of each impact on a rigid stop over the largest one or the cart's, without which it has no limit at a grazing.
+// speed of each impact on a rigid stop over the largest one or the cart's, without which it has no limit at a
+// grazing.
 struct Bifurcation {
     double value = 0;
     Eigen::VectorXd gradient;

@@ -51,8 +51,8 @@ struct Orbit {
     }
     // The one that grazes; as many as there are events where none does.
     [[nodiscard]] std::size_t grazing() const {
-        return static_cast<std::size_t>(
-            std::ranges::find(events, EventKind::graze, &Event::kind) - events.begin());
+        return static_cast<std::size_t>(std::ranges::find(events, EventKind::graze, &Event::kind) -
+                                        events.begin());
     }
     [[nodiscard]] double largest_speed() const {
         double largest = 0;

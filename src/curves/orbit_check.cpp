@@ -47,7 +47,8 @@ double next_look(const LegInTime& leg, double time) {
     const double natural = std::sqrt(leg.rig->stiffness(leg.presses()));
     const bool rings = !leg.presses() || b * (time - leg.from) < 25;
     const double fastest = std::max(leg.point->place.frequency, rings ? natural : 1.0);
-    return time + std::max(2 * std::numbers::pi / (looks_in_a_turn * fastest), (leg.to - leg.from) / most_looks);
+    return time +
+           std::max(2 * std::numbers::pi / (looks_in_a_turn * fastest), (leg.to - leg.from) / most_looks);
 }
 
 using Quantity = std::function<double(double time, const State<double>& x)>;
@@ -97,7 +98,8 @@ Fault fault_of_flight(const LegInTime& leg) {
         return has_left;
     };
     each_maximum(leg, velocity, [&](double time, const State<double>& x) {
-        if (!leaves_before(time) || x[0] <= highest || leg.to - time < margin || time - leg.from < margin) return;
+        if (!leaves_before(time) || x[0] <= highest || leg.to - time < margin || time - leg.from < margin)
+            return;
         highest = x[0];
         fault = {Fault::Kind::pierces, leg.event, time};
     });
@@ -135,7 +137,8 @@ Fault find_fault(const Rig& rig, const OrbitPoint& point) {
     Fault pattern;
     const std::size_t count = point.orbit.events.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (has_lost_its_speed(point.orbit.events[i])) return {Fault::Kind::slow, i, point.orbit.events[i].time};
+        if (has_lost_its_speed(point.orbit.events[i]))
+            return {Fault::Kind::slow, i, point.orbit.events[i].time};
     }
     for (std::size_t i = 0; i < count; ++i) {
         const LegInTime leg = leg_in_time(rig, point, i);
@@ -158,7 +161,8 @@ double peak_force(const Rig& rig, const OrbitPoint& point) {
         if (!leg.presses()) continue;
         largest = std::max(largest, rig.force(leg.start));
         const auto slope = [&](double time, const State<double>& x) { return leg.force(time, x)[1]; };
-        each_maximum(leg, slope, [&](double, const State<double>& x) { largest = std::max(largest, rig.force(x)); });
+        each_maximum(leg, slope,
+                     [&](double, const State<double>& x) { largest = std::max(largest, rig.force(x)); });
     }
     return largest;
 }

@@ -15,7 +15,8 @@ struct Fault {
         none,
         pierces,  // a flight reaches beyond the stop before its end
         slow,     // an impact has lost its speed
-        pattern,  // the stop lets go, or presses again, in between: the motion goes on smoothly with other events
+        pattern,  // the stop lets go, or presses again, in between: the motion goes on smoothly with other
+                  // events
     };
     Kind kind = Kind::none;
     std::size_t event = 0;  // after which the leg begins, or which lost its speed

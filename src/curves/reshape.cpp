@@ -158,8 +158,7 @@ OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness) {
         for (std::size_t i = 0; i + length < events.size() && repeats; ++i) {
             const Event& now = events[i];
             const Event& then = events[i + length];
-            repeats = now.kind == then.kind &&
-                      std::abs(then.time - now.time - later) < nearness * later &&
+            repeats = now.kind == then.kind && std::abs(then.time - now.time - later) < nearness * later &&
                       std::abs(then.velocity - now.velocity) < nearness * speed;
         }
         if (!repeats) continue;

@@ -41,7 +41,9 @@ class Rig {
     [[nodiscard]] scene::Oscillator<double> scene_at(const Place& place) const;
 
     // Of the equation above.
-    [[nodiscard]] double damping(bool presses) const { return presses ? contact_damping_ : scene_.damping_ratio; }
+    [[nodiscard]] double damping(bool presses) const {
+        return presses ? contact_damping_ : scene_.damping_ratio;
+    }
     [[nodiscard]] double stiffness(bool presses) const { return presses ? 1 + kappa_ : 1; }
     // The derivative of a state.
     [[nodiscard]] State<double> slope(bool presses, const Place& place, double time,
@@ -68,9 +70,10 @@ class Rig {
     [[nodiscard]] State<double> state_in_leg(bool presses, const Place& place, double from,
                                              const State<double>& start, double to) const;
     [[nodiscard]] Jacobian<double> flow(bool presses, double length) const;
-    // At a touch, or, where a grazing counts as an impact, at one that just begins (spring-dashpot stops). That of
-    // a rigid stop is given times the impact's speed over `speed`, and has a limit at a grazing.
-    [[nodiscard]] Change saltation(const Event& event, const Place& place, bool grazing_counts, double speed) const;
+    // At a touch, or, where a grazing counts as an impact, at one that just begins (spring-dashpot stops). That
+    // of a rigid stop is given times the impact's speed over `speed`, and has a limit at a grazing.
+    [[nodiscard]] Change saltation(const Event& event, const Place& place, bool grazing_counts,
+                                   double speed) const;
     // det of all saltations of an impact.
     [[nodiscard]] double determinant_of_touch() const { return rigid_ ? restitution_ * restitution_ : 1; }
 
@@ -86,7 +89,7 @@ class Rig {
     double kappa_ = 0;
     double chi_ = 0;
     double contact_damping_ = 0;
-    motion::LinearMotion<double> flight_;   // for their flows, which hang on no place
+    motion::LinearMotion<double> flight_;  // for their flows, which hang on no place
     motion::LinearMotion<double> contact_;
 };
 

@@ -112,7 +112,8 @@ class Search {
     [[nodiscard]] bool stands_apart(const Seed& seed, const std::vector<Seed>& chosen) const {
         constexpr double far = 0.15;
         return std::ranges::none_of(chosen, [&](const Seed& other) {
-            const double across = (seed.point.place.frequency - other.point.place.frequency) / window_.size().frequency;
+            const double across =
+                (seed.point.place.frequency - other.point.place.frequency) / window_.size().frequency;
             const double up = (seed.point.place.gap - other.point.place.gap) / window_.size().gap;
             return seed.kind == other.kind && seed.point.orbit.period == other.point.orbit.period &&
                    seed.point.orbit.impacts() == other.point.orbit.impacts() && std::hypot(across, up) < far;
@@ -180,9 +181,8 @@ class Search {
         const Place a = map_.place(edge.from);
         const Place b = map_.place(edge.to);
         const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
-        return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
-            return nearest_on(curve, middle, cell_).distance <= 1;
-        });
+        return std::ranges::any_of(
+            found_.curves, [&](const Curve& curve) { return nearest_on(curve, middle, cell_).distance <= 1; });
     }
 
     void put_in_order() {

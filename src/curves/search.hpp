@@ -21,9 +21,9 @@ using Deal = std::function<std::optional<std::vector<Numbers>>(std::int64_t coun
 
 // What is known of an edge between two cells of the coarse map.
 enum class EdgeFate : std::int8_t {
-    on_curve,    // a curve lies within one cell of it
-    basin,       // both orbits live on both sides: the start alone decides
-    unexplained, // neither
+    on_curve,     // a curve lies within one cell of it
+    basin,        // both orbits live on both sides: the start alone decides
+    unexplained,  // neither
 };
 
 struct EdgeCount {

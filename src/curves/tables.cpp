@@ -8,10 +8,10 @@ namespace peterka::curves {
 
 namespace {
 
-using map_file::Dimension;
 using hdf5::Number;
-using map_file::Table;
 using hdf5::Variable;
+using map_file::Dimension;
+using map_file::Table;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kind_names[] = {"fold", "period_doubling", "grazing"};
@@ -54,20 +54,28 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
     const Dimension rows{"gap_ratio", scene.rows()};
     Numbers frequencies;
     Numbers gaps;
-    for (std::int64_t i = 0; i < columns.size; ++i) frequencies.push_back(scene.cell(0, i).oscillator.frequency);
+    for (std::int64_t i = 0; i < columns.size; ++i)
+        frequencies.push_back(scene.cell(0, i).oscillator.frequency);
     for (std::int64_t i = 0; i < rows.size; ++i) gaps.push_back(scene.cell(i, 0).oscillator.gap);
     const double force = scene.scales().force_ratio();
     std::vector<Table> tables{
-        {{"/", {"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, {columns}}, frequencies},
+        {{"/",
+          {"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"},
+          {columns}},
+         frequencies},
         {{"/", {"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, {rows}}, gaps}};
     const auto add = [&](const Variable& variable, const Numbers& values) {
         tables.push_back({{"/", variable, {rows, columns}}, values});
     };
-    add({"regime", Number::int8, regime::regime_not_computed, "", "regime of the steady state, in the coarse map", quantities::regime_names},
+    add({"regime", Number::int8, regime::regime_not_computed, "",
+         "regime of the steady state, in the coarse map", quantities::regime_names},
         numbers_of(found.sites, [](const Site& s) { return static_cast<int>(s.regime); }));
-    add({"impacts", Number::int32, 0, "1", "p of z = p/q in the coarse map"}, numbers_of(found.sites, [](const Site& s) { return s.impacts; }));
-    add({"period", Number::int32, 0, "1", "q of z = p/q in the coarse map"}, numbers_of(found.sites, [](const Site& s) { return s.period; }));
-    add({"peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight, in the coarse map"},
+    add({"impacts", Number::int32, 0, "1", "p of z = p/q in the coarse map"},
+        numbers_of(found.sites, [](const Site& s) { return s.impacts; }));
+    add({"period", Number::int32, 0, "1", "q of z = p/q in the coarse map"},
+        numbers_of(found.sites, [](const Site& s) { return s.period; }));
+    add({"peak_force_ratio", Number::float64, nan, "1",
+         "largest impact force over the hammer's weight, in the coarse map"},
         numbers_of(found.sites, [&](const Site& s) { return force * s.peak_force; }));
     return tables;
 }
@@ -125,11 +133,14 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     };
     for (const Columns* each : {&curves, &of_points, &of_specials}) append(*each);
     const auto scalar = [&](const char* name, const char* meaning, std::int64_t value) {
-        tables.push_back({{"/edges", Variable{name, Number::int64, -1, "1", meaning}, {}}, {static_cast<double>(value)}});
+        tables.push_back(
+            {{"/edges", Variable{name, Number::int64, -1, "1", meaning}, {}}, {static_cast<double>(value)}});
     };
-    scalar("count", "edges of the coarse map between orbits up to the period, or one and no impact", found.edges.edges);
+    scalar("count", "edges of the coarse map between orbits up to the period, or one and no impact",
+           found.edges.edges);
     scalar("on_curve", "of these, within one cell of a curve", found.edges.on_curve);
-    scalar("basin", "of these, where both motions live on both sides, so that the start decides", found.edges.basin);
+    scalar("basin", "of these, where both motions live on both sides, so that the start decides",
+           found.edges.basin);
     append(live);  // the group to which the facts of the run are added
     return tables;
 }

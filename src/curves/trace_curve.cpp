@@ -27,7 +27,10 @@ double dot(const Place& a, const Place& b) {
 class HalfCurve {
   public:
     HalfCurve(const Rig& rig, const Seed& seed, const Window& window)
-        : rig_(rig), kind_(seed.kind), window_(window), stepper_(rig, window.size(), conditions_of(seed.kind)) {}
+        : rig_(rig),
+          kind_(seed.kind),
+          window_(window),
+          stepper_(rig, window.size(), conditions_of(seed.kind)) {}
 
     std::vector<CurvePoint> points;
     std::vector<Special> specials;
@@ -81,8 +84,8 @@ class HalfCurve {
 
     enum class Step : std::uint8_t { goes_on, ends, unclear };
 
-    // A step ends the curve at the border, or where another impact grazes. What it has met may be too much at once
-    // for so long a step.
+    // A step ends the curve at the border, or where another impact grazes. What it has met may be too much at
+    // once for so long a step.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
         const bool leaves = !window_.holds(there.point.place);
         const Fault fault = find_fault(rig_, there.point);
@@ -158,7 +161,8 @@ class HalfCurve {
             if ((before > 0) == (after > 0)) continue;
             const auto found = solve_with(between(here.point, there.point, before / (before - after)),
                                           Condition::at_multiplier(test.sign, test.side));
-            if (found) add_special(test.sign > 0 ? SpecialKind::fold_grazing : SpecialKind::flip_grazing, *found);
+            if (found)
+                add_special(test.sign > 0 ? SpecialKind::fold_grazing : SpecialKind::flip_grazing, *found);
         }
     }
 
@@ -178,9 +182,7 @@ class HalfCurve {
         add_special(SpecialKind::cusp, low);
     }
 
-    void end_at_last_special() {
-        end = specials.empty() ? CurveEnd::lost : CurveEnd::special;
-    }
+    void end_at_last_special() { end = specials.empty() ? CurveEnd::lost : CurveEnd::special; }
 
     bool closes(const Stepper::Here& seed, const Stepper::Here& here, const Stepper::Here& there) const {
         if (!has_same_events(seed.point.orbit, there.point.orbit)) return false;
@@ -201,13 +203,15 @@ class HalfCurve {
         if (!has_same_events(seed.point.orbit, here.point.orbit)) return false;
         const Eigen::VectorXd before = along(here);
         const Eigen::VectorXd now = along(there);
-        return before.dot(seed.tangent) < 0 && now.dot(seed.tangent) >= 0 && now.norm() < (now - before).norm() * 1.5;
+        return before.dot(seed.tangent) < 0 && now.dot(seed.tangent) >= 0 &&
+               now.norm() < (now - before).norm() * 1.5;
     }
 
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(rig_, here.point);
-        if (changed && has_same_events(changed->orbit, here.point.orbit)) return true;  // by less than rounding tells
+        if (changed && has_same_events(changed->orbit, here.point.orbit))
+            return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(rig_, *changed, window_.size(), stepper_.conditions()) : std::nullopt;
         if (!settled) return false;

@@ -10,10 +10,10 @@ namespace peterka::curves {
 // Codimension-two points. Stored as int8; the numbers are part of the file format. Multipliers are never both
 // +-1 or a pair on the unit circle: det M < 1 wherever anything dissipates.
 enum class SpecialKind : std::int8_t {
-    fold_grazing = 0,   // a multiplier is 1 where an impact is just gained or lost
-    flip_grazing = 1,   // the same with -1
-    double_grazing = 2, // two at once
-    cusp = 3,           // two folds meet
+    fold_grazing = 0,    // a multiplier is 1 where an impact is just gained or lost
+    flip_grazing = 1,    // the same with -1
+    double_grazing = 2,  // two at once
+    cusp = 3,            // two folds meet
 };
 
 struct CurvePoint {

@@ -43,7 +43,8 @@ std::string specials_text(const Findings& found) {
     }
     std::string text;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], special_words[i]);
+        if (counts[i] > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], special_words[i]);
     }
     return text.empty() ? "" : fmt::format("Special points: {}\n", text);
 }
@@ -66,7 +67,8 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
     const std::string title = job.title.empty() ? "(no title)" : job.title;
     if (found.curves.empty()) {
         return fmt::format(
-            "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and q up to {}, and "
+            "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and q up to {}, "
+            "and "
             "the motion without impacts nowhere ends within the window\n",
             title, found.periodic_cells, readable_count(scene.rows() * scene.columns()), job.curves.max_period);
     }
@@ -76,9 +78,9 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         points += curve.points.size();
         for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
     }
-    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}", title, found.curves.size(),
-                       readable_count(static_cast<std::int64_t>(points)), largest, table_of_curves(found),
-                       specials_text(found), edges_text(found.edges));
+    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}", title,
+                       found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
+                       table_of_curves(found), specials_text(found), edges_text(found.edges));
 }
 
 }  // namespace peterka::curves

@@ -25,11 +25,11 @@ std::optional<std::vector<std::vector<double>>> deal_numbers(
         }
         return true;
     };
-    const bool solved = parallel::deal_tiles(session, parallel::Tiling({count, 1}, {1, 1}),
-                                             parallel::TileSet::all(count),
-                                             {.solve = parallel::one_by_one(solve_task),
-                                              .stop_requested = [&] { return stop.requested(); },
-                                              .on_progress = [](std::int64_t) {}});
+    const bool solved =
+        parallel::deal_tiles(session, parallel::Tiling({count, 1}, {1, 1}), parallel::TileSet::all(count),
+                             {.solve = parallel::one_by_one(solve_task),
+                              .stop_requested = [&] { return stop.requested(); },
+                              .on_progress = [](std::int64_t) {}});
     if (!solved) return std::nullopt;
     const std::vector<double> all = parallel::gather<double>(mine, session.communicator());
     for (std::span<const double> left(all); !left.empty();) {

@@ -49,8 +49,8 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
         code = ExitCode::done;
         if (!session.is_root()) return;
         map_file::write_whole_file(plan.file, plan.job, map_file::collect_provenance(),
-                                 {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, *found)},
-                                 {session.size(), wall.seconds(), hosts});
+                                   {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, *found)},
+                                   {session.size(), wall.seconds(), hosts});
         if (plan.quiet) return;
         words = fmt::format("{}\nThis run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
                             curves::in_words(scene, *found), readable_duration(wall.seconds()), session.size(),

@@ -1,6 +1,7 @@
 // Curves at the limits that are known from elsewhere: formulas, an independent run of the model, other engines.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -77,12 +78,11 @@ TEST(Curves, LimitsOf11OnThe170mmRig) {
         CurveKind kind;
         double frequency;
     };
-    for (const Known& known :
-         {Known{{2, 0}, {3, 0}, {0, 0}, CurveKind::period_doubling, 2.659361979},
-          Known{{2, 1}, {3, 1}, {0, 0}, CurveKind::period_doubling, 2.264326891},
-          Known{{1, 1}, {0.5, 1}, {0, 0}, CurveKind::period_doubling, 0.718391067},
-          Known{{1.6, 1.5}, {2.2, 1.5}, {-1, 2}, CurveKind::fold, 1.862464993},
-          Known{{1.3, 0}, {0.9, 0}, {0, 0}, CurveKind::grazing, 1.15008754}}) {
+    for (const Known& known : {Known{{2, 0}, {3, 0}, {0, 0}, CurveKind::period_doubling, 2.659361979},
+                               Known{{2, 1}, {3, 1}, {0, 0}, CurveKind::period_doubling, 2.264326891},
+                               Known{{1, 1}, {0.5, 1}, {0, 0}, CurveKind::period_doubling, 0.718391067},
+                               Known{{1.6, 1.5}, {2.2, 1.5}, {-1, 2}, CurveKind::fold, 1.862464993},
+                               Known{{1.3, 0}, {0.9, 0}, {0, 0}, CurveKind::grazing, 1.15008754}}) {
         const Seed seed = edge(rig, known.from, known.to, known.start);
         EXPECT_EQ(seed.kind, known.kind);
         EXPECT_NEAR(seed.point.place.frequency, known.frequency, 1e-8);
@@ -130,9 +130,9 @@ TEST(Curves, MotionWithoutImpactEndsWhereItsSwingReachesTheStop) {
     }
 }
 
-// The fold of 1/1 and the edge of no impact meet in a point that each of them finds for itself: the fold where its
-// impact loses its speed, the edge where the orbit with the new impact has the multiplier 1. So do the period
-// doubling and the edge.
+// The fold of 1/1 and the edge of no impact meet in a point that each of them finds for itself: the fold where
+// its impact loses its speed, the edge where the orbit with the new impact has the multiplier 1. So do the
+// period doubling and the edge.
 TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
     const auto rig = rig_170mm();
     const Window plane{{0.5, 0}, {4.5, 5}};
@@ -146,8 +146,8 @@ TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
         ADD_FAILURE() << "no such point";
         return Place{};
     };
-    for (const auto& [curve, kind] : {std::pair(fold, SpecialKind::fold_grazing),
-                                      std::pair(doubling, SpecialKind::flip_grazing)}) {
+    for (const auto& [curve, kind] :
+         {std::pair(fold, SpecialKind::fold_grazing), std::pair(doubling, SpecialKind::flip_grazing)}) {
         EXPECT_NEAR(special(curve, kind).frequency, special(reach, kind).frequency, 1e-9);
         EXPECT_NEAR(special(curve, kind).gap, special(reach, kind).gap, 1e-9);
     }
@@ -183,7 +183,8 @@ void expect_derivatives(const Rig& rig, const Seed& seed) {
         move(up, change);
         move(down, -change);
         const Eigen::VectorXd slope = (equations(rig, up, conditions_of(seed.kind)).values -
-                                       equations(rig, down, conditions_of(seed.kind)).values) / (2 * step);
+                                       equations(rig, down, conditions_of(seed.kind)).values) /
+                                      (2 * step);
         EXPECT_LT((slope - at.jacobian.col(i)).norm(), 1e-5 * (1 + slope.norm())) << "unknown " << i;
     }
 }
@@ -202,7 +203,7 @@ TEST(Curves, DerivativesAreThoseOfTheEquations) {
 
 TEST(Curves, AMotionThatIsNoOrbitGivesNone) {
     scene::Oscillator<double> rig = rigid_rig();
-    EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));   // never touches
+    EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));     // never touches
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {0.3, 0}, {-0.1, 0}, 1, window));  // ends in chatter
     rig.damping_ratio = 0;
     EXPECT_FALSE(reach_of_free_motion(Rig(rig), 1.0, window));  // its swing has no limit
