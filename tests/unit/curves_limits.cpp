@@ -151,9 +151,6 @@ TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
         EXPECT_NEAR(special(curve, kind).frequency, special(reach, kind).frequency, 1e-9);
         EXPECT_NEAR(special(curve, kind).gap, special(reach, kind).gap, 1e-9);
     }
-    // quadratic tangency: half as far away from the point, a quarter as far from the edge
-    const Place tip = special(fold, SpecialKind::cusp);
-    EXPECT_NEAR(tip.frequency, special(fold, SpecialKind::fold_grazing).frequency, 0.01);
 }
 
 // Beyond each point an orbit is another one: CVODE, which knows nothing of the closed form, finds it so.
