@@ -12,10 +12,11 @@ from peterka.pictures import open_file, pictures_of
 
 def drawn(path, picture, tmp_path):
     with CurvesFile(path) as file:
-        figure = picture(file)
-    if figure is not None:
-        axes.save(figure, tmp_path / "a.png")
-    return figure
+        ax = picture(file)
+    if ax is None:
+        return None
+    axes.save(axes.figure_of(ax), tmp_path / "a.png")
+    return axes.figure_of(ax)
 
 
 def legend_words(figure):

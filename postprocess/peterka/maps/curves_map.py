@@ -26,24 +26,24 @@ MOST_NAMES = 24
 APART = 0.06  # of the picture, between two names or letters
 
 
-def draw(file):
-    """The curves alone as a Figure; None without any."""
-    return _draw(file, over_map=False) if file.curves else None
+def draw(file, ax=None):
+    """The curves alone; None without any."""
+    return _draw(file, ax, over_map=False) if file.curves else None
 
 
-def draw_over_map(file):
+def draw_over_map(file, ax=None):
     """The same over the coarse map."""
-    return _draw(file, over_map=True) if file.curves else None
+    return _draw(file, ax, over_map=True) if file.curves else None
 
 
-def _draw(file, over_map):
+def _draw(file, ax, over_map):
     reduced, _ = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in file.curves)]
     curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
     specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]
     letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
                       label=LETTERS[kind][1]) for kind in specials]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(curves, 1, None), (letters, 2, None)])
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(curves, 1, None), (letters, 2, None)], ax=ax)
     if over_map:
         axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
@@ -51,8 +51,8 @@ def _draw(file, over_map):
         ax.plot(curve.frequency_ratio, curve.gap_ratio, **_look(curve.kind, over_map))
     taken = _write_names(ax, file)
     _write_letters(ax, file, taken)
-    axes.write_title(figure, file, "where regimes end")
-    return figure
+    axes.write_title(figure, file, "where regimes end", ax=ax)
+    return ax
 
 
 def _look(kind, over_map):
