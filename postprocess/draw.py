@@ -29,6 +29,7 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
+from peterka.export.formats import export, read_formats  # noqa: E402
 from peterka.files.opened import NotDrawable  # noqa: E402
 from peterka.look import axes  # noqa: E402
 from peterka.look.figures import figure_of  # noqa: E402
@@ -69,6 +70,8 @@ def read_arguments():
                         help="these pictures alone, named as in the files: map, force_all, response, ...")
     add_style_arguments(parser)
     parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
+    parser.add_argument("--export", metavar="csv,vtk,mat", type=read_formats, default=[],
+                        help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep; peterka/sweeps/measured.py names the columns")
     arguments = parser.parse_args()
@@ -88,6 +91,8 @@ def read_cycles(text):
 def draw_file(path, arguments):
     with open_file(path) as whole, using(**style_of(arguments)):
         file = zoomed(whole, arguments.zoom, arguments.units == "si")
+        for written in export(whole, arguments.output_dir, arguments.export) if arguments.export else []:
+            tell(written)
         measured = Measurements([], [])
         if arguments.measured:
             measured = read_measurements(arguments.measured, file)

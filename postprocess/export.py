@@ -9,7 +9,6 @@ fields have the units of the file. Regimes are words in CSV, else numbers as in 
 Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
 """
 
-import argparse
 import os
 import sys
 from pathlib import Path
@@ -18,9 +17,9 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka.export.formats import FORMATS  # noqa: E402
-from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
-from peterka.maps.map_file import PeterkaFile  # noqa: E402
+from peterka.export.formats import export, read_formats  # noqa: E402
+from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.pictures import open_file  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, tell,
 )
@@ -31,7 +30,9 @@ def main():
     outcome = DONE
     for path in arguments.files:
         try:
-            export(path, arguments)
+            with open_file(path) as file:
+                for written in export(file, arguments.output_dir, arguments.formats):
+                    tell(written)
         except NotDrawable as refusal:
             complain(refusal)
             outcome = BAD_INPUT
@@ -39,18 +40,6 @@ def main():
             complain_of_folder(arguments.output_dir, error)
             return BAD_OUTPUT
     return outcome
-
-
-def export(path, arguments):
-    with OpenedFile(path) as header:
-        if header.kind not in ("map", "basin"):
-            raise header.refusal(f"is a {header.kind}; maps and basins are exported, others are read by xarray")
-    with PeterkaFile(path) as file:
-        arguments.output_dir.mkdir(parents=True, exist_ok=True)
-        for name in arguments.formats:
-            target = arguments.output_dir / f"{file.path.stem}.{name}"
-            FORMATS[name](file, target)
-            tell(target)
 
 
 def read_arguments():
@@ -63,13 +52,6 @@ def read_arguments():
     if len(set(stems)) < len(stems):
         parser.error("two of the files have the same name, so their exports would overwrite each other")
     return arguments
-
-
-def read_formats(text):
-    formats = text.split(",")
-    if not set(formats) <= set(FORMATS):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {', '.join(FORMATS)}")
-    return formats
 
 
 if __name__ == "__main__":

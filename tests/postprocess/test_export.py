@@ -117,3 +117,11 @@ def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):
     assert run_program("export", sample, "--as", "xls")[0] == 2
     (tmp_path / "file").write_text("")
     assert run_program("export", sample, "--output-dir", "file")[0] == 3
+
+
+def test_draw_exports_the_same(sample, tmp_path, run_program, draw):
+    outcome = draw(sample, "--export", "csv,mat", "--formats", "png")
+    assert (outcome.code, outcome.stderr) == (0, "") and {"a.csv", "a.mat", "a_map.png"} <= set(outcome.pictures)
+    assert run_program("export", sample)[0] == 0
+    assert (tmp_path / "out" / "a.csv").read_bytes() == (tmp_path / "a.csv").read_bytes()
+    assert draw(sample, "--export", "xls").code == 2

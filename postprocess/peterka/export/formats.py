@@ -1,5 +1,6 @@
 """Cells of a map or a basin written as CSV, VTK (legacy, binary, a rectilinear grid) or a MATLAB file (version 5)."""
 
+import argparse
 import csv
 import os
 from contextlib import contextmanager
@@ -61,6 +62,25 @@ def write_matlab(file, path):
 
 
 FORMATS = {"csv": write_csv, "vtk": write_vtk, "mat": write_matlab}
+
+
+def read_formats(text):
+    """The list of formats that an argument names."""
+    formats = text.split(",")
+    if not set(formats) <= set(FORMATS):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of {', '.join(FORMATS)}")
+    return formats
+
+
+def export(file, folder, formats):
+    """Writes an open map or basin in each format into a folder, made where it is missing; the paths written, one by one."""
+    if file.kind not in ("map", "basin"):
+        raise file.refusal(f"is a {file.kind}; maps and basins are exported, others are read by xarray")
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in formats:
+        path = folder / f"{file.path.stem}.{name}"
+        FORMATS[name](file, path)
+        yield path
 
 
 @contextmanager
