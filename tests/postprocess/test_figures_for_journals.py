@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from colour_distance import lightness
 from matplotlib.image import imread
-from peterka.look import fills
+from peterka.look import figures, fills, style
 from peterka.look.classes import CLASSES
 from peterka.look.figures import figure_of
 from peterka.maps import peterka_map
@@ -142,3 +142,11 @@ def test_a_title_is_left_out_where_the_caption_says_it(tmp_path):
     with open_file(write_map(tmp_path / "a.h5", title="Beam springs")) as file:
         assert peterka_map.draw(file).get_figure()._suptitle.get_text() == "Beam springs"
         assert peterka_map.draw(file, title=False).get_figure()._suptitle is None
+
+
+def test_a_figure_outside_any_style_is_refused():
+    """Its letters would have matplotlib's own sizes, which nobody notices in a test of numbers."""
+    with pytest.raises(RuntimeError, match="@style.using"):
+        figures.new_figure(3, 3)
+    with style.using(dpi=100):
+        assert figures.new_figure(3, 3).dpi == 100

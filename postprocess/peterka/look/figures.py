@@ -44,6 +44,8 @@ def width_of(own):
 
 def new_figure(width, height, cells=1):
     """A Picture [in x in], with a raster fine enough for so many cells along a side."""
+    if not style.is_in_use():
+        raise RuntimeError("a picture is drawn by a function of @picture, or one of @style.using()")
     dpi = style.current().dpi or (COARSE_DPI if cells <= FINE_FROM else FINE_DPI)
     return Picture(figsize=(width, height), dpi=dpi, layout="constrained")
 

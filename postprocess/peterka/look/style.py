@@ -53,6 +53,7 @@ class Style:
 
 NAMES = frozenset(field.name for field in fields(Style))
 _current = ContextVar("style", default=Style())
+_in_use = ContextVar("style_in_use", default=False)
 
 
 def current() -> Style:
@@ -64,10 +65,12 @@ def current() -> Style:
 def using(**changes) -> Iterator[Style]:
     """Pictures drawn inside have these fields of a Style."""
     token = _current.set(replace(_current.get(), **changes))
+    used = _in_use.set(True)
     try:
         with matplotlib.rc_context(rc()):
             yield _current.get()
     finally:
+        _in_use.reset(used)
         _current.reset(token)
 
 
@@ -75,6 +78,11 @@ def rc() -> dict:
     """matplotlib's own settings in this style."""
     font = current().font
     return RC | ({"font.family": [font, "DejaVu Sans"]} if font else {})
+
+
+def is_in_use() -> bool:
+    """Whether this is inside `with using(...)`: outside, letters have matplotlib's own sizes."""
+    return _in_use.get()
 
 
 def is_grey() -> bool:

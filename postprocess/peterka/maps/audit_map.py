@@ -5,6 +5,7 @@ regime, p or q differ. Below, the share of the compared cells whose peak forces 
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
@@ -24,7 +25,7 @@ SMALLEST_ERROR = 1e-17  # equal forces are drawn here: below the rounding of a d
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None):
+def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """The audit of a map file; None where no cell is solved again yet."""
     audit = file.audit
     if audit is None or audit.count == 0:

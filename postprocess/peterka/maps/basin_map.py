@@ -11,6 +11,7 @@ the file knows when the last impact came, also as a run of so many cycles would 
 from collections import Counter
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
@@ -34,7 +35,7 @@ IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough
 
 
 @picture(PeterkaFile)
-def draw_attractors(file, ax=None):
+def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The basin of each attractor of a basin file, with its share of the starts."""
     table = file.attractors
     named = _largest_attractors(table)
@@ -57,7 +58,7 @@ def draw_attractors(file, ax=None):
 
 
 @picture(PeterkaFile)
-def draw_impact(file, ax=None):
+def draw_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The starts that end in impacts and those that do not."""
     entries = [*_class_entries(), ("impact", IMPACT_COLOUR)]
     entries[INDEX["no impact"]] = ("no impact", NO_IMPACT_COLOUR)
@@ -70,7 +71,7 @@ def draw_impact(file, ax=None):
 
 
 @picture(PeterkaFile)
-def draw_impact_after(file, ax=None, *, cycles=300):
+def draw_impact_after(file: PeterkaFile, ax: Axes | None = None, *, cycles: int = 300) -> Axes:
     """The starts that still impact after so many forcing cycles and those that do not: what a run that ends
     then takes for two attractors, where impacts are only a long transient."""
     entries = [*_class_entries(), (f"impact after {cycles} cycles", IMPACT_COLOUR)]

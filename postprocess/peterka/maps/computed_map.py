@@ -1,6 +1,7 @@
 """Which cells of a refined map are computed, and which are filled from computed ones around them."""
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..files.regimes import NOT_COMPUTED
 from ..look import axes
@@ -15,7 +16,7 @@ NAMES = ["filled", "computed", "not computed yet"]
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None):
+def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The picture, with both shares in its legend."""
     reduced, counts = class_picture(file, ["regime", "computed"], _classify, len(NAMES))
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", COLOURS[n], n == MISSING)

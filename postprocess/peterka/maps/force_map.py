@@ -4,6 +4,8 @@ Force is F/(m g), with a second scale in newtons where the file knows the hammer
 without a force; where no cell has one there is no picture.
 """
 
+from matplotlib.axes import Axes
+
 from ..files.regimes import PERIODIC
 from ..look import style, units
 from ..look.picture import picture
@@ -13,14 +15,14 @@ from .map_file import PeterkaFile
 
 
 @picture(PeterkaFile)
-def draw_single_impact(file, ax=None):
+def draw_single_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """Force where one impact comes in each forcing cycle; None where no cell has one."""
     carries = lambda regime, p, q: (regime == PERIODIC) & (p == 1) & (q == 1)  # noqa: E731
     return _draw(file, ax, carries, "$z = 1/1$", ())
 
 
 @picture(PeterkaFile)
-def draw_all_impacts(file, ax=None):
+def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """Force of every proved orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
     return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS)
 

@@ -4,6 +4,7 @@ Light is early, dark is late; where impacts go on for ever, or are undecided, a 
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..look import axes, style
@@ -22,7 +23,7 @@ NAMES = ["none at all", *(f"{low + 1} to {high}" for low, high in zip(ENDS, ENDS
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None):
+def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The picture, with the share of each class."""
     reduced, counts = class_picture(file, ["regime", "last_impact"], _classify, len(NAMES))
     colours = COLOURS

@@ -8,6 +8,8 @@ the time observed, the mean and the 95 % quantile of the cycles' largest ones do
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from matplotlib.axes import Axes
+
 from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..look import style, units
 from ..look.picture import picture
@@ -49,7 +51,7 @@ NUMBERS = {
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None, *, name):
+def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of NUMBERS that the file has, over its plane (rows, columns); None where no cell has a value."""
     number = NUMBERS[name]
     field = Field(name, number.carries, number.apart, lambda largest: _scale(file, number, largest), number.from_zero)

@@ -9,6 +9,7 @@ counts as one impact. Dots, since lines across a class look like stripes of anot
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
@@ -26,7 +27,7 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None):
+def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The map of a map file with the share of each class in its legend."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     orbits, regimes = _legend_entries(counts, file.observed_chaos)

@@ -3,6 +3,8 @@
 Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
 """
 
+from matplotlib.axes import Axes
+
 from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
 from ..look import units
 from ..look.picture import picture
@@ -20,7 +22,7 @@ TITLES = {
 
 
 @picture(PeterkaFile)
-def draw(file, ax=None, *, name):
+def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of file.quantities; None where no cell has a value."""
     carries, apart = field_map.has_impacts, WITHOUT_IMPACTS
     if name == "max_displacement":

@@ -6,6 +6,7 @@ of the scale, which is linear below one cell.
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullLocator
 
@@ -19,7 +20,7 @@ WIDTH, HEIGHT = 3.7, 4.3  # in, without the legend
 
 
 @picture(StudyFile)
-def draw(file, ax=None):
+def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
     """The two diagrams of a study of labels as a list of Axes; None without a finished run."""
     table = file.table
     usable = np.isfinite(table.changed_share) & (table.seconds_per_cell > 0) & np.isfinite(table.seconds_per_cell)

@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from ..look import axes, figures
 from ..look.picture import picture
@@ -38,7 +39,7 @@ _NAMES = list(OUTCOMES)
 
 
 @picture(StudyFile)
-def draw(file, ax=None):
+def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
     """The squares and the two diagrams of a study of stability as a list of Axes; None without any outcome."""
     table = file.table
     if not np.any(table.outcome != ""):

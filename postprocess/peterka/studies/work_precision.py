@@ -7,6 +7,7 @@ point is hollow where the method did not come through all the cells: it stands f
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
@@ -50,7 +51,7 @@ def care(setting):
 
 
 @picture(StudyFile)
-def draw(file, ax=None):
+def draw(file: StudyFile, ax: Axes | None = None) -> Axes | None:
     """The diagram of a study of work and precision; None where no run came through."""
     lines = {method: points_of(file.table, method) for method in methods_in_order(file.table.method)}
     lines = {method: points for method, points in lines.items() if points}

@@ -1,11 +1,12 @@
 """Bifurcation diagram of a sweep: hammer displacement against the excitation frequency, a panel for each gap (the paper's
 Figs. 17 to 19), at forcing phase 0 or at first touch."""
 
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look.picture import picture
 from . import sweep_panels
-from .measured import NOTHING_MEASURED
+from .measured import NOTHING_MEASURED, Measurements
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -19,7 +20,8 @@ DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 
 
 
 @picture(SweepFile)
-def draw(file, ax=None, *, measured=NOTHING_MEASURED, name="stroboscopic_displacement"):
+def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
+         name: str = "stroboscopic_displacement") -> list[Axes] | None:
     """The diagram of one of WHERE as a list of Axes, one for each gap; None where nothing is sampled."""
     samples = {branch.row: file.samples(name, branch) for branch in file.branches}
     if not any(len(points) for points, _ in samples.values()):

@@ -5,12 +5,13 @@ Motions with a period are lines; largest forces of those without one, over the w
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import style, units
 from ..look.picture import picture
 from . import sweep_panels
-from .measured import NOTHING_MEASURED
+from .measured import NOTHING_MEASURED, Measurements
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -21,7 +22,7 @@ CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
 
 @picture(SweepFile)
-def draw(file, ax=None, *, measured=NOTHING_MEASURED):
+def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> list[Axes] | None:
     """The response as a list of Axes, one for each gap; None where no point has a force."""
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None

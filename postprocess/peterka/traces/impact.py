@@ -2,6 +2,7 @@
 acceleration."""
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..look import figures
 from ..look.picture import picture
@@ -12,7 +13,7 @@ WIDTH, HEIGHT = 3.7, 4.2  # in
 
 
 @picture(TraceFile)
-def draw(file, ax=None):
+def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     """The picture of the hardest impact as a list of Axes; None where nothing impacts."""
     if file.impact is None:
         return None

@@ -4,6 +4,7 @@ The dotted line is where the stop is: the hammer touches it where both lines mee
 Each impact's exact peak belongs to the line of the force, which is sampled elsewhere."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
@@ -16,7 +17,7 @@ PEAK = {"marker": "o", "markersize": 3, "color": "black", "linestyle": "none"}
 
 
 @picture(TraceFile)
-def draw(file, ax=None):
+def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes]:
     """The picture of a trace as a list of Axes."""
     motion = file.motion
     at_cart = ", stop" if file.number("gap_ratio") == 0 else ""

@@ -3,6 +3,7 @@
 Dots mark the beginning of each cycle (forcing phase 0), crosses the impacts."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
@@ -16,7 +17,7 @@ TOUCH = {"marker": "x", "markersize": 5, "color": trace_look.FORCE, "linestyle":
 
 
 @picture(TraceFile)
-def draw(file, ax=None):
+def draw(file: TraceFile, ax: Axes | None = None) -> Axes:
     """The phase plane of a trace."""
     motion = file.motion
     handles = [Line2D([], [], label="hammer", **trace_look.HAMMER_LINE)]

@@ -4,6 +4,7 @@ Dots are the points at forcing phase 0 (Poincaré's map): q of them on an orbit 
 hundreds of cycles show ([trace] cycles)."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..files.regimes import CHAOTIC
@@ -19,7 +20,7 @@ STROBE = {"marker": "o", "color": "black", "linestyle": "none", "markeredgewidth
 
 
 @picture(TraceFile)
-def draw_motion(file, ax=None):
+def draw_motion(file: TraceFile, ax: Axes | None = None) -> Axes:
     """The phase plane of x - y, from the trace's samples, as Axes."""
     points = strobe(file)
     handles = [Line2D([], [], label="hammer", **trace_look.HAMMER_LINE), _handle(points, 4), *_stop_handle(file)]
@@ -32,7 +33,7 @@ def draw_motion(file, ax=None):
 
 
 @picture(TraceFile)
-def draw_points(file, ax=None):
+def draw_points(file: TraceFile, ax: Axes | None = None) -> Axes | None:
     """The stroboscopic points alone, as Axes; None with the cart at rest, which has no phase."""
     points = strobe(file)
     if not len(points):

@@ -5,6 +5,7 @@ One mode is all the model has: lines of an orbit at multiples of its frequency, 
 swing of the springs in flight. Resonances of the structure, as measurements show them, are not in it."""
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..look import axes, figures
 from ..look.picture import picture
@@ -18,7 +19,7 @@ ACCELERATION = r"acceleration $\ddot{x}$ (m/s²)"
 
 
 @picture(TraceFile)
-def draw(file, ax=None):
+def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     """The spectra of a trace as a list of Axes."""
     frequency, pulse = file.spectrum["frequency"], file.impact_spectrum
     panels = [(frequency, file.spectrum["force_amplitude"], trace_look.FORCE, "force (N)", "whole motion"),
