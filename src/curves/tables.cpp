@@ -139,7 +139,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     scalar("count", "edges of the coarse map between orbits up to the period, or one and no impact",
            found.edges.edges);
     scalar("on_curve", "of these, within one cell of a curve", found.edges.on_curve);
-    scalar("basin", "of these, where both motions live on both sides, so that the start decides",
+    scalar("basin", "of these, where the motion of one side lives on the other, too, so that the start decides",
            found.edges.basin);
     append(live);  // the group to which the facts of the run are added
     return tables;

@@ -54,7 +54,7 @@ std::string edges_text(const EdgeCount& edges) {
     return fmt::format(
         "Edges of the coarse map between these orbits, or one of them and no impact: {}\n"
         "  {:>8} within one cell of a curve\n"
-        "  {:>8} where both motions live on both sides: the start decides\n"
+        "  {:>8} where the motion of one side lives on the other, too: the start decides\n"
         "  {:>8} neither\n",
         readable_count(edges.edges), readable_share(edges.on_curve, edges.edges),
         readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
