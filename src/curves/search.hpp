@@ -21,7 +21,7 @@ using Deal = std::function<std::optional<std::vector<Numbers>>(std::int64_t coun
 
 // Edges of the coarse map; one where neither is known is unexplained.
 struct EdgeCount {
-    std::int64_t edges = 0;  // between periodic cells up to the period, or of one and no impact
+    std::int64_t edges = 0;     // between periodic cells up to the period, or of one and no impact
     std::int64_t on_curve = 0;  // a curve lies within one cell
     std::int64_t basin = 0;     // the orbit of one side lives on the other, too: the start decides
     [[nodiscard]] std::int64_t unexplained() const { return edges - on_curve - basin; }
