@@ -43,54 +43,6 @@ constexpr std::size_t stride(std::size_t slots) {
     return (rounded_up(slots) / line | 1U) * line;
 }
 
-std::vector<double**> fields(Lanes& l) {
-    return {&l.frequency,
-            &l.gap,
-            &l.step,
-            &l.flight_re,
-            &l.flight_im,
-            &l.swing,
-            &l.contact_re,
-            &l.contact_im,
-            &l.contact_swing,
-            &l.flight_square,
-            &l.flight_rate,
-            &l.flight_rest,
-            &l.contact_rate,
-            &l.margin_per_speed,
-            &l.flow_cosine,
-            &l.flow_sine,
-            &l.flow_slope,
-            &l.flow_fall,
-            &l.push_sine,
-            &l.push_cosine,
-            &l.push_rest,
-            &l.kick_sine,
-            &l.kick_cosine,
-            &l.kick_rest,
-            &l.delta[0],
-            &l.delta[1],
-            &l.velocity[0],
-            &l.velocity[1],
-            &l.in_use,
-            &l.next,
-            &l.margin,
-            &l.start_delta,
-            &l.start_velocity,
-            &l.leg_start,
-            &l.leg_amplitude,
-            &l.leg_energy,
-            &l.impacts,
-            &l.touched,
-            &l.separated,
-            &l.peak_force,
-            &l.largest_displacement,
-            &l.jacobian[0],
-            &l.jacobian[1],
-            &l.jacobian[2],
-            &l.jacobian[3]};
-}
-
 // Whether the kernel's closed forms are fit for a motion.
 bool is_regular(const motion::LinearMotion<double>& motion) {
     return motion.oscillates() && !motion.near_critical() && !motion.resonant();
@@ -127,18 +79,15 @@ BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size
 }
 
 void BatchedCycleMap::make_room(std::size_t capacity) {
-    const auto all = fields(lanes_);
     const std::size_t distance = stride(capacity);
-    std::unique_ptr<double[], void (*)(double*)> slab(allocate(distance * all.size()), deallocate);
-    std::fill_n(slab.get(), distance * all.size(), 0.0);
-    for (std::size_t n = 0; n < all.size(); ++n) {
+    std::unique_ptr<double[], void (*)(double*)> slab(allocate(distance * fields), deallocate);
+    std::fill_n(slab.get(), distance * fields, 0.0);
+    for (std::size_t n = 0; n < fields; ++n) {
         double* array = slab.get() + n * distance;
-        if (slab_) std::copy_n(*all[n], size_, array);
-        *all[n] = array;
+        if (slab_) std::copy_n(lanes_.arrays[n], size_, array);
+        lanes_.arrays[n] = array;
     }
     slab_ = std::move(slab);
-    stride_ = distance;
-    numbers_ = distance * all.size();
     queues_ = Queues(rounded_up(capacity));
     pattern_.resize(rounded_up(capacity));
     lanes_.pattern = pattern_.data();
@@ -155,8 +104,8 @@ scene::Oscillator<double> BatchedCycleMap::scene_of(double frequency, double gap
 }
 
 void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& state) {
-    lanes_.delta[0][slot] = state[0];
-    lanes_.velocity[0][slot] = state[1];
+    lanes_.delta(0)[slot] = state[0];
+    lanes_.velocity(0)[slot] = state[1];
 }
 
 BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double gap) const {
@@ -167,34 +116,41 @@ BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double ga
     Forcing f;
     f.frequency = frequency;
     f.gap = gap;
-    f.step = scene.period() / grid_.steps;
+    const double step = scene.period() / grid_.steps;
     const double fastest = std::max({1.0, frequency, flight.natural_frequency()});
     const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
-    f.fit =
-        rig_.fit && is_regular(flight) && is_regular(contact) && relative && f.step * fastest <= longest_step;
+    f.fit = rig_.fit && is_regular(flight) && is_regular(contact) && relative && step * fastest <= longest_step;
     const double square = flight.equation().stiffness;
-    f.flight_square = square;
-    f.flight_rate = flight.rate();
-    f.contact_rate = contact.rate();
-    f.margin_per_speed = square * square / flight.rate() * std::pow(f.step, 4) / 144;
-    f.flight_re = flight.response().real();
-    f.flight_im = flight.response().imag();
-    f.swing = std::abs(flight.response());
-    f.contact_re = contact.response().real();
-    f.contact_im = contact.response().imag();
-    f.contact_swing = std::abs(contact.response());
+    const double re = flight.response().real();
+    const double im = flight.response().imag();
+    f[Field::frequency] = frequency;
+    f[Field::step] = step;
+    f[Field::flight_re] = re;
+    f[Field::flight_im] = im;
+    f[Field::swing] = std::abs(flight.response());
+    f[Field::contact_re] = contact.response().real();
+    f[Field::contact_im] = contact.response().imag();
+    f[Field::contact_swing] = std::abs(contact.response());
+    f[Field::flight_square] = square;
+    f[Field::flight_rate] = flight.rate();
+    f[Field::contact_rate] = contact.rate();
+    f[Field::margin_per_speed] = square * square / flight.rate() * std::pow(step, 4) / 144;
 
     // x -> E x + (s' - E s), with s the steady motion at the step's start, (re, im) and eta (-im, re) on its
     // sine and cosine, and s' the same turned by one step
-    f.flow = flight.flow(f.step);
-    const double re = f.flight_re;
-    const double im = f.flight_im;
+    const scene::Jacobian<double> flow = flight.flow(step);
+    f[Field::e00] = flow(0, 0);
+    f[Field::e01] = flow(0, 1);
+    f[Field::e10] = flow(1, 0);
+    f[Field::e11] = flow(1, 1);
     const double c = grid_.cosine[1];
     const double s = grid_.sine[1];
-    f.push_sine = (re * c - im * s) - (f.flow(0, 0) * re - f.flow(0, 1) * frequency * im);
-    f.push_cosine = (re * s + im * c) - (f.flow(0, 0) * im + f.flow(0, 1) * frequency * re);
-    f.kick_sine = -frequency * (re * s + im * c) - (f.flow(1, 0) * re - f.flow(1, 1) * frequency * im);
-    f.kick_cosine = frequency * (re * c - im * s) - (f.flow(1, 0) * im + f.flow(1, 1) * frequency * re);
+    f[Field::forced_delta_sine] = (re * c - im * s) - (flow(0, 0) * re - flow(0, 1) * frequency * im);
+    f[Field::forced_delta_cosine] = (re * s + im * c) - (flow(0, 0) * im + flow(0, 1) * frequency * re);
+    f[Field::forced_velocity_sine] =
+        -frequency * (re * s + im * c) - (flow(1, 0) * re - flow(1, 1) * frequency * im);
+    f[Field::forced_velocity_cosine] =
+        frequency * (re * c - im * s) - (flow(1, 0) * im + flow(1, 1) * frequency * re);
     return f;
 }
 
@@ -207,7 +163,7 @@ const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, doubl
 
 // The kernel marches over whole vectors; lanes past the last cell stay idle.
 void BatchedCycleMap::use_lanes(std::size_t size) {
-    for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_.in_use[slot] = 0;
+    for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_[Field::in_use][slot] = 0;
     size_ = size;
     lanes_.size = size;
 }
@@ -218,44 +174,21 @@ void BatchedCycleMap::add(double frequency, double gap, const scene::State<doubl
     use_lanes(slot + 1);
     const Forcing& f = forcing(frequency, gap);
     set_state(slot, state);
-    lanes_.frequency[slot] = frequency;
-    lanes_.gap[slot] = gap;
-    lanes_.in_use[slot] = f.fit ? 1 : 0;
+    for (std::size_t n = gap_fields; n < cell_fields; ++n) lanes_.arrays[n][slot] = f.values[n - gap_fields];
+    const double below_stop =
+        (gap + oscillator_.cubic * gap * gap * gap) / f[Field::flight_square];  // the static position
+    lanes_[Field::gap][slot] = gap;
+    lanes_[Field::static_position][slot] = -below_stop;
+    lanes_[Field::forced_delta_constant][slot] = -below_stop + f[Field::e00] * below_stop;
+    lanes_[Field::forced_velocity_constant][slot] = f[Field::e10] * below_stop;
+    lanes_[Field::in_use][slot] = f.fit ? 1 : 0;
     twin_only_[slot] = !f.fit;
     twins_[slot] = nullptr;
-    if (!f.fit) {
-        ++twin_only_count_;
-        return;
-    }
-    lanes_.step[slot] = f.step;
-    lanes_.flight_re[slot] = f.flight_re;
-    lanes_.flight_im[slot] = f.flight_im;
-    lanes_.swing[slot] = f.swing;
-    lanes_.contact_re[slot] = f.contact_re;
-    lanes_.contact_im[slot] = f.contact_im;
-    lanes_.contact_swing[slot] = f.contact_swing;
-    const double rest = (gap + oscillator_.cubic * gap * gap * gap) / f.flight_square;
-    lanes_.flight_square[slot] = f.flight_square;
-    lanes_.flight_rate[slot] = f.flight_rate;
-    lanes_.flight_rest[slot] = rest;
-    lanes_.contact_rate[slot] = f.contact_rate;
-    lanes_.margin_per_speed[slot] = f.margin_per_speed;
-    lanes_.flow_cosine[slot] = f.flow(0, 0);
-    lanes_.flow_sine[slot] = f.flow(0, 1);
-    lanes_.flow_slope[slot] = f.flow(1, 1);
-    lanes_.flow_fall[slot] = -f.flow(1, 0);
-    lanes_.push_sine[slot] = f.push_sine;
-    lanes_.push_cosine[slot] = f.push_cosine;
-    lanes_.push_rest[slot] = -rest + f.flow(0, 0) * rest;
-    lanes_.kick_sine[slot] = f.kick_sine;
-    lanes_.kick_cosine[slot] = f.kick_cosine;
-    lanes_.kick_rest[slot] = f.flow(1, 0) * rest;
+    if (!f.fit) ++twin_only_count_;
 }
 
 void BatchedCycleMap::copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to) {
-    double* there = slab_.get() + to;
-    const double* here = from.slab_.get() + slot;
-    for (std::size_t n = 0; n < numbers_ / stride_; ++n) there[n * stride_] = here[n * from.stride_];
+    for (std::size_t n = 0; n < fields; ++n) lanes_.arrays[n][to] = from.lanes_.arrays[n][slot];
     twin_only_[to] = from.twin_only_[slot];
     pattern_[to] = from.pattern_[slot];
     outcome_[to] = from.outcome_[slot];
@@ -281,7 +214,7 @@ void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
 }
 
 BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
-    const auto scene = scene_of(lanes_.frequency[slot], lanes_.gap[slot]);
+    const auto scene = scene_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]);
     if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(scene, grid_.steps);
     return trajectory::ExactCycleMap<double>(scene);
 }
@@ -290,17 +223,17 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     ++left_to_twin_;
     if (!twins_[slot]) twins_[slot] = twin_of(slot);
     trajectory::Recorder<double> recorder;
-    const auto cycle = twins_[slot]({lanes_.start_delta[slot], lanes_.start_velocity[slot]},
+    const auto cycle = twins_[slot]({lanes_[Field::start_delta][slot], lanes_[Field::start_velocity][slot]},
                                     wanted.measure ? &recorder : nullptr);
     outcome_[slot] = cycle.outcome;
     set_state(slot, cycle.end);
-    lanes_.impacts[slot] = cycle.impacts;
-    lanes_.touched[slot] = cycle.touched ? 1 : 0;
-    lanes_.separated[slot] = cycle.separated ? 1 : 0;
-    lanes_.peak_force[slot] = recorder.totals().largest_force;
-    lanes_.largest_displacement[slot] = recorder.totals().displacement_bound;
+    lanes_[Field::impacts][slot] = cycle.impacts;
+    lanes_[Field::touched][slot] = cycle.touched ? 1 : 0;
+    lanes_[Field::separated][slot] = cycle.separated ? 1 : 0;
+    lanes_[Field::peak_force][slot] = recorder.totals().largest_force;
+    lanes_[Field::largest_displacement][slot] = recorder.totals().displacement_bound;
     for (std::size_t n = 0; n < 4; ++n) {
-        lanes_.jacobian[n][slot] = cycle.jacobian(static_cast<int>(n / 2), static_cast<int>(n % 2));
+        lanes_.jacobian(n)[slot] = cycle.jacobian(static_cast<int>(n / 2), static_cast<int>(n % 2));
     }
     pattern_[slot] = cycle.pattern;
 }
@@ -309,8 +242,8 @@ void BatchedCycleMap::advance(Wanted wanted) {
     using Outcome = trajectory::Cycle<double>::Outcome;
     run_cycle(rig_, grid_, lanes_, queues_, wanted);
     if (grid_.steps % 2 == 1) {
-        std::copy_n(lanes_.delta[1], lanes_.size, lanes_.delta[0]);
-        std::copy_n(lanes_.velocity[1], lanes_.size, lanes_.velocity[0]);
+        std::copy_n(lanes_.delta(1), lanes_.size, lanes_.delta(0));
+        std::copy_n(lanes_.velocity(1), lanes_.size, lanes_.velocity(0));
     }
     last_ = wanted;
     cycles_ += static_cast<std::int64_t>(size_);
@@ -329,13 +262,13 @@ trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {
     cycle.outcome = outcome_[slot];
     cycle.end = state(slot);
     cycle.pattern = pattern_[slot];
-    cycle.impacts = static_cast<int>(lanes_.impacts[slot]);
-    cycle.touched = lanes_.touched[slot] != 0;
-    cycle.separated = lanes_.separated[slot] != 0;
+    cycle.impacts = static_cast<int>(lanes_[Field::impacts][slot]);
+    cycle.touched = lanes_[Field::touched][slot] != 0;
+    cycle.separated = lanes_[Field::separated][slot] != 0;
     if (last_.jacobian) {
         // column by column: what is stored in pairs can be loaded in pairs without waiting
-        cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian[0][slot], lanes_.jacobian[2][slot]);
-        cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian[1][slot], lanes_.jacobian[3][slot]);
+        cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian(0)[slot], lanes_.jacobian(2)[slot]);
+        cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian(1)[slot], lanes_.jacobian(3)[slot]);
     }
     return cycle;
 }

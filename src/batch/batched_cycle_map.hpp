@@ -9,6 +9,7 @@
 // absolute form of the cubic is left to the twin.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -56,12 +57,12 @@ class BatchedCycleMap {
     // What it gave. A Jacobian that wasn't wanted is the identity.
     [[nodiscard]] trajectory::Cycle<double> cycle(std::size_t slot) const;
     // Where wanted: the largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
-    [[nodiscard]] double peak_force(std::size_t slot) const { return lanes_.peak_force[slot]; }
+    [[nodiscard]] double peak_force(std::size_t slot) const { return lanes_[Field::peak_force][slot]; }
     [[nodiscard]] double displacement_bound(std::size_t slot) const {
-        return lanes_.largest_displacement[slot];
+        return lanes_[Field::largest_displacement][slot];
     }
     [[nodiscard]] scene::State<double> state(std::size_t slot) const {
-        return {lanes_.delta[0][slot], lanes_.velocity[0][slot]};
+        return {lanes_.delta(0)[slot], lanes_.velocity(0)[slot]};
     }
 
     [[nodiscard]] std::int64_t cycles() const { return cycles_; }
@@ -76,10 +77,10 @@ class BatchedCycleMap {
         double frequency = 0;
         double gap = 0;
         bool fit = false;
-        double step, flight_re, flight_im, swing, contact_re, contact_im, contact_swing;
-        double flight_square, flight_rate, contact_rate, margin_per_speed;
-        scene::Jacobian<double> flow;  // of one step of flight
-        double push_sine, push_cosine, kick_sine, kick_cosine;
+        std::array<double, cell_fields - gap_fields> values{};
+
+        double& operator[](Field field) { return values[index_of(field) - gap_fields]; }
+        double operator[](Field field) const { return values[index_of(field) - gap_fields]; }
     };
     [[nodiscard]] Forcing forcing_of(double frequency, double gap) const;
     const Forcing& forcing(double frequency, double gap);
@@ -96,10 +97,8 @@ class BatchedCycleMap {
     Rig rig_;
     Grid grid_;
     std::size_t size_ = 0;
-    std::size_t stride_ = 0;   // from array to array of the slab
-    std::size_t numbers_ = 0;  // of the slab
     std::unique_ptr<double[], void (*)(double*)> slab_;
-    Lanes lanes_{};
+    Lanes lanes_;
     Queues queues_;
     Wanted last_;
     std::vector<std::uint64_t> pattern_;

@@ -1,8 +1,8 @@
 // Contact of a vector of lanes, in closed form.
 //
-//     delta'' + 2 b delta' + w2 (delta - rest) = eta^2 sin(theta),   F = kappa delta + chi delta'
+//     delta'' + 2 b delta' + w2 (delta - static_position) = eta^2 sin(theta),   F = kappa delta + chi delta'
 //
-// with w2 = 1 + kappa and rest = -gap/w2 without a cubic spring.
+// with w2 = 1 + kappa and static_position = -gap/w2 without a cubic spring.
 #if defined(PETERKA_BATCH_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_CONTACT_INL_HPP
 #undef PETERKA_BATCH_CONTACT_INL_HPP
@@ -36,10 +36,10 @@ class Contact {
         : rig_(rig),
           cells_(cells),
           start_(start),
-          re_(gather(lanes.contact_re, cells.index)),
-          im_(gather(lanes.contact_im, cells.index)),
-          rest_(cells.contact_rest),
-          x_(start.delta - rest_ - mul_add(re_, start.sine, im_ * start.cosine)),
+          re_(gather(lanes[Field::contact_re], cells.index)),
+          im_(gather(lanes[Field::contact_im], cells.index)),
+          static_position_(cells.contact_static_position),
+          x_(start.delta - static_position_ - mul_add(re_, start.sine, im_ * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(re_, start.cosine, im_ * start.sine)),
           force_re_(mul_sub(all(rig.stiffness), re_, all(rig.damping) * cells.eta * im_)),
           force_im_(mul_add(all(rig.stiffness), im_, all(rig.damping) * cells.eta * re_)) {}
@@ -49,7 +49,7 @@ class Contact {
         const V angle = cells_.eta * t;
         return carried(flow_for(t), cubic ? small_sine_cosine(angle) : sine_cosine(angle));
     }
-    [[nodiscard]] HWY_INLINE FlowOf flow_for(V t) const {
+    [[nodiscard]] HWY_INLINE Matrix2 flow_for(V t) const {
         return flow(sine_cosine(cells_.contact_rate * t), exp_of(all(-rig_.contact_decay) * t),
                     all(rig_.contact_decay), cells_.contact_square, cells_.inverse_contact_rate);
     }
@@ -64,7 +64,7 @@ class Contact {
         const V own_jerk = mul_sub(b, own_curvature, square * own_slope);
         const V forced = mul_add(force_re_, p.sine, force_im_ * p.cosine);
         const V forced_slope = cells_.eta * mul_sub(force_re_, p.cosine, force_im_ * p.sine);
-        return {own + forced + all(rig_.stiffness) * rest_, own_slope + forced_slope,
+        return {own + forced + all(rig_.stiffness) * static_position_, own_slope + forced_slope,
                 neg_mul_add(cells_.drive, forced, own_curvature),
                 neg_mul_add(cells_.drive, forced_slope, own_jerk),
                 mul_sub(b, own_jerk, square * own_curvature)};  // of the forcing, nothing that matters
@@ -72,11 +72,11 @@ class Contact {
     [[nodiscard]] HWY_INLINE Moment moment(const Point& p) const {
         const V steady = mul_add(re_, p.sine, im_ * p.cosine);
         const V steady_velocity = cells_.eta * mul_sub(re_, p.cosine, im_ * p.sine);
-        return {p.x + steady + rest_, p.v + steady_velocity, p.sine, p.cosine};
+        return {p.x + steady + static_position_, p.v + steady_velocity, p.sine, p.cosine};
     }
 
-    [[nodiscard]] HWY_INLINE V rest() const { return rest_; }
-    [[nodiscard]] HWY_INLINE V force_rest() const { return all(rig_.stiffness) * rest_; }
+    [[nodiscard]] HWY_INLINE V static_position() const { return static_position_; }
+    [[nodiscard]] HWY_INLINE V static_force() const { return all(rig_.stiffness) * static_position_; }
     [[nodiscard]] HWY_INLINE V force_swing() const {
         return sqrt(mul_add(force_re_, force_re_, force_im_ * force_im_));
     }
@@ -104,13 +104,13 @@ class Contact {
             sine = mul_add(sine, t, all(rig_.series[n]));
             slope = mul_add(slope, t, all(rig_.slope_series[n]));
         }
-        const FlowOf after{mul_add(all(2 * rig_.contact_decay), sine, slope), sine,
-                           all(-rig_.contact_square) * sine, slope};
-        const V x = mul_add(all(until.cosine), x_, all(until.sine) * v_);
-        const V v = mul_add(all(until.fall), x_, all(until.slope) * v_);
+        const Matrix2 after{mul_add(all(2 * rig_.contact_decay), sine, slope), sine,
+                            all(-rig_.contact_square) * sine, slope};
+        const V x = mul_add(all(until.e00), x_, all(until.e01) * v_);
+        const V v = mul_add(all(until.e10), x_, all(until.e11) * v_);
         const SineCosine phase =
             turned(start_.sine, start_.cosine, small_sine_cosine(cells_.eta * (all(time) + t)));
-        return {after.position(x, v), after.velocity(x, v), phase.sine, phase.cosine};
+        return {after.upper(x, v), after.lower(x, v), phase.sine, phase.cosine};
     }
     // A tiny time after p, by Taylor series.
     [[nodiscard]] HWY_INLINE Point next(const Point& p, V t) const {
@@ -131,16 +131,16 @@ class Contact {
     }
 
   private:
-    [[nodiscard]] HWY_INLINE Point carried(const FlowOf& f, SineCosine forcing) const {
+    [[nodiscard]] HWY_INLINE Point carried(const Matrix2& f, SineCosine forcing) const {
         const SineCosine phase = turned(start_.sine, start_.cosine, forcing);
-        return {f.position(x_, v_), f.velocity(x_, v_), phase.sine, phase.cosine};
+        return {f.upper(x_, v_), f.lower(x_, v_), phase.sine, phase.cosine};
     }
 
     const Rig& rig_;
     const Cells& cells_;
     const Moment& start_;
-    V re_, im_;              // steady response
-    V rest_;                 // static position
+    V re_, im_;  // steady response
+    V static_position_;
     V x_, v_;                // homogeneous part at the start
     V force_re_, force_im_;  // steady response of the force
 };

@@ -26,11 +26,13 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
                                                         Gathered& track) {
     const V zero = all(0);
     const Flight flight(rig_, cells, m);
-    const V fourth = flight.fourth_derivative_bound(gather(lanes_.swing, cells.index));
+    const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
     const Derivatives d = derivatives(rig_, cells, m);
 
     // With an upper bound of delta'' the parabola says when it is surely out, and that it still goes down then;
-    // so does the force, whose slope is kappa delta' + chi delta''.
+    // so does the force, whose slope is kappa delta' + chi delta''. A hammer that nothing bends is out after
+    // delta/speed; in half as much time again the parabola delta - speed t + most t^2/2 is below zero where
+    // most delta < 4/9 speed^2.
     const V speed = -m.velocity;
     const V leaving = all(1.5) * m.delta / speed;
     const V bend = mul_add(leaving * all(0.5), fourth, d.third);
@@ -72,8 +74,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
         arrive(cells, end.delta, end.velocity, grid_point, fourth, free);
     }
     const Mask flies = which & (~goes_on | (end.delta < zero));
-    const V separated = gather(lanes_.separated, cells.index);  // most lanes are since the cycle began
-    if (any(flies & (separated == zero))) put(all(1), lanes_.separated, cells.index, flies);
+    const V separated = gather(lanes_[Field::separated], cells.index);  // most lanes are since the cycle began
+    if (any(flies & (separated == zero))) put(all(1), lanes_[Field::separated], cells.index, flies);
 
     const Mask may_rise = ~free & which;
     if (any(may_rise))
@@ -88,7 +90,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
     const Cells cells = cells_of(w.lanes);
     const Flight flight(rig_, cells, w.moment);
     const V zero = all(0);
-    const V fourth = flight.fourth_derivative_bound(gather(lanes_.swing, w.lanes));
+    const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
     const V grid_point = cubic ? all(until_) : min(floor(w.time * cells.per_step) + all(4), all(steps_));
     const V length = mul_sub(grid_point, cells.step, w.time);
     const Found force = seek_force(rig_, cells, w.moment, length, fourth, every());
@@ -113,7 +115,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
         arrive(cells, end.delta, end.velocity, grid_point, fourth, flies | held);
     }
     const Mask separates = flies | has_left;
-    if (any(separates)) put(all(1), lanes_.separated, cells.index, separates);
+    if (any(separates)) put(all(1), lanes_[Field::separated], cells.index, separates);
     const V time = w.time + force.time;
     push(cells.index, grid_point, time, force.moment, real_ & has_left, queues_.hops);
 
@@ -126,7 +128,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
         if constexpr (jacobian) track.carry(flown(cells, force.time), resumes);
         if constexpr (keeps_legs) track.leg_start = choose(resumes, time, track.leg_start);
         track.pattern = choose(resumes, append(track.pattern, trajectory::Phase::contact), track.pattern);
-        put(all(1), lanes_.touched, cells.index, resumes);
+        put(all(1), lanes_[Field::touched], cells.index, resumes);
         push(cells.index, zero, time, force.moment, real_ & resumes, queues_.contacts);
     }
     leave_to_twin(cells, ~(resumes | has_left | flies | held));

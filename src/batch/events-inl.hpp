@@ -17,11 +17,11 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::strike_all(int n) {
         const Index lanes = take(queues_.crossings);
         const Cells cells = cells_of(lanes);
         const V time = all(n) * cells.step;
-        const Moment start{gather(lanes_.delta[1 - next_], lanes), gather(lanes_.velocity[1 - next_], lanes),
+        const Moment start{gather(lanes_.delta(1 - next_), lanes), gather(lanes_.velocity(1 - next_), lanes),
                            all(grid_.sine[static_cast<std::size_t>(n)]),
                            all(grid_.cosine[static_cast<std::size_t>(n)])};
-        const Found found = strike(rig_, cells, start, gather(lanes_.delta[next_], lanes),
-                                   gather(lanes_.velocity[next_], lanes), gather(lanes_.margin, lanes));
+        const Found found = strike(rig_, cells, start, gather(lanes_.delta(next_), lanes),
+                                   gather(lanes_.velocity(next_), lanes), gather(lanes_[Field::margin], lanes));
         const Mask which = found.found;
         push(lanes, all(n + 1), time, start, ~which & real_, queues_.hops);
         if (any(which)) {
@@ -62,7 +62,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
     const Cells cells = cells_of(w.lanes);
     const V length = mul_sub(w.end, cells.step, w.time);
     const Flight flight(rig_, cells, w.moment);
-    const V fourth = flight.fourth_derivative_bound(gather(lanes_.swing, w.lanes));
+    const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
     const Found found = seek_touch(rig_, cells, w.moment, length, fourth, every());
     leave_to_twin(cells, found.unsure);
     const Mask touches = found.found;
@@ -88,10 +88,10 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::arrive(const Cells& cells, V delta, V velocity, V grid_point,
                                                        V fourth_derivative, Mask which) {
-    put(delta, lanes_.delta[next_], cells.index, which);
-    put(velocity, lanes_.velocity[next_], cells.index, which);
-    put(grid_point, lanes_.next, cells.index, which);
-    put(hull_margin(fourth_derivative, cells.step), lanes_.margin, cells.index, which);
+    put(delta, lanes_.delta(next_), cells.index, which);
+    put(velocity, lanes_.velocity(next_), cells.index, which);
+    put(grid_point, lanes_[Field::next], cells.index, which);
+    put(hull_margin(fourth_derivative, cells.step), lanes_[Field::margin], cells.index, which);
 }
 
 // The hammer meets the stop.
@@ -127,7 +127,7 @@ template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells, V time, const Moment& m,
                                                               Mask which, Gathered& track) {
     const V drive = cells.drive;
-    const V springs = cubic ? cells.square * cells.rest : cells.gap;  // how they pull at the stop
+    const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
     const V speed = m.velocity;
     V jerk = drive * cells.eta;
@@ -164,13 +164,15 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells
             const V largest =
                 cubic && any(rises) ? choose(rises, contact.force(point).value, peak.force) : peak.force;
             track.peak_force = choose(is_short, max(track.peak_force, largest), track.peak_force);
-            const V reach = gather(lanes_.contact_swing, cells.index) + contact.amplitude(contact.start());
+            const V reach =
+                gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
             const V contact_period = cubic ? all(1) / cells.contact_frequency : all(1 / rig_.contact_frequency);
             const V square_of_it = cubic ? contact_period * contact_period : all(1 / rig_.contact_square);
-            const V energy =
-                sqrt(mul_add(contact.rest(), contact.rest(), m.velocity * m.velocity * square_of_it));
+            const V energy = sqrt(mul_add(contact.static_position(), contact.static_position(),
+                                          m.velocity * m.velocity * square_of_it));
             const V work = drive * duration * contact_period;
-            track.raise_displacement(abs(contact.rest() + cells.gap) + min(reach, energy + work), is_short);
+            track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work),
+                                     is_short);
         }
         if constexpr (jacobian) track.carry(contact.flow_for(duration), is_short);
         Mask leaves = is_short;
@@ -201,12 +203,12 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::stay() {
         const Peak peak = long_peak(cells, contact, duration, sure);
         sure = sure & peak.sure;
         track.peak_force = choose(sure, max(track.peak_force, peak.force), track.peak_force);
-        const V reach = gather(lanes_.contact_swing, cells.index) + contact.amplitude(contact.start());
-        const V from_rest = w.moment.delta - contact.rest();
+        const V reach = gather(lanes_[Field::contact_swing], cells.index) + contact.amplitude(contact.start());
+        const V stretch = w.moment.delta - contact.static_position();
         const V speed = w.moment.velocity / cells.contact_frequency;
-        const V energy = sqrt(mul_add(from_rest, from_rest, speed * speed));
+        const V energy = sqrt(mul_add(stretch, stretch, speed * speed));
         const V work = cells.drive * duration / cells.contact_frequency;
-        track.raise_displacement(abs(contact.rest() + cells.gap) + min(reach, energy + work), sure);
+        track.raise_displacement(abs(contact.static_position() + cells.gap) + min(reach, energy + work), sure);
     }
     if constexpr (jacobian) track.carry(contact.flow_for(duration), sure);
     leave_to_twin(cells, ~sure);

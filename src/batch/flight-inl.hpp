@@ -1,8 +1,8 @@
 // Free flight of a vector of lanes, in closed form, and an enclosure of a stretch of it.
 //
-//     delta'' + 2 zeta delta' + w2 (delta + rest) = eta^2 sin(theta)
+//     delta'' + 2 zeta delta' + w2 (delta - static_position) = eta^2 sin(theta)
 //
-// with w2 = 1 and rest = gap without a cubic spring.
+// with w2 = 1 and static_position = -gap without a cubic spring.
 #if defined(PETERKA_BATCH_FLIGHT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_FLIGHT_INL_HPP
 #undef PETERKA_BATCH_FLIGHT_INL_HPP
@@ -36,35 +36,35 @@ struct Cells {
     template <bool cubic>
     HWY_INLINE Cells(const Rig& rig, const Lanes& lanes, double steps, Index which, std::bool_constant<cubic>)
         : index(which),
-          eta(gather(lanes.frequency, which)),
-          gap(gather(lanes.gap, which)),
-          step(gather(lanes.step, which)),
-          re(gather(lanes.flight_re, which)),
-          im(gather(lanes.flight_im, which)),
+          eta(gather(lanes[Field::frequency], which)),
+          gap(gather(lanes[Field::gap], which)),
+          step(gather(lanes[Field::step], which)),
+          re(gather(lanes[Field::flight_re], which)),
+          im(gather(lanes[Field::flight_im], which)),
           drive(eta * eta),
           per_step(eta * all(steps * 0.15915494309189533577)) {
         if constexpr (cubic) {
-            square = gather(lanes.flight_square, which);
+            square = gather(lanes[Field::flight_square], which);
             frequency = sqrt(square);
-            rate = gather(lanes.flight_rate, which);
+            rate = gather(lanes[Field::flight_rate], which);
             inverse_rate = all(1) / rate;
-            rest = gather(lanes.flight_rest, which);
+            static_position = gather(lanes[Field::static_position], which);
             contact_square = square + all(rig.stiffness);
             contact_frequency = sqrt(contact_square);
-            contact_rate = gather(lanes.contact_rate, which);
+            contact_rate = gather(lanes[Field::contact_rate], which);
             inverse_contact_rate = all(1) / contact_rate;
-            contact_rest = -(square * rest) / contact_square;
+            contact_static_position = square * static_position / contact_square;
         } else {
             square = all(1);
             frequency = all(1);
             rate = all(rig.flight_rate);
             inverse_rate = all(1 / rig.flight_rate);
-            rest = gap;
+            static_position = -gap;
             contact_square = all(rig.contact_square);
             contact_frequency = all(rig.contact_frequency);
             contact_rate = all(rig.contact_rate);
             inverse_contact_rate = all(1 / rig.contact_rate);
-            contact_rest = gap * all(-1 / rig.contact_square);
+            contact_static_position = gap * all(-1 / rig.contact_square);
         }
     }
 
@@ -76,10 +76,10 @@ struct Cells {
     // The linear equations: the rig's, or with a cubic spring each cell's own.
     V square, frequency;   // w2 of flight, and its root
     V rate, inverse_rate;  // damped frequency
-    V rest;                // static position is -rest
+    V static_position;
     V contact_square, contact_frequency;
     V contact_rate, inverse_contact_rate;
-    V contact_rest;  // static position
+    V contact_static_position;
 };
 
 // Derivatives of a flight.
@@ -89,7 +89,8 @@ struct Derivatives {
 HWY_INLINE Derivatives derivatives(const Rig& rig, const Cells& cells, const Moment& m) {
     const V damping = all(-2 * rig.damping_ratio);
     const V wave = cells.drive * m.sine;
-    const V second = mul_add(damping, m.velocity, neg_mul_add(cells.square, m.delta + cells.rest, wave));
+    const V second =
+        mul_add(damping, m.velocity, neg_mul_add(cells.square, m.delta - cells.static_position, wave));
     const V third =
         mul_add(damping, second, mul_sub(cells.drive * cells.eta, m.cosine, cells.square * m.velocity));
     const V fourth = mul_add(damping, third, neg_mul_sub(cells.drive, wave, cells.square * second));
@@ -114,13 +115,13 @@ HWY_INLINE Rise rise_of_force(const Rig& rig, const Cells& cells, const Moment& 
 }
 
 // The flow of a flight of any length.
-HWY_INLINE FlowOf flight_flow(const Rig& rig, const Cells& cells, V t) {
+HWY_INLINE Matrix2 flight_flow(const Rig& rig, const Cells& cells, V t) {
     return flow(sine_cosine(cells.rate * t), exp_of(all(-rig.damping_ratio) * t), all(rig.damping_ratio),
                 cells.square, cells.inverse_rate);
 }
 
 // The same within one step of the grid.
-HWY_INLINE FlowOf soon_flow(const Rig& rig, const Cells& cells, V t) {
+HWY_INLINE Matrix2 soon_flow(const Rig& rig, const Cells& cells, V t) {
     const V exponent = all(-rig.damping_ratio) * t;
     const V decay = rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
     return flow(small_sine_cosine(cells.rate * t), decay, all(rig.damping_ratio), cells.square,
@@ -133,7 +134,7 @@ class Flight {
         : rig_(rig),
           cells_(cells),
           start_(start),
-          x_(start.delta + cells.rest - mul_add(cells.re, start.sine, cells.im * start.cosine)),
+          x_(start.delta - cells.static_position - mul_add(cells.re, start.sine, cells.im * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(cells.re, start.cosine, cells.im * start.sine)) {}
 
     // Amplitude of the homogeneous part, which only decays; and an upper bound that is at most a twelfth
@@ -167,12 +168,12 @@ class Flight {
     [[nodiscard]] HWY_INLINE Moment at(V t, SineCosine own, SineCosine forcing) const {
         const V exponent = all(-rig_.damping_ratio) * t;
         const V decay = rig_.weakly_damped ? small_exp(exponent) : exp_of(exponent);
-        const FlowOf f = flow(own, decay, all(rig_.damping_ratio), cells_.square, cells_.inverse_rate);
+        const Matrix2 f = flow(own, decay, all(rig_.damping_ratio), cells_.square, cells_.inverse_rate);
         const SineCosine phase = turned(start_.sine, start_.cosine, forcing);
         const V steady = mul_add(cells_.re, phase.sine, cells_.im * phase.cosine);
         const V steady_velocity = cells_.eta * mul_sub(cells_.re, phase.cosine, cells_.im * phase.sine);
-        return {f.position(x_, v_) + steady - cells_.rest, f.velocity(x_, v_) + steady_velocity, phase.sine,
-                phase.cosine};
+        return {f.upper(x_, v_) + steady + cells_.static_position, f.lower(x_, v_) + steady_velocity,
+                phase.sine, phase.cosine};
     }
 
     const Rig& rig_;
@@ -215,11 +216,11 @@ struct Hull {
         const V top = min(max(max(max(b0, b1), max(b3, b4)), b2), highest);
         return max(abs(top + gap), abs(lowest(margin) + gap));
     }
-    // At the time t of a stretch with `rest` after it, times the fourth power of its length.
-    [[nodiscard]] HWY_INLINE V scaled_at(V s, V r) const {
-        const V first = mul_add(b0, r, all(4) * b1 * s) * r * r * r;
-        const V last = mul_add(b4, s, all(4) * b3 * r) * s * s * s;
-        return first + last + all(6) * b2 * s * s * r * r;
+    // After a part of the stretch, with the other part before it, times the fourth power of its length.
+    [[nodiscard]] HWY_INLINE V scaled_at(V gone, V left) const {
+        const V first = mul_add(b0, left, all(4) * b1 * gone) * left * left * left;
+        const V last = mul_add(b4, gone, all(4) * b3 * left) * gone * gone * gone;
+        return first + last + all(6) * b2 * gone * gone * left * left;
     }
 };
 // Its margin for a stretch of this length.

@@ -91,16 +91,49 @@ HWY_INLINE V small_exp(V x) {
     return exp_series<9>(x);
 }
 
-// (x, x') after t, from (1, 0) and (0, 1), of x'' + 2 decay x' + (rate^2 + decay^2) x = 0.
-struct FlowOf {
-    V cosine, sine, fall, slope;
-    HWY_INLINE V position(V x, V v) const { return mul_add(cosine, x, sine * v); }
-    HWY_INLINE V velocity(V x, V v) const { return mul_add(fall, x, slope * v); }
+struct Matrix2 {
+    V e00, e01, e10, e11;
+    HWY_INLINE V upper(V x, V v) const { return mul_add(e00, x, e01 * v); }
+    HWY_INLINE V lower(V x, V v) const { return mul_add(e10, x, e11 * v); }
 };
-HWY_INLINE FlowOf flow(SineCosine turn, V decay, V damping, V square, V inverse_rate) {
-    const V swing = decay * turn.cosine;
-    const V sine = decay * turn.sine * inverse_rate;
-    return {mul_add(damping, sine, swing), sine, -square * sine, neg_mul_add(damping, sine, swing)};
+HWY_INLINE Matrix2 operator*(const Matrix2& a, const Matrix2& b) {
+    return {a.upper(b.e00, b.e10), a.upper(b.e01, b.e11), a.lower(b.e00, b.e10), a.lower(b.e01, b.e11)};
+}
+HWY_INLINE Matrix2 choose(Mask which, const Matrix2& yes, const Matrix2& no) {
+    return {choose(which, yes.e00, no.e00), choose(which, yes.e01, no.e01), choose(which, yes.e10, no.e10),
+            choose(which, yes.e11, no.e11)};
+}
+// After the velocity lost `slope` times the position.
+HWY_INLINE Matrix2 kicked(const Matrix2& m, V slope) {
+    return {m.e00, m.e01, neg_mul_add(slope, m.e00, m.e10), neg_mul_add(slope, m.e01, m.e11)};
+}
+HWY_INLINE Matrix2 load_jacobian(const Lanes& lanes, std::size_t from) {
+    return {load(lanes.jacobian(0) + from), load(lanes.jacobian(1) + from), load(lanes.jacobian(2) + from),
+            load(lanes.jacobian(3) + from)};
+}
+HWY_INLINE void store_jacobian(const Matrix2& m, const Lanes& lanes, std::size_t to) {
+    store(m.e00, lanes.jacobian(0) + to);
+    store(m.e01, lanes.jacobian(1) + to);
+    store(m.e10, lanes.jacobian(2) + to);
+    store(m.e11, lanes.jacobian(3) + to);
+}
+HWY_INLINE Matrix2 gather_jacobian(const Lanes& lanes, Index which) {
+    return {gather(lanes.jacobian(0), which), gather(lanes.jacobian(1), which),
+            gather(lanes.jacobian(2), which), gather(lanes.jacobian(3), which)};
+}
+HWY_INLINE void scatter_jacobian(const Matrix2& m, const Lanes& lanes, Index which) {
+    scatter(m.e00, lanes.jacobian(0), which);
+    scatter(m.e01, lanes.jacobian(1), which);
+    scatter(m.e10, lanes.jacobian(2), which);
+    scatter(m.e11, lanes.jacobian(3), which);
+}
+
+// (x, x') after t, from (1, 0) and (0, 1), of x'' + 2 decay x' + (rate^2 + decay^2) x = 0. shrunk: exp(-decay
+// t).
+HWY_INLINE Matrix2 flow(SineCosine turn, V shrunk, V decay, V square, V inverse_rate) {
+    const V swing = shrunk * turn.cosine;
+    const V e01 = shrunk * turn.sine * inverse_rate;
+    return {mul_add(decay, e01, swing), e01, -square * e01, neg_mul_add(decay, e01, swing)};
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

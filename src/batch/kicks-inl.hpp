@@ -20,7 +20,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hold(const Cells& cells, V delta
     const auto point = static_cast<std::size_t>(until_);
     const Moment m{delta, velocity, all(grid_.sine[point]), all(grid_.cosine[point])};
     push(cells.index, all(until_), all(until_) * cells.step, m, real_ & which, held);
-    put(all(never), lanes_.next, cells.index, which);
+    put(all(never), lanes_[Field::next], cells.index, which);
 }
 
 // `part` of a whole kick of those at the stop.
@@ -38,11 +38,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
         const Kick kick(all(part * rig_.cubic) * cells.step, cells.gap, w.moment.delta);
         const V velocity = w.moment.velocity - kick.speed;
         if constexpr (jacobian) {
-            for (const std::size_t n : {0U, 1U}) {
-                double* below = lanes_.jacobian[2 + n];
-                const V above = gather(lanes_.jacobian[n], w.lanes);
-                scatter(neg_mul_add(kick.slope, above, gather(below, w.lanes)), below, w.lanes);
-            }
+            const Matrix2 j = kicked(gather_jacobian(lanes_, w.lanes), kick.slope);
+            scatter(j.e10, lanes_[Field::jacobian_10], w.lanes);
+            scatter(j.e11, lanes_[Field::jacobian_11], w.lanes);
         }
         // a kick that made the force change its sign would be an event
         const V force = mul_add(all(rig_.stiffness), w.moment.delta, all(rig_.damping) * velocity);
@@ -58,30 +56,28 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::finish_kicks() {
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
-        const V impacts = load(lanes_.impacts + i);
-        store(choose(impacts > all(0), all(1), load(lanes_.touched + i)), lanes_.touched + i);
-        const Mask flies = load(lanes_.next + i) <= all(steps_);
-        const V delta = load(lanes_.delta[next_] + i);
-        const Kick kick(all(rig_.cubic / 2) * load(lanes_.step + i), load(lanes_.gap + i), delta);
-        const V velocity = load(lanes_.velocity[next_] + i);
+        const V impacts = load(lanes_[Field::impacts] + i);
+        store(choose(impacts > all(0), all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);
+        const Mask flies = load(lanes_[Field::next] + i) <= all(steps_);
+        const V delta = load(lanes_.delta(next_) + i);
+        const Kick kick(all(rig_.cubic / 2) * load(lanes_[Field::step] + i), load(lanes_[Field::gap] + i),
+                        delta);
+        const V velocity = load(lanes_.velocity(next_) + i);
         const V kicked_velocity = velocity - kick.speed;
-        store(choose(flies, kicked_velocity, velocity), lanes_.velocity[next_] + i);
+        store(choose(flies, kicked_velocity, velocity), lanes_.velocity(next_) + i);
         const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can run away
         push(index_from(i), flies & ~finite, queues_.twin);
         if constexpr (jacobian) {
-            for (const std::size_t n : {0U, 1U}) {
-                const V below = load(lanes_.jacobian[2 + n] + i);
-                const V kicked = neg_mul_add(kick.slope, load(lanes_.jacobian[n] + i), below);
-                store(choose(flies, kicked, below), lanes_.jacobian[2 + n] + i);
-            }
+            const Matrix2 j = load_jacobian(lanes_, i);
+            store_jacobian(choose(flies, kicked(j, kick.slope), j), lanes_, i);
         }
     }
     kick_held(0.5);
     for (Queue* queue : {&queues_.contacts, &queues_.releases}) {
         while (queue->size > 0) {
             const Waiting w = take(*queue);
-            scatter(w.moment.delta, lanes_.delta[next_], w.lanes);
-            scatter(w.moment.velocity, lanes_.velocity[next_], w.lanes);
+            scatter(w.moment.delta, lanes_.delta(next_), w.lanes);
+            scatter(w.moment.velocity, lanes_.velocity(next_), w.lanes);
         }
     }
 }

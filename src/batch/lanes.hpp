@@ -11,62 +11,88 @@ namespace peterka::batch {
 constexpr std::size_t widest_vector = 16;  // lanes that the kernel takes at once, at most
 constexpr double never = 1e9;              // as a grid point: the lane takes no part in this cycle
 
-// Pointers into one slab of memory, each to `size` numbers. Grid point n is the forcing phase 2 pi n/steps.
-struct Lanes {
-    std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
+// The arrays of a batch, a number for each lane. Grid point n is the forcing phase 2 pi n/steps.
+enum class Field : std::uint8_t {
+    // The cell. Its gap decides these,
+    gap,
+    static_position,  // of the flight, as delta
+    forced_delta_constant,
+    forced_velocity_constant,
 
-    // The cell: its forcing, and the harmonic responses u = Im(response exp(i theta)) in flight and contact.
-    double* frequency;
-    double* gap;
-    double* step;  // tau from grid point to grid point
-    double* flight_re;
-    double* flight_im;
-    double* swing;  // |flight response|
-    double* contact_re;
-    double* contact_im;
-    double* contact_swing;
-
-    // With a cubic spring: the linear equations' own (see flight-inl.hpp), and by how much a change of the
-    // velocity raises the margin of the flag test.
-    double* flight_square;
-    double* flight_rate;
-    double* flight_rest;
-    double* contact_rate;
-    double* margin_per_speed;
-
-    // One step of free flight: (delta, delta') -> flow (delta, delta') + (push, kick), both affine in the
-    // forcing's sine and cosine at the step's start.
-    double* flow_cosine;
-    double* flow_sine;
-    double* flow_slope;
-    double* flow_fall;  // of the velocity, taken from it
-    double* push_sine;
-    double* push_cosine;
-    double* push_rest;
-    double* kick_sine;
-    double* kick_cosine;
-    double* kick_rest;
+    // and its frequency the others; with a cubic spring both decide all of them. Harmonic responses are u =
+    // Im(response exp(i theta)) in flight and contact.
+    frequency,
+    step,  // tau from grid point to grid point
+    flight_re,
+    flight_im,
+    swing,  // |flight response|
+    contact_re,
+    contact_im,
+    contact_swing,
+    // with a cubic spring: the linear equations' own (see flight-inl.hpp), and by how much a change of the
+    // velocity raises the margin of the flag test
+    flight_square,
+    flight_rate,
+    contact_rate,
+    margin_per_speed,
+    // One step of free flight: (delta, delta') -> E (delta, delta') + forced, the latter affine in the
+    // forcing's
+    // sine and cosine at the step's start.
+    e00,
+    e01,
+    e10,
+    e11,
+    forced_delta_sine,
+    forced_delta_cosine,
+    forced_velocity_sine,
+    forced_velocity_cosine,
 
     // The state at the current grid point and at the next; which of the two is which alternates.
-    std::array<double*, 2> delta;
-    std::array<double*, 2> velocity;
-    double* in_use;  // 1, or 0: another engine's or nobody's
-    double* next;    // grid point from which the lane is in flight again
-    double* margin;  // of the flag test: what a step's cubic may be wrong by, over s^2 (1 - s)^2, over 6
-    double* start_delta;
-    double* start_velocity;
-    double* leg_start;      // tau at which the present leg began
-    double* leg_amplitude;  // of its homogeneous part, then
-    double* leg_energy;     // hypot(u, u'), then
+    delta_0,
+    delta_1,
+    velocity_0,
+    velocity_1,
+    in_use,  // 1, or 0: another engine's or nobody's
+    next,    // grid point from which the lane is in flight again
+    margin,  // of the flag test: what a step's cubic may be wrong by, over s^2 (1 - s)^2, over 6
+    start_delta,
+    start_velocity,
+    leg_start,      // tau at which the present leg began
+    leg_amplitude,  // of its homogeneous part, then
+    leg_energy,     // hypot(u, u'), then
 
     // What the cycle did.
-    double* impacts;
-    double* touched;
-    double* separated;
-    double* peak_force;
-    double* largest_displacement;
-    std::array<double*, 4> jacobian;  // row by row
-    std::uint64_t* pattern;
+    impacts,
+    touched,
+    separated,
+    peak_force,
+    largest_displacement,
+    jacobian_00,
+    jacobian_01,
+    jacobian_10,
+    jacobian_11,
+};
+constexpr std::size_t index_of(Field field) {
+    return static_cast<std::size_t>(field);
+}
+constexpr Field after(Field field, std::size_t places) {
+    return static_cast<Field>(index_of(field) + places);
+}
+constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
+// Those that don't change from cycle to cycle: the first of them hang on the gap always.
+constexpr std::size_t gap_fields = index_of(Field::frequency);
+constexpr std::size_t cell_fields = index_of(Field::delta_0);
+
+struct Lanes {
+    std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
+    std::array<double*, fields> arrays{};
+    std::uint64_t* pattern = nullptr;  // of the cycle's events
+
+    double* operator[](Field field) const { return arrays[index_of(field)]; }
+    [[nodiscard]] double* delta(std::size_t which) const { return (*this)[after(Field::delta_0, which)]; }
+    [[nodiscard]] double* velocity(std::size_t which) const { return (*this)[after(Field::velocity_0, which)]; }
+    // Row by row.
+    [[nodiscard]] double* jacobian(std::size_t n) const { return (*this)[after(Field::jacobian_00, n)]; }
 };
 
 // Moments of lanes that wait for the same treatment.

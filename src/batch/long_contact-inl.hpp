@@ -1,5 +1,5 @@
 // Contacts of any length: sure steps to the release and from maximum to maximum of the force, as those of
-// trajectory/first_crossing.hpp and peak_force.hpp.
+// trajectory/first_crossing.hpp and largest_value.hpp.
 #if defined(PETERKA_BATCH_LONG_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_LONG_CONTACT_INL_HPP
 #undef PETERKA_BATCH_LONG_CONTACT_INL_HPP
@@ -94,10 +94,10 @@ HWY_INLINE Sought seek(const Cells& cells, const Contact<cubic>& contact, int or
 }
 
 // Largest force of a contact up to its end: its maxima one after another, for as long as what is left of the
-// transient could still exceed the largest seen (as in trajectory/peak_force.hpp).
+// transient could still exceed the largest seen (as in trajectory/largest_value.hpp).
 template <bool cubic>
 HWY_INLINE Peak long_peak(const Cells& cells, const Contact<cubic>& contact, V end, Mask which) {
-    const V highest = contact.force_rest() + contact.force_swing();
+    const V highest = contact.static_force() + contact.force_swing();
     V time = all(0);
     ContactPoint point = contact.start();
     Force f = contact.force(point);

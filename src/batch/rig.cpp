@@ -28,10 +28,10 @@ struct UnitForce {
 };
 UnitForce unit_force(const Rig& rig, const Motion& contact, double t) {
     const Flow flow = flow_of(contact, t);
-    const double acceleration = -2 * rig.contact_decay * flow.slope - rig.contact_square * flow.sine;
-    const double jerk = -2 * rig.contact_decay * acceleration - rig.contact_square * flow.slope;
-    return {rig.stiffness * flow.sine + rig.damping * flow.slope,
-            rig.stiffness * flow.slope + rig.damping * acceleration,
+    const double acceleration = -2 * rig.contact_decay * flow.e11 - rig.contact_square * flow.e01;
+    const double jerk = -2 * rig.contact_decay * acceleration - rig.contact_square * flow.e11;
+    return {rig.stiffness * flow.e01 + rig.damping * flow.e11,
+            rig.stiffness * flow.e11 + rig.damping * acceleration,
             rig.stiffness * acceleration + rig.damping * jerk};
 }
 
@@ -125,7 +125,7 @@ double time_under(const Rig& rig, const Motion& contact, double a, int order, do
     for (int n = 0; n < 30; ++n) {
         const UnitForce f = unit_force(rig, contact, t);
         const Flow flow = flow_of(contact, t);
-        const double area = rig.stiffness * (1 - flow.cosine) / rig.contact_square + rig.damping * flow.sine;
+        const double area = rig.stiffness * (1 - flow.e00) / rig.contact_square + rig.damping * flow.e01;
         const double value = order == 0 ? f.value + a * area : f.slope + a * f.value;
         const double slope = order == 0 ? f.slope + a * f.value : f.curvature + a * f.slope;
         const double step = value / slope;

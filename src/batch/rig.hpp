@@ -20,10 +20,10 @@ namespace peterka::batch {
 
 // (x, x') after a time, from (1, 0) and (0, 1), in a linear phase.
 struct Flow {
-    double cosine = 1;  // x  from x = 1
-    double sine = 0;    // x  from x' = 1
-    double fall = 0;    // x' from x = 1
-    double slope = 1;   // x' from x' = 1
+    double e00 = 1;  // x  from x = 1
+    double e01 = 0;  // x  from x' = 1
+    double e10 = 0;  // x' from x = 1
+    double e11 = 1;  // x' from x' = 1
 };
 
 struct Rig {

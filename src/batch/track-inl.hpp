@@ -37,58 +37,42 @@ struct Track {
     static constexpr bool keeps_legs = bounds_legs || jacobian;
 
     HWY_INLINE Track(const Lanes& lanes, Index which)
-        : pattern(gather(lanes.pattern, which)), impacts(gather(lanes.impacts, which)) {
+        : pattern(gather(lanes.pattern, which)), impacts(gather(lanes[Field::impacts], which)) {
         if constexpr (measure) {
-            peak_force = gather(lanes.peak_force, which);
-            largest = gather(lanes.largest_displacement, which);
+            peak_force = gather(lanes[Field::peak_force], which);
+            largest = gather(lanes[Field::largest_displacement], which);
         }
         if constexpr (bounds_legs) {
-            leg_amplitude = gather(lanes.leg_amplitude, which);
-            leg_energy = gather(lanes.leg_energy, which);
-            swing = gather(lanes.swing, which);
+            leg_amplitude = gather(lanes[Field::leg_amplitude], which);
+            leg_energy = gather(lanes[Field::leg_energy], which);
+            swing = gather(lanes[Field::swing], which);
         }
-        if constexpr (keeps_legs) leg_start = gather(lanes.leg_start, which);
-        if constexpr (jacobian) {
-            j00 = gather(lanes.jacobian[0], which);
-            j01 = gather(lanes.jacobian[1], which);
-            j10 = gather(lanes.jacobian[2], which);
-            j11 = gather(lanes.jacobian[3], which);
-        }
+        if constexpr (keeps_legs) leg_start = gather(lanes[Field::leg_start], which);
+        if constexpr (jacobian) jacobian_now = gather_jacobian(lanes, which);
     }
     HWY_INLINE void keep(const Lanes& lanes, Index which) const {
         scatter(pattern, lanes.pattern, which);
-        scatter(impacts, lanes.impacts, which);
+        scatter(impacts, lanes[Field::impacts], which);
         if constexpr (measure) {
-            scatter(peak_force, lanes.peak_force, which);
-            scatter(largest, lanes.largest_displacement, which);
+            scatter(peak_force, lanes[Field::peak_force], which);
+            scatter(largest, lanes[Field::largest_displacement], which);
         }
         if constexpr (bounds_legs) {
-            scatter(leg_amplitude, lanes.leg_amplitude, which);
-            scatter(leg_energy, lanes.leg_energy, which);
+            scatter(leg_amplitude, lanes[Field::leg_amplitude], which);
+            scatter(leg_energy, lanes[Field::leg_energy], which);
         }
-        if constexpr (keeps_legs) scatter(leg_start, lanes.leg_start, which);
-        if constexpr (jacobian) {
-            scatter(j00, lanes.jacobian[0], which);
-            scatter(j01, lanes.jacobian[1], which);
-            scatter(j10, lanes.jacobian[2], which);
-            scatter(j11, lanes.jacobian[3], which);
-        }
+        if constexpr (keeps_legs) scatter(leg_start, lanes[Field::leg_start], which);
+        if constexpr (jacobian) scatter_jacobian(jacobian_now, lanes, which);
     }
 
-    HWY_INLINE void carry(const FlowOf& f, Mask where) {
-        const V a = f.position(j00, j10);
-        const V b = f.position(j01, j11);
-        const V c = f.velocity(j00, j10);
-        const V d = f.velocity(j01, j11);
-        j00 = choose(where, a, j00);
-        j01 = choose(where, b, j01);
-        j10 = choose(where, c, j10);
-        j11 = choose(where, d, j11);
+    HWY_INLINE void carry(const Matrix2& f, Mask where) {
+        jacobian_now = choose(where, f * jacobian_now, jacobian_now);
     }
     // The force jumps by chi v.
     HWY_INLINE void jump(double damping, Mask where) {
-        j10 = choose(where, neg_mul_add(all(damping), j00, j10), j10);
-        j11 = choose(where, neg_mul_add(all(damping), j01, j11), j11);
+        const Matrix2 after = kicked(jacobian_now, all(damping));
+        jacobian_now.e10 = choose(where, after.e10, jacobian_now.e10);
+        jacobian_now.e11 = choose(where, after.e11, jacobian_now.e11);
     }
     HWY_INLINE void raise_displacement(V bound, Mask where) {
         largest = choose(where, max(largest, bound), largest);
@@ -97,7 +81,7 @@ struct Track {
     Pattern pattern;
     V impacts;
     V peak_force, largest, leg_amplitude, leg_energy, swing, leg_start;
-    V j00, j01, j10, j11;
+    Matrix2 jacobian_now;
 };
 
 }  // namespace peterka::batch::HWY_NAMESPACE

@@ -1,0 +1,122 @@
+// How all lanes in flight march from grid point to grid point: see kernel-inl.hpp, which includes this.
+#if defined(PETERKA_BATCH_MARCH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef PETERKA_BATCH_MARCH_INL_HPP
+#undef PETERKA_BATCH_MARCH_INL_HPP
+#else
+#define PETERKA_BATCH_MARCH_INL_HPP
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "batch/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+// From grid point n to the next.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
+    next_ = 1 - next_;
+    real_ = every();
+    const auto point = static_cast<std::size_t>(n);
+    const Forced forced{all(grid_.sine[point]), all(grid_.cosine[point])};
+    const V here = all(n);
+    const V cubic_part = all(n == 0 ? rig_.cubic / 2 : rig_.cubic);  // of it that acts in this kick
+    const Lanes lanes = lanes_;  // so that the compiler knows that no store changes them
+    const std::size_t size = in_vectors(lanes.size);
+    for (std::size_t word = 0; word < size; word += 64) {
+        Flags flags;
+        for (std::size_t i = word; i < std::min(word + 64, size); i += width()) {
+            const Mask active = load(lanes[Field::next] + i) <= here;
+            V kick_slope = all(0);
+            if constexpr (cubic) kick_slope = kick(lanes, i, active, cubic_part);
+            const Flags these = fly(lanes, i, active, forced, kick_slope);
+            flags.rises |= these.rises << (i - word);
+            flags.hops |= these.hops << (i - word);
+        }
+        enqueue(word, n, flags);
+    }
+}
+
+// Kicks a vector of lanes, and gives the kick's derivative by delta.
+template <bool measure, bool jacobian, bool cubic>
+HWY_INLINE V Kernel<measure, jacobian, cubic>::kick(const Lanes& lanes, std::size_t i, Mask active,
+                                                    V cubic_part) const {
+    const Kick kick(cubic_part * load(lanes[Field::step] + i), load(lanes[Field::gap] + i),
+                    load(lanes.delta(1 - next_) + i));
+    double* velocity = lanes.velocity(1 - next_) + i;
+    const V before = load(velocity);
+    store(choose(active, before - kick.speed, before), velocity);
+    double* margin = lanes[Field::margin] + i;
+    store(mul_add(abs(kick.speed), load(lanes[Field::margin_per_speed] + i), load(margin)), margin);
+    return choose(active, kick.slope, all(0));
+}
+
+// One step of flight of a vector of lanes, and its flag test.
+template <bool measure, bool jacobian, bool cubic>
+HWY_INLINE Flags Kernel<measure, jacobian, cubic>::fly(const Lanes& lanes, std::size_t i, Mask active,
+                                                       const Forced& forced, V kick_slope) const {
+    const V x0 = load(lanes.delta(1 - next_) + i);
+    const V v0 = load(lanes.velocity(1 - next_) + i);
+    const V margin = load(lanes[Field::margin] + i);
+    const auto forced_part = [&](Field by_sine, Field by_cosine, Field constant) HWY_ATTR {
+        const V slow = mul_add(load(lanes[by_cosine] + i), forced.cosine, load(lanes[constant] + i));
+        return mul_add(load(lanes[by_sine] + i), forced.sine, slow);
+    };
+    const V forced_delta =
+        forced_part(Field::forced_delta_sine, Field::forced_delta_cosine, Field::forced_delta_constant);
+    const V forced_velocity = forced_part(Field::forced_velocity_sine, Field::forced_velocity_cosine,
+                                          Field::forced_velocity_constant);
+    const V e01 = load(lanes[Field::e01] + i);
+    const V e10 = cubic ? load(lanes[Field::e10] + i) : e01;  // without, -e01
+    const Matrix2 flow{load(lanes[Field::e00] + i), e01, e10, load(lanes[Field::e11] + i)};
+    const V x1 = mul_add(flow.e00, x0, mul_add(flow.e01, v0, forced_delta));
+    const V by_velocity = mul_add(flow.e11, v0, forced_velocity);
+    const V v1 = cubic ? mul_add(e10, x0, by_velocity) : neg_mul_add(e01, x0, by_velocity);
+    const Hull hull(x0, v0, x1, v1, load(lanes[Field::step] + i), margin);
+    const V inside = max(max(hull.b1, hull.b2), hull.b3);
+    const Mask above = active & (x1 > all(0));
+    const Mask between = active & (inside > all(0));
+    store(choose(active, x1, x0), lanes.delta(next_) + i);
+    store(choose(active, v1, v0), lanes.velocity(next_) + i);
+    if constexpr (cubic && measure) {
+        const V gap = load(lanes[Field::gap] + i);
+        const V highest = min(max(inside, max(x0, x1)), all(0));  // in flight it stays below the stop
+        const V bound = max(abs(highest + gap), abs(hull.lowest(margin) + gap));
+        const V largest = load(lanes[Field::largest_displacement] + i);
+        store(choose(active, max(largest, bound), largest), lanes[Field::largest_displacement] + i);
+    }
+    if constexpr (cubic && jacobian) {
+        const Matrix2 j = kicked(load_jacobian(lanes, i), kick_slope);
+        const Mask flies = active & ~(above | between);  // events carry the others
+        store_jacobian(choose(flies, flow * j, j), lanes, i);
+    }
+    return {bits(above), bits(between & ~above)};
+}
+
+// Those of up to 64 lanes that events stop in the step after grid point n.
+template <bool measure, bool jacobian, bool cubic>
+HWY_ATTR void Kernel<measure, jacobian, cubic>::enqueue(std::size_t first_lane, int n, Flags flags) {
+    const auto lane_of = [&](std::uint64_t left) {
+        return first_lane + static_cast<std::size_t>(std::countr_zero(left));
+    };
+    const auto time_of = [&](std::size_t lane) { return n * lanes_[Field::step][lane]; };
+    for (std::uint64_t left = flags.rises; left != 0; left &= left - 1) {
+        const std::size_t lane = lane_of(left);
+        queues_.crossings.lane[queues_.crossings.size++] = static_cast<std::int64_t>(lane);
+        if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time_of(lane);
+    }
+    for (std::uint64_t left = flags.hops; left != 0; left &= left - 1) {
+        const std::size_t lane = lane_of(left);
+        const auto point = static_cast<std::size_t>(n);
+        queues_.hops.add(static_cast<std::int64_t>(lane),
+                         {n + 1.0, time_of(lane), lanes_.delta(1 - next_)[lane],
+                          lanes_.velocity(1 - next_)[lane], grid_.sine[point], grid_.cosine[point]});
+        if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time_of(lane);
+    }
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
