@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "regime/same_orbit.hpp"
+#include "regime/same_attractor.hpp"
 
 namespace peterka::findings {
 
@@ -36,16 +36,12 @@ bool has_attractor(const quantities::StoredCell& cell) {
     return false;
 }
 
-bool same_attractor(const quantities::StoredCell& a, const quantities::StoredCell& b) {
-    if (a.regime != b.regime) return false;
-    if (a.regime != Regime::periodic) return true;
-    return regime::same_orbit(a, b);
-}
-
 std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell) {
     if (!has_attractor(cell)) return no_attractor;
     const auto row =
-        std::ranges::find_if(table, [&](const Attractor& known) { return same_attractor(known.cell, cell); });
+        std::ranges::find_if(table, [&](const Attractor& known) {
+            return regime::same_attractor(known.cell, cell);
+        });
     return row == table.end() ? no_attractor : static_cast<std::int32_t>(row - table.begin());
 }
 

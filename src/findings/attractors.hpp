@@ -23,9 +23,6 @@ inline constexpr std::int32_t no_attractor = -1;
 
 [[nodiscard]] bool has_attractor(const quantities::StoredCell& cell);
 
-// Whether two cells that have an attractor have the same one.
-[[nodiscard]] bool same_attractor(const quantities::StoredCell& a, const quantities::StoredCell& b);
-
 // The first row that the cell belongs to; no_attractor if there is none.
 [[nodiscard]] std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell);
 

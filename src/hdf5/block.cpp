@@ -45,6 +45,12 @@ Block::Block(const parallel::Tile& tile, std::int64_t depth) : Block(tile) {
     count_[2] = static_cast<hsize_t>(depth);
 }
 
+Block::Block(std::int64_t layers, const parallel::Tile& tile)
+    : rank_(3),
+      offset_{0, static_cast<hsize_t>(tile.row), static_cast<hsize_t>(tile.column)},
+      count_{static_cast<hsize_t>(layers), static_cast<hsize_t>(tile.extent.rows),
+             static_cast<hsize_t>(tile.extent.columns)} {}
+
 Block::Block(std::int64_t first, std::int64_t count)
     : rank_(1), offset_{static_cast<hsize_t>(first)}, count_{static_cast<hsize_t>(count)} {}
 

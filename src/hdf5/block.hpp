@@ -20,7 +20,8 @@ namespace peterka::hdf5 {
 class Block {
   public:
     explicit Block(const parallel::Tile& tile);
-    Block(const parallel::Tile& tile, std::int64_t depth);  // with so many values for each cell
+    Block(const parallel::Tile& tile, std::int64_t depth);   // with so many values for each cell
+    Block(std::int64_t layers, const parallel::Tile& tile);  // so many planes of cells, one after the other
     Block(std::int64_t first, std::int64_t count);
 
     // Cut out of the dataset's own space.

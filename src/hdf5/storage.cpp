@@ -9,14 +9,22 @@ namespace peterka::hdf5 {
 
 namespace {
 
-using Sizes = std::array<std::uint64_t, 3>;
+using Sizes = Storage::Sizes;
 
-// A list is one row, a number one cell.
-Sizes as_box(const hsize_t* sizes, int rank) {
-    Sizes box{1, 1, 1};
-    const int first = rank == 1 ? 1 : 0;
-    std::copy_n(sizes, rank, box.begin() + first);
+// A plane is one layer, a list one row of it, a number one cell.
+Sizes as_box(const hsize_t* sizes, int rank, std::uint64_t lacking) {
+    Sizes box;
+    box.fill(lacking);
+    std::copy_n(sizes, rank, box.end() - rank);
     return box;
+}
+
+// Calls use(layer, row) for each row of a box.
+template <class UseRow>
+void each_row(const Sizes& offset, const Sizes& count, const UseRow& use_row) {
+    for (std::uint64_t layer = offset[0]; layer < offset[0] + count[0]; ++layer) {
+        for (std::uint64_t row = offset[1]; row < offset[1] + count[1]; ++row) use_row(layer, row);
+    }
 }
 
 // Hands on pieces as large as possible.
@@ -54,7 +62,7 @@ std::optional<Storage> Storage::of(const Checked& check, hid_t dataset) {
     if (storage.rank_ < 0 || storage.rank_ > 3 || storage.bytes_per_value_ == 0) return std::nullopt;
     std::array<hsize_t, 3> sizes{};
     check(H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr), "H5Sget_simple_extent_dims");
-    storage.size_ = as_box(sizes.data(), storage.rank_);
+    storage.size_ = as_box(sizes.data(), storage.rank_, 1);
     if (H5Pget_nfilters(properties.id()) != 0 || H5Pget_external_count(properties.id()) != 0)
         return std::nullopt;
     if (!storage.find_storage(dataset, properties.id())) return std::nullopt;
@@ -74,8 +82,8 @@ bool Storage::find_storage(hid_t dataset, hid_t properties) {
         constexpr std::array<hsize_t, 3> corner{};
         H5D_chunk_index_t index = H5D_CHUNK_IDX_BTREE;
         if (H5Pget_chunk(properties, rank_, sides.data()) != rank_) return false;
-        chunk_ = as_box(sides.data(), rank_);
-        if (chunk_[2] != size_[2] || H5Dget_chunk_index_type(dataset, &index) < 0) return false;
+        chunk_ = as_box(sides.data(), rank_, 1);
+        if (H5Dget_chunk_index_type(dataset, &index) < 0) return false;
         // of these alone one address tells all others
         if (index != H5D_CHUNK_IDX_NONE && index != H5D_CHUNK_IDX_SINGLE) return false;
         if (H5Dget_chunk_info_by_coord(dataset, corner.data(), nullptr, &address, nullptr) < 0) return false;
@@ -94,32 +102,42 @@ bool Storage::find_storage(hid_t dataset, hid_t properties) {
 }
 
 void Storage::each_piece(const Block& block, const Use& use) const {
-    const Sizes offset = as_box(block.offset(), block.rank());
-    const Sizes count = as_box(block.count(), block.rank());
-    const std::uint64_t first_row = block.rank() == 1 ? 0 : offset[0];
-    const std::uint64_t chunks_across = (size_[1] + chunk_[1] - 1) / chunk_[1];
-    const std::uint64_t cell = chunk_[2] * bytes_per_value_;
+    each_piece(as_box(block.offset(), block.rank(), 0), as_box(block.count(), block.rank(), 1), use);
+}
+
+void Storage::each_piece(const Sizes& offset, const Sizes& count, const Use& use) const {
+    const auto chunks = [&](std::size_t i) { return (size_[i] + chunk_[i] - 1) / chunk_[i]; };
+    const std::uint64_t chunk_size = chunk_[0] * chunk_[1] * chunk_[2];
     Pieces pieces(use);
-    for (std::uint64_t row = first_row; row < first_row + count[0]; ++row) {
-        std::uint64_t column = offset[1];
-        const std::uint64_t end = column + count[1];
+    each_row(offset, count, [&](std::uint64_t layer, std::uint64_t row) {
+        const std::uint64_t chunk_row = layer / chunk_[0] * chunks(1) + row / chunk_[1];
+        const std::uint64_t inside_row = layer % chunk_[0] * chunk_[1] + row % chunk_[1];
+        std::uint64_t column = offset[2];
+        const std::uint64_t end = column + count[2];
         while (column < end) {
-            const std::uint64_t border = (column / chunk_[1] + 1) * chunk_[1];
+            const std::uint64_t border = (column / chunk_[2] + 1) * chunk_[2];
             const std::uint64_t next = std::min(border, end);
-            const std::uint64_t chunk = row / chunk_[0] * chunks_across + column / chunk_[1];
-            const std::uint64_t inside = row % chunk_[0] * chunk_[1] + column % chunk_[1];
-            pieces.add(address_ + (chunk * chunk_[0] * chunk_[1] + inside) * cell, (next - column) * cell);
+            const std::uint64_t chunk = chunk_row * chunks(2) + column / chunk_[2];
+            const std::uint64_t inside = inside_row * chunk_[2] + column % chunk_[2];
+            pieces.add(address_ + (chunk * chunk_size + inside) * bytes_per_value_,
+                       (next - column) * bytes_per_value_);
             column = next;
         }
-    }
+    });
     pieces.hand_on();
 }
 
 void Storage::each_piece(const Use& use) const {
     if (!is_chunked_) return use(address_, static_cast<std::size_t>(bytes_));
-    const auto side = [](std::uint64_t cells) { return static_cast<std::int64_t>(cells); };
-    const parallel::Tiling tiling({side(size_[0]), side(size_[1])}, {side(chunk_[0]), side(chunk_[1])});
-    for (std::int64_t i = 0; i < tiling.count(); ++i) each_piece(Block(tiling.tile(i)), use);
+    Sizes corner{};
+    const auto count = [&](std::size_t i) { return std::min(chunk_[i], size_[i] - corner[i]); };
+    for (corner[0] = 0; corner[0] < size_[0]; corner[0] += chunk_[0]) {
+        for (corner[1] = 0; corner[1] < size_[1]; corner[1] += chunk_[1]) {
+            for (corner[2] = 0; corner[2] < size_[2]; corner[2] += chunk_[2]) {
+                each_piece(corner, {count(0), count(1), count(2)}, use);
+            }
+        }
+    }
 }
 
 }  // namespace peterka::hdf5

@@ -19,6 +19,8 @@ namespace peterka::hdf5 {
 
 class Storage {
   public:
+    using Sizes = std::array<std::uint64_t, 3>;  // layers, rows, columns
+
     // Nothing for a dataset that is virtual, external, filtered, compact, not allocated or chunked with an
     // index that could lead anywhere.
     [[nodiscard]] static std::optional<Storage> of(const Checked& check, hid_t dataset);
@@ -37,15 +39,15 @@ class Storage {
 
   private:
     [[nodiscard]] bool find_storage(hid_t dataset, hid_t properties);
+    void each_piece(const Sizes& offset, const Sizes& count, const Use& use) const;
 
     bool is_chunked_ = false;
     std::uint64_t address_ = 0;
     std::uint64_t bytes_ = 0;  // in the file; chunks at the edge take the room of a whole one
     std::size_t bytes_per_value_ = 1;
     int rank_ = 0;
-    // rows, columns, values per cell; a list is one row
-    std::array<std::uint64_t, 3> size_{1, 1, 1};
-    std::array<std::uint64_t, 3> chunk_{1, 1, 1};
+    Sizes size_{1, 1, 1};
+    Sizes chunk_{1, 1, 1};
 };
 
 }  // namespace peterka::hdf5

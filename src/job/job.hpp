@@ -89,6 +89,16 @@ struct Start {
     friend bool operator==(const Start&, const Start&) = default;
 };
 
+// Of a map: more starts in each cell, the same in all, spread evenly over a rectangle; and what of the attractors
+// that they end on is kept.
+struct Starts {
+    std::int64_t count = 0;  // besides [start]; 0: none
+    std::vector<double> displacement_ratio = {-4, 1};  // x(0)/A0, from and to; at most the gap
+    std::vector<double> velocity_ratio = {-4, 4};      // x'(0)/(A0 omega), from and to
+    std::int64_t attractors = 8;                       // kept for each cell, those with the largest shares
+    friend bool operator==(const Starts&, const Starts&) = default;
+};
+
 struct SteadyState {
     std::int64_t max_cycles = 3000;    // budget per cell [forcing cycles]
     std::int64_t max_period = 64;      // largest q looked for [forcing cycles]
@@ -117,6 +127,7 @@ enum class OptionalField {
     max_displacement,  // largest |x - y|
     force_per_cycle,   // of the largest forces of each cycle: mean, 95 % quantile, number of cycles
     last_impact,       // forcing cycles until the last impact, where impacts end
+    critical_kick,     // of each attractor of a map with [starts]: the smallest kick that ends elsewhere
 };
 
 struct Output {
@@ -211,6 +222,7 @@ struct Job {
     Output output;
     Audit audit;
     Refine refine;  // map only
+    Starts starts;  // map only
     Sweep sweep;    // sweep only
     Study study;    // study only
     Trace trace;    // trace only

@@ -88,7 +88,8 @@ struct Names<OptionalField> {
                                     Named{OptionalField::contact_power, "contact_power_w"},
                                     Named{OptionalField::max_displacement, "max_displacement"},
                                     Named{OptionalField::force_per_cycle, "force_per_cycle"},
-                                    Named{OptionalField::last_impact, "last_impact"}};
+                                    Named{OptionalField::last_impact, "last_impact"},
+                                    Named{OptionalField::critical_kick, "critical_kick"}};
 };
 
 template <typename Choice>

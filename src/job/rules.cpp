@@ -92,6 +92,34 @@ std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
         frequencies.points, sweep.samples, most, least_samples);
 }
 
+std::string rule_of_interval(std::string_view name, const std::vector<double>& interval) {
+    if (interval.size() != 2) {
+        return fmt::format("{} has {}; it says from where to where starts lie; give two values, [from, to]", name,
+                           interval.size() == 1 ? "one value" : fmt::format("{} values", interval.size()));
+    }
+    if (interval[0] < interval[1]) return {};
+    const bool is_empty = interval[0] == interval[1];
+    return fmt::format("{} runs from {} to {}; starts need {}; {}", name, toml_text(interval[0]),
+                       toml_text(interval[1]), is_empty ? "some room" : "a rectangle that isn't upside down",
+                       is_empty ? "give a larger second value" : "swap both values");
+}
+
+std::string rule_of_room(const Starts& starts, double lowest_gap) {
+    if (starts.count == 0 || starts.displacement_ratio.empty() || starts.displacement_ratio[0] < lowest_gap)
+        return {};
+    return fmt::format(
+        "starts.displacement_ratio begins at {}, beyond the stop at the lowest axes.gap_ratio = {}; the hammer "
+        "starts in front of the stop; begin it below {}, or take the stop further away",
+        toml_text(starts.displacement_ratio[0]), toml_text(lowest_gap), toml_text(lowest_gap));
+}
+
+std::string rule_of_kick(const Job& job) {
+    if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0) return {};
+    return "output.fields asks for critical_kick, which is one of each attractor; only a map with [starts] "
+           "looks for "
+           "those; set starts.count, or remove the field";
+}
+
 std::string rule_of_cells(const Study& study) {
     const std::size_t frequencies = study.frequency_ratio.size();
     const std::size_t gaps = study.gap_ratio.size();

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "job/job.hpp"
 #include "job/names.hpp"
@@ -21,6 +22,11 @@ namespace peterka::job {
 // What to say of a key of [contact] that belongs to this law, where the job's stop has another.
 [[nodiscard]] std::string reason_for_other_law(ContactLaw law);
 [[nodiscard]] std::string rule_of_gaps(const Sweep& sweep);
+[[nodiscard]] std::string rule_of_interval(std::string_view name, const std::vector<double>& interval);
+// The stop must leave some of the starts where it stands closest.
+[[nodiscard]] std::string rule_of_room(const Starts& starts, double lowest_gap);
+// A kick is one of an attractor, and only a map with [starts] has these.
+[[nodiscard]] std::string rule_of_kick(const Job& job);
 [[nodiscard]] std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep);
 [[nodiscard]] std::string rule_of_cells(const Study& study);
 [[nodiscard]] std::string rule_of_study(const Contact& contact);

@@ -14,6 +14,7 @@
 #include "job/schema_plane.hpp"
 #include "job/schema_rig.hpp"
 #include "job/schema_settings.hpp"
+#include "job/schema_starts.hpp"
 #include "job/schema_study.hpp"
 #include "job/schema_sweep.hpp"
 #include "job/schema_trace.hpp"
@@ -65,9 +66,12 @@ void describe(Walker& file, Job& job) {
     describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point", "refine", "sweep", "study", "trace", "curves"});
+        file.skip({"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves"});
     }
-    if (kind_is_known && job.kind == Kind::map) describe_map(file, job);
+    if (kind_is_known && job.kind == Kind::map) {
+        describe_map(file, job);
+        describe_starts(file, job);
+    }
     if (kind_is_known && job.kind == Kind::basin) describe_basin(file, job);
     if (kind_is_known && job.kind == Kind::sweep) describe_sweep(file, job);
     if (kind_is_known && job.kind != Kind::sweep) {

@@ -119,6 +119,7 @@ void describe_basin(Walker& file, Job& job) {
                    axes.refuse(frequency_ratio.name, why);
                    axes.refuse(gap_ratio.name, why);
                });
+    file.refuse("starts", "is for maps; every cell of a basin is a start; remove this table");
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
     file.refuse("refine",
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");

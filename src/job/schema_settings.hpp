@@ -81,10 +81,11 @@ void describe_settings(Walker& file, Job& job) {
         table.choices(
             {"fields",
              "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
-             "contact_power_w, max_displacement, force_per_cycle, last_impact"},
+             "contact_power_w, max_displacement, force_per_cycle, last_impact; with [starts] critical_kick"},
             job.output.fields);
         describe_anonymous(table, job.output);
     });
+    file.rule({"output"}, [&] { return rule_of_kick(job); });
     if (job.kind == Kind::sweep) {
         file.refuse("audit",
                     "is for maps and basins; a point of a sweep starts from the one before it; audit a map of "

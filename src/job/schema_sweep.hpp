@@ -40,6 +40,7 @@ void describe_sweep(Walker& file, Job& job) {
                [&](auto& table) { describe(table, job.sweep); });
     describe_start(file, job);
     file.refuse("operating_point", "belongs to a basin; a sweep has a list of gaps; remove this table");
+    file.refuse("starts", "is for maps; a sweep goes from state to state; remove this table");
     file.refuse("refine", "is for maps; every point of a sweep starts from the one before; remove this table");
     file.rule({"axes", "sweep"}, [&] { return rule_of_samples(job.columns, job.sweep); });
     file.rule({"sweep", "start"}, [&] {

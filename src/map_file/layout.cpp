@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "map_file/audit_table.hpp"
+#include "map_file/cell_attractors.hpp"
 #include "map_file/samples.hpp"
 #include "quantities/fields.hpp"
 
@@ -51,6 +52,7 @@ constexpr hdf5::Variable summary_variables[] = {
     checksum_of_file,
     {"finished", hdf5::Number::int8, 0, "1", "1 once everything in the file is final"},
 };
+constexpr hdf5::Variable attractor_slot{"attractor", hdf5::Number::int32, -1, "1", "attractor of a cell, those with the largest shares first"};
 constexpr hdf5::Variable attractor_row{"attractor", hdf5::Number::int32, -1, "1", "row of this table"};
 constexpr hdf5::Variable attractor_cells{"cells", hdf5::Number::int64, 0, "1", "cells that lead to the attractor"};
 constexpr hdf5::Variable attractor_count{"count", hdf5::Number::int32, 0, "1", "rows in use"};
@@ -86,6 +88,20 @@ void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
     }
 }
 
+// Several values of each cell: planes, one after the other, cut into the same tiles.
+void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
+                         const Dimension& columns) {
+    const std::vector<hdf5::Variable> variables = attractor_variables(job);
+    if (variables.empty()) return;
+    const Dimension slots{attractor_slot.name, job.starts.attractors};
+    plans.push_back({"/", attractor_slot, {slots}});
+    for (const hdf5::Variable& variable : variables) {
+        std::vector<std::int64_t> chunk = on_cells(job, variable, {rows, columns}).chunk;
+        chunk.insert(chunk.begin(), slots.size);
+        plans.push_back({"/", variable, {slots, rows, columns}, std::move(chunk)});
+    }
+}
+
 void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const bool is_map = job.kind == job::Kind::map;
     const hdf5::Variable& columns = is_map ? frequency_ratio : displacement_ratio;
@@ -97,6 +113,7 @@ void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     for (const quantities::Field& field : quantities::stored_fields(job)) {
         plans.push_back(on_cells(job, field.variable, {row_dimension, column_dimension}));
     }
+    add_cell_attractors(plans, job, row_dimension, column_dimension);
     if (!is_map) plans.push_back(on_cells(job, attractor_of_cell, {row_dimension, column_dimension}));
 }
 
@@ -136,13 +153,11 @@ bool DatasetPlan::is_scale() const {
 
 std::int64_t DatasetPlan::bytes() const {
     auto size = static_cast<std::int64_t>(hdf5::bytes_of(variable.number));
-    if (is_tiled()) {
-        const parallel::Tiling tiles({dimensions[0].size, dimensions[1].size}, {chunk[0], chunk[1]});
+    for (std::size_t i = 0; i < dimensions.size(); ++i) {
         // tiles at the edge take the room of a whole one
-        for (const std::int64_t side : chunk) size = capped_product(size, side);
-        return capped_product(size, tiles.count());
+        const std::int64_t side = is_tiled() ? chunk[i] : 1;
+        size = capped_product(size, (dimensions[i].size + side - 1) / side * side);
     }
-    for (const Dimension& dimension : dimensions) size = capped_product(size, dimension.size);
     return size;
 }
 

@@ -99,7 +99,7 @@ double coordinate(const DatasetPlan& plan, const job::Job& job, std::int64_t i) 
     const std::string_view name = plan.variable.name;
     if (plan.group != "/") return static_cast<double>(i);
     if (name == axes.columns) return job::axis_value(job.columns, i);
-    if (job.kind != job::Kind::sweep) return job::axis_value(job.rows, i);
+    if (job.kind != job::Kind::sweep && name == axes.rows) return job::axis_value(job.rows, i);
     if (plan.is_scale()) return static_cast<double>(i);
     const job::Branch branch = job.sweep.branch(i);
     return name == "gap_ratio" ? branch.gap_ratio : static_cast<double>(branch.direction);

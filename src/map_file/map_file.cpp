@@ -70,11 +70,15 @@ MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, co
     return {hdf5::Checked(path), job, scales, communicator, access};
 }
 
-void MapFile::write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells,
+void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells,
                          double seconds) {
     std::vector<quantities::StoredCell> stored;
-    for (const regime::CellResult& cell : cells) stored.push_back(quantities::in_file_units(cell, scales_));
-    tiles_.write(tile, stored, {seconds, rank_});
+    for (const attractors::SolvedCell& each : cells) {
+        stored.push_back(quantities::in_file_units(each.cell, scales_));
+    }
+    tiles_.write(
+        tile, stored, {seconds, rank_},
+        encode(attractor_variables(job_), in_file_units(cells, job_.starts.attractors, scales_)));
 }
 
 void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
@@ -82,8 +86,9 @@ void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::B
     std::vector<quantities::StoredCell> stored;
     for (const regime::BranchPoint& point : points)
         stored.push_back(quantities::in_file_units(point.cell, scales_));
-    tiles_.write(tile, stored, {seconds, rank_},
-                 sample_values(points, job_.sweep.branch(tile.row).gap_ratio, job_.sweep.samples));
+    const std::vector<double> samples =
+        sample_values(points, job_.sweep.branch(tile.row).gap_ratio, job_.sweep.samples);
+    tiles_.write(tile, stored, {seconds, rank_}, std::as_bytes(std::span(samples)));
 }
 
 RemainingTiles MapFile::remaining_tiles() {

@@ -62,7 +62,8 @@ class MapFile {
     [[nodiscard]] const parallel::Tiling& tiling() const { return tiles_.tiling(); }
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
-    void write_tile(const parallel::Tile& tile, std::span<const regime::CellResult> cells, double seconds);
+    void write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells,
+                    double seconds);
     // The same for a branch of a sweep.
     void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
 

@@ -17,12 +17,17 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
       tiling_(map_file::tiling(job)),
       fields_(quantities::stored_fields(job)),
       samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
+      attractor_variables_(attractor_variables(job)),
+      kept_(job.starts.attractors),
       checksum_(map, path::checksum, hdf5::Number::uint64),
       done_(map, path::done, hdf5::Number::int8),
       seconds_(map, path::tile_seconds, hdf5::Number::float64),
       rank_(map, path::tile_rank, hdf5::Number::int32) {
     for (const quantities::Field& field : fields_) {
         datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
+    }
+    for (const hdf5::Variable& variable : attractor_variables_) {
+        datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
     }
     if (samples_ == 0) return;
     for (const hdf5::Variable& variable : sample_variables) {
@@ -33,17 +38,17 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
 std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < datasets_.size(); ++i) {
-        const hdf5::Block block = i >= fields_.size() ? hdf5::Block(tile, samples_) : hdf5::Block(tile);
+        const hdf5::Block several = samples_ > 0 ? hdf5::Block(tile, samples_) : hdf5::Block(kept_, tile);
+        const hdf5::Block block = i < fields_.size() ? hdf5::Block(tile) : several;
         parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
     }
     return parts;
 }
 
 void TileStore::write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
-                      const TileOrigin& origin, std::span<const double> samples) {
+                      const TileOrigin& origin, std::span<const std::byte> several) {
     std::vector<std::byte> bytes = encode(fields_, cells);
-    const auto sampled = std::as_bytes(samples);
-    bytes.insert(bytes.end(), sampled.begin(), sampled.end());
+    bytes.insert(bytes.end(), several.begin(), several.end());
     try {
         write_whole(tile, bytes, origin);
     } catch (const Failure& failure) {
@@ -70,7 +75,19 @@ void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byt
 }
 
 std::vector<quantities::StoredCell> TileStore::read(const parallel::Tile& tile) const {
-    const std::vector<std::byte> bytes = read_bytes(tile);
+    return decode(fields_, read_whole(tile), static_cast<std::size_t>(tile.size()));
+}
+
+std::vector<StoredAttractor> TileStore::read_attractors(const parallel::Tile& tile) const {
+    if (attractor_variables_.empty()) return {};
+    const std::vector<std::byte> bytes = read_whole(tile);
+    const auto cells = static_cast<std::size_t>(tile.size());
+    return decode(attractor_variables_, std::span(bytes).subspan(bytes_per_cell(fields_) * cells),
+                  static_cast<std::size_t>(kept_) * cells);
+}
+
+std::vector<std::byte> TileStore::read_whole(const parallel::Tile& tile) const {
+    std::vector<std::byte> bytes = read_bytes(tile);
     if (is_done(tile) && !fits(tile, bytes)) {
         throw Failure(
             ExitCode::output,
@@ -78,7 +95,7 @@ std::vector<quantities::StoredCell> TileStore::read(const parallel::Tile& tile) 
                         "Run the same command again: it computes this tile anew.",
                         map_.check.path().string(), tile.row, tile.column));
     }
-    return decode(fields_, bytes, static_cast<std::size_t>(tile.size()));
+    return bytes;
 }
 
 quantities::StoredCell TileStore::read_cell(const parallel::Place& cell) const {

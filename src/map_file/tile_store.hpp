@@ -10,6 +10,7 @@
 #include "hdf5/block.hpp"
 #include "hdf5/stored.hpp"
 #include "job/job.hpp"
+#include "map_file/cell_attractors.hpp"
 #include "parallel/tiles.hpp"
 #include "quantities/fields.hpp"
 
@@ -31,13 +32,16 @@ class TileStore {
   public:
     TileStore(const hdf5::OpenMap& map, const job::Job& job);
 
-    // Of a sweep with its samples (samples.hpp). First the cells, then their checksum, then the done mark: a
+    // Of a sweep with its samples (samples.hpp), of a map with [starts] with its attractors
+    // (cell_attractors.hpp): the bytes of what each cell has several of. First the cells, then their checksum, then the done mark: a
     // kill in between leaves no mark that lies.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
-               const TileOrigin& origin, std::span<const double> samples = {});
+               const TileOrigin& origin, std::span<const std::byte> several = {});
     // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as
     // they are.
     [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;
+    // Slot after slot, cell by cell; none without [starts].
+    [[nodiscard]] std::vector<StoredAttractor> read_attractors(const parallel::Tile& tile) const;
     // One cell, with its whole tile's checksum.
     [[nodiscard]] quantities::StoredCell read_cell(const parallel::Place& cell) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
@@ -54,6 +58,7 @@ class TileStore {
         std::size_t bytes;
     };
     [[nodiscard]] std::vector<Part> parts(const parallel::Tile& tile) const;
+    [[nodiscard]] std::vector<std::byte> read_whole(const parallel::Tile& tile) const;
     [[nodiscard]] std::vector<std::byte> read_bytes(const parallel::Tile& tile) const;
     [[nodiscard]] bool is_done(const parallel::Tile& tile) const;
     // Whether a tile's bytes have the checksum stored with it.
@@ -62,8 +67,10 @@ class TileStore {
     hdf5::OpenMap map_;
     parallel::Tiling tiling_;
     std::vector<quantities::Field> fields_;
-    std::int64_t samples_;                // of a sweep, per cell and variable
-    std::vector<hdf5::Stored> datasets_;  // one per field and one per variable that is sampled
+    std::int64_t samples_;                             // of a sweep, per cell and variable
+    std::vector<hdf5::Variable> attractor_variables_;  // of a map with [starts]
+    std::int64_t kept_;                                // attractors of each cell there
+    std::vector<hdf5::Stored> datasets_;  // one per field and one per variable of which a cell has several
     hdf5::Stored checksum_;
     hdf5::Stored done_;
     hdf5::Stored seconds_;

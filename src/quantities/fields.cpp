@@ -44,12 +44,15 @@ constexpr Field fields[] = {
     {{"peak_force_q95_ratio", hdf5::Number::float64, regime::unknown, "1", "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)"}, OptionalField::force_per_cycle, member<&CellResult::peak_force_q95>},
     {{"window_cycles", hdf5::Number::int32, -1, "1", "forcing cycles of which these are mean and quantile"}, OptionalField::force_per_cycle, member<&CellResult::window_cycles>},
     {{"last_impact", hdf5::Number::int32, regime::goes_on, "1", "forcing cycles until the last impact; none where impacts go on or the cell was filled"}, OptionalField::last_impact, member<&CellResult::last_impact>},
+    {{"attractors", hdf5::Number::int32, -1, "1", "attractors on which the starts of the cell end"}, ManyStarts{}, member<&CellResult::attractors>},
+    {{"start_attractor", hdf5::Number::int32, -1, "1", "attractor on which [start] ends; -1 for none of those that are kept"}, ManyStarts{}, member<&CellResult::start_attractor>},
 };
 // clang-format on
 
 bool stores(const job::Job& job, const Field& field) {
     if (const auto* law = std::get_if<ContactLaw>(&field.stored)) return law_of(job.contact) == *law;
     if (std::holds_alternative<Refined>(field.stored)) return job.refine.levels > 0;
+    if (std::holds_alternative<ManyStarts>(field.stored)) return job.starts.count > 0;
     if (std::holds_alternative<Swept>(field.stored)) return job.kind == job::Kind::sweep;
     const auto* asked = std::get_if<OptionalField>(&field.stored);
     if (asked == nullptr) return true;

@@ -48,11 +48,12 @@ enum class InAttractorTable { no, yes };
 struct Always {};
 struct Refined {};
 struct Swept {};
+struct ManyStarts {};
 
 struct Field {
     hdf5::Variable variable;
-    // always, in a refined map, in a sweep, on request, or for this law only
-    std::variant<Always, Refined, Swept, job::OptionalField, job::ContactLaw> stored;
+    // always, in a refined map, in a sweep, in a map with [starts], on request, or for this law only
+    std::variant<Always, Refined, Swept, ManyStarts, job::OptionalField, job::ContactLaw> stored;
     Member member;
     InAttractorTable in_attractor_table = InAttractorTable::no;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "refine/fill_attractors.hpp"
+
 namespace peterka::refine {
 namespace {
 
@@ -49,16 +51,42 @@ double bend(const Stencil& line, std::size_t first, double a, double b, double c
     return std::abs(b - (a + share * (c - a)));
 }
 
-// The number at the cell in question; NaN where no cell has one; nothing where it isn't smooth.
-std::optional<double> interpolated(const Surroundings& around, Number number) {
-    const auto value = [&](std::size_t i, std::size_t j) { return around.at(i, j).*number; };
+std::optional<CellResult> filled_cell(const Surroundings& around, std::span<const Number> numbers) {
+    const CellResult& next = around.at(around.rows().before, around.columns().before);
+    if (lies_inside_chaos(around)) {
+        CellResult cell{.regime = Regime::chaotic, .engine = next.engine, .computed = false};
+        cell.impact_rate = regime::unknown;
+        return cell;
+    }
+    const auto like_next = [&](const CellResult& cell) { return alike(cell, next); };
+    if (!regime::has_period(next.regime) || count_if(around, like_next) < size_of(around)) return std::nullopt;
+
+    CellResult cell{.regime = next.regime, .engine = next.engine, .computed = false};
+    cell.impacts = next.impacts;
+    cell.period = next.period;
+    cell.chatter = next.chatter;
+    cell.window_cycles = next.window_cycles;
+    for (const Number number : numbers) {
+        const std::optional<double> value = interpolated(
+            around, values_around(around, [&](auto i, auto j) { return around.at(i, j).*number; }));
+        if (!value) return std::nullopt;
+        cell.*number = *value;
+    }
+    return cell;
+}
+
+}  // namespace
+
+std::optional<double> interpolated(const Surroundings& around, const Values& values, double rough) {
+    const auto value = [&](std::size_t i, std::size_t j) { return values[i][j]; };
     const Stencil& rows = around.rows();
     const Stencil& columns = around.columns();
-    const auto lacks = [&](const CellResult& cell) { return std::isnan(cell.*number); };
-    if (lacks(around.at(0, 0))) {
-        if (count_if(around, lacks) < size_of(around)) return std::nullopt;
-        return regime::unknown;
+    std::size_t lacking = 0;
+    for (std::size_t i = 0; i < rows.size; ++i) {
+        for (std::size_t j = 0; j < columns.size; ++j) lacking += std::isnan(value(i, j)) ? 1 : 0;
     }
+    if (lacking == size_of(around)) return regime::unknown;
+    if (lacking > 0) return std::nullopt;
     double sum = 0;
     double largest = 0;
     double largest_bend = 0;
@@ -74,11 +102,9 @@ std::optional<double> interpolated(const Surroundings& around, Number number) {
                     std::max(largest_bend, bend(columns, j, value(i, j), value(i, j + 1), value(i, j + 2)));
         }
     }
-    if (std::isnan(sum) || largest_bend > smoothness * largest) return std::nullopt;
+    if (std::isnan(sum) || largest_bend > std::max(rough, smoothness * largest)) return std::nullopt;
     return sum;
 }
-
-}  // namespace
 
 std::vector<Number> interpolated_numbers(const job::Job& job) {
     using job::OptionalField;
@@ -102,27 +128,22 @@ std::vector<Number> interpolated_numbers(const job::Job& job) {
     return numbers;
 }
 
-std::optional<CellResult> filled(const Surroundings& around, std::span<const Number> numbers) {
-    const CellResult& next = around.at(around.rows().before, around.columns().before);
-    if (lies_inside_chaos(around)) {
-        CellResult cell{.regime = Regime::chaotic, .engine = next.engine, .computed = false};
-        cell.impact_rate = regime::unknown;
-        return cell;
-    }
-    const auto like_next = [&](const CellResult& cell) { return alike(cell, next); };
-    if (!regime::has_period(next.regime) || count_if(around, like_next) < size_of(around)) return std::nullopt;
-
-    CellResult cell{.regime = next.regime, .engine = next.engine, .computed = false};
-    cell.impacts = next.impacts;
-    cell.period = next.period;
-    cell.chatter = next.chatter;
-    cell.window_cycles = next.window_cycles;
-    for (const Number number : numbers) {
-        const std::optional<double> value = interpolated(around, number);
-        if (!value) return std::nullopt;
-        cell.*number = *value;
-    }
-    return cell;
+std::optional<attractors::SolvedCell> filled(const Surroundings& around, std::span<const Number> numbers,
+                                             std::int64_t starts) {
+    const std::optional<CellResult> cell = filled_cell(around, numbers);
+    if (!cell) return std::nullopt;
+    attractors::SolvedCell solved{*cell, {}};
+    if (starts == 0) return solved;
+    auto attractors = filled_attractors(around, starts);
+    if (!attractors) return std::nullopt;
+    solved.attractors = std::move(*attractors);
+    solved.cell.attractors = static_cast<std::int32_t>(solved.attractors.size());
+    const auto slot = std::ranges::find_if(solved.attractors, [&](const attractors::CellAttractor& each) {
+        return each.regime == cell->regime && each.impacts == cell->impacts && each.period == cell->period;
+    });
+    if (slot != solved.attractors.end())
+        solved.cell.start_attractor = static_cast<std::int32_t>(slot - solved.attractors.begin());
+    return solved;
 }
 
 }  // namespace peterka::refine

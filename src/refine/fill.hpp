@@ -10,6 +10,8 @@
 //   lie `stride` apart. Chaos has no smooth numbers: it takes none. Inside chaos lie many narrow periodic
 //   windows. A cell that is filled on a coarse lattice decides about its whole block, so the rule is stricter
 //   there.
+// Where cells have attractors (attractors/), all around must have the same, told apart by their labels, with
+// forces and shares that are smooth, too; a share comes in steps of one start.
 #pragma once
 
 #include <array>
@@ -19,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "attractors/solved_cell.hpp"
 #include "job/job.hpp"
 #include "refine/lattice.hpp"
 #include "regime/cell_result.hpp"
@@ -42,7 +45,7 @@ class Surroundings {
     Surroundings(const Stencil& rows, const Stencil& columns, std::int64_t stride)
         : rows_(rows), columns_(columns), stride_(stride) {}
 
-    void set(std::size_t row, std::size_t column, const regime::CellResult& cell) {
+    void set(std::size_t row, std::size_t column, const attractors::SolvedCell& cell) {
         cells_[row][column] = &cell;
     }
 
@@ -50,18 +53,37 @@ class Surroundings {
     [[nodiscard]] const Stencil& columns() const { return columns_; }
     [[nodiscard]] std::int64_t stride() const { return stride_; }
     [[nodiscard]] const regime::CellResult& at(std::size_t row, std::size_t column) const {
-        return *cells_[row][column];
+        return cells_[row][column]->cell;
+    }
+    [[nodiscard]] const std::vector<attractors::CellAttractor>& attractors_at(std::size_t row,
+                                                                              std::size_t column) const {
+        return cells_[row][column]->attractors;
     }
 
   private:
     const Stencil& rows_;
     const Stencil& columns_;
     std::int64_t stride_;
-    std::array<std::array<const regime::CellResult*, 4>, 4> cells_{};
+    std::array<std::array<const attractors::SolvedCell*, 4>, 4> cells_{};
 };
 
-// The cell, or nothing where it must be computed.
-[[nodiscard]] std::optional<regime::CellResult> filled(const Surroundings& around,
-                                                       std::span<const Number> numbers);
+// Nothing where a number has none between cells that have it, or isn't smooth: where it bends by more than
+// `rough` from its neighbours, or by `smoothness` of the largest, if that is more. NaN where no cell has one.
+using Values = std::array<std::array<double, 4>, 4>;
+[[nodiscard]] std::optional<double> interpolated(const Surroundings& around, const Values& values,
+                                                 double rough = 0);
+template <class ValueAt>
+[[nodiscard]] Values values_around(const Surroundings& around, const ValueAt& value_at) {
+    Values values{};
+    for (std::size_t i = 0; i < around.rows().size; ++i) {
+        for (std::size_t j = 0; j < around.columns().size; ++j) values[i][j] = value_at(i, j);
+    }
+    return values;
+}
+
+// The cell, or nothing where it must be computed. starts: of each cell, besides [start].
+[[nodiscard]] std::optional<attractors::SolvedCell> filled(const Surroundings& around,
+                                                           std::span<const Number> numbers,
+                                                           std::int64_t starts = 0);
 
 }  // namespace peterka::refine

@@ -5,7 +5,7 @@
 namespace peterka::refine {
 namespace {
 
-using regime::CellResult;
+using attractors::SolvedCell;
 
 std::int64_t size_of(Interval interval) {
     return interval.last - interval.first + 1;
@@ -39,11 +39,17 @@ std::vector<Line> lines_in(std::int64_t points, std::size_t level, Interval inte
     return lines;
 }
 
+std::size_t size_of_cell(const job::Job& job) {
+    const std::int64_t kept = job.starts.count > 0 ? job.starts.attractors : 0;
+    return sizeof(SolvedCell) + static_cast<std::size_t>(kept) * sizeof(attractors::CellAttractor);
+}
+
 }  // namespace
 
 Region::Region(const job::Job& job, const parallel::Tile& rectangle)
     : grid_{job.rows.points, job.columns.points},
       numbers_(interpolated_numbers(job)),
+      starts_(job.starts.count),
       needed_(needed_for(job, rectangle)),
       levels_to_do_(needed_.size()),
       cells_(needed_.back().cells()) {}
@@ -63,7 +69,7 @@ std::vector<Region::Rectangle> Region::needed_for(const job::Job& job, const par
 }
 
 std::int64_t Region::bytes(const job::Job& job, const parallel::Tile& rectangle) {
-    return static_cast<std::int64_t>(needed_for(job, rectangle).back().cells() * sizeof(CellResult));
+    return static_cast<std::int64_t>(needed_for(job, rectangle).back().cells() * size_of_cell(job));
 }
 
 std::vector<parallel::Place> Region::next() {
@@ -79,16 +85,16 @@ std::vector<parallel::Place> Region::next() {
     return to_compute_;
 }
 
-void Region::put(std::span<const CellResult> results) {
+void Region::put(std::span<const SolvedCell> results) {
     for (std::size_t i = 0; i < results.size(); ++i) {
         cells_[index(to_compute_[i].row, to_compute_[i].column)] = results[i];
     }
 }
 
-std::vector<CellResult> Region::cells(const parallel::Tile& tile) const {
-    std::vector<CellResult> cells;
+std::vector<SolvedCell> Region::cells(const parallel::Tile& tile) const {
+    std::vector<SolvedCell> cells;
     for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
-        const CellResult* first = &cells_[index(row, tile.column)];
+        const SolvedCell* first = &cells_[index(row, tile.column)];
         cells.insert(cells.end(), first, first + tile.extent.columns);
     }
     return cells;
@@ -115,7 +121,7 @@ void Region::refine(std::size_t level) {
                     around.set(i, j, cells_[index(row.stencil.positions[i], column.stencil.positions[j])]);
                 }
             }
-            const std::optional<CellResult> cell = filled(around, numbers_);
+            const std::optional<SolvedCell> cell = filled(around, numbers_, starts_);
             if (cell) {
                 cells_[index(row.position, column.position)] = *cell;
             } else {

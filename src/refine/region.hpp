@@ -15,7 +15,7 @@
 #include "parallel/tiles.hpp"
 #include "refine/fill.hpp"
 #include "refine/lattice.hpp"
-#include "regime/cell_result.hpp"
+#include "attractors/solved_cell.hpp"
 
 namespace peterka::refine {
 
@@ -34,10 +34,10 @@ class Region {
     // rectangle has its value.
     [[nodiscard]] std::vector<parallel::Place> next();
     // The results of these, in their order.
-    void put(std::span<const regime::CellResult> results);
+    void put(std::span<const attractors::SolvedCell> results);
 
     // The cells of a tile inside the rectangle, row by row, once all are there.
-    [[nodiscard]] std::vector<regime::CellResult> cells(const parallel::Tile& tile) const;
+    [[nodiscard]] std::vector<attractors::SolvedCell> cells(const parallel::Tile& tile) const;
 
   private:
     struct Rectangle {
@@ -54,10 +54,11 @@ class Region {
 
     parallel::Extent grid_;
     std::vector<Number> numbers_;
+    std::int64_t starts_;  // of each cell, besides [start]
     std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
     std::size_t levels_to_do_;
     std::vector<parallel::Place> to_compute_;
-    std::vector<regime::CellResult> cells_;  // of the largest rectangle, row by row
+    std::vector<attractors::SolvedCell> cells_;  // of the largest rectangle, row by row
 };
 
 }  // namespace peterka::refine

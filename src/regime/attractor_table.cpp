@@ -30,17 +30,6 @@ scene::Oscillator<double> with_cubic(scene::Oscillator<double> scene, double cub
     return scene;
 }
 
-// Whether both settings make the same map.
-bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a, const EngineSettings& b) {
-    if (a.engine != b.engine) return false;
-    if (a.engine == Engine::exact) return true;
-    if (a.engine != Engine::split) return a.tolerance == b.tolerance;
-    const auto steps = [&](const EngineSettings& settings) {
-        return trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
-    };
-    return steps(a) == steps(b);
-}
-
 // The different ones, in the order in which they were found first.
 std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> all) {
     std::vector<Candidate> candidates;
@@ -61,33 +50,49 @@ std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<
     return candidates;
 }
 
-std::vector<Neighbourhood> neighbourhoods_of(const scene::Oscillator<double>& scene,
-                                             const FoundAttractor& found, std::int64_t count) {
-    CycleDesk desk;
-    StroboscopicMap map(scene, found.settings, desk);
-    const Point point = map.scaled(
-        scene::State<double>(found.result.orbit_displacement - scene.gap, found.result.orbit_velocity));
-    return complete(find_neighbourhoods(map, point, found.result.period, count), desk);
-}
-
 }  // namespace
+
+bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a, const EngineSettings& b) {
+    if (a.engine != b.engine) return false;
+    if (a.engine == Engine::exact) return true;
+    if (a.engine != Engine::split) return a.tolerance == b.tolerance;
+    const auto steps = [&](const EngineSettings& settings) {
+        return trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
+    };
+    return steps(a) == steps(b);
+}
 
 AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
                                double cells_each) {
     for (const Candidate& candidate : distinct(rig, found)) {
-        const EngineSettings& settings = candidate.found.settings;
         const CellResult& result = candidate.found.result;
         const double saved = saved_cycles * cells_each * static_cast<double>(candidate.times);
         const auto affordable =
             static_cast<std::int64_t>(saved / static_cast<double>(cycles_for_neighbourhood(result.period)));
         const std::int64_t count = std::min({affordable, most_places, std::int64_t{result.period}});
         const scene::Oscillator<double> scene = with_cubic(rig, candidate.found.cubic);
-        const std::vector<Neighbourhood> places = neighbourhoods_of(scene, candidate.found, count);
-        if (places.empty()) continue;
-        auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, settings); });
-        if (map == maps_.end()) map = maps_.insert(map, OfOneMap(scene.cubic, settings));
-        for (const Neighbourhood& place : places) map->places_.push_back({place, result});
+        CycleDesk desk;
+        add(scene, candidate.found, complete(find_places(desk, scene, candidate.found, count), desk).neighbourhoods);
     }
+}
+
+void AttractorTable::add(const scene::Oscillator<double>& scene, const FoundAttractor& found,
+                         std::span<const Neighbourhood> places) {
+    if (places.empty()) return;
+    auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, found.settings); });
+    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(scene.cubic, found.settings));
+    for (const Neighbourhood& place : places) map->places_.push_back({place, found.result});
+}
+
+Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
+                         std::int64_t count) {
+    StroboscopicMap map(scene, found.settings, desk);
+    const Point point = map.scaled(
+        scene::State<double>(found.result.orbit_displacement - scene.gap, found.result.orbit_velocity));
+    Places places;
+    places.neighbourhoods = co_await find_neighbourhoods(map, point, found.result.period, count);
+    places.cycles = map.cycles_spent();
+    co_return places;
 }
 
 bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& scene,

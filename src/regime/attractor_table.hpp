@@ -58,6 +58,10 @@ class AttractorTable {
     AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
                    double cells_each);
 
+    // One more, on the scene of its map, with neighbourhoods that find_places proved.
+    void add(const scene::Oscillator<double>& scene, const FoundAttractor& found,
+             std::span<const Neighbourhood> places);
+
     // nullptr where none of this map is known.
     [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& scene,
                                      const EngineSettings& settings) const;
@@ -65,6 +69,19 @@ class AttractorTable {
   private:
     std::vector<OfOneMap> maps_;
 };
+
+// Whether both settings make the same map of a scene.
+[[nodiscard]] bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a,
+                            const EngineSettings& b);
+
+struct Places {
+    std::vector<Neighbourhood> neighbourhoods;
+    std::int64_t cycles = 0;  // spent on them
+};
+
+// Of so many points of an attractor that has an orbit. scene: of its map, with or without the cubic spring.
+[[nodiscard]] Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
+                                       std::int64_t count);
 
 // For a search: which attractors it knows beforehand, and where it leaves what it finds.
 struct Attractors {

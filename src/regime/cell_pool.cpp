@@ -25,10 +25,8 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 }  // namespace
 
 struct CellPool::Cell : Reused {
-    Cell(const CellPool& pool, const scene::Cell& cell, std::int64_t its_number)
-        : number(its_number),
-          search(solve_cell(desk, pool.scene_.job(), cell,
-                            {&pool.known_, pool.findings_ == Findings::handed_on ? &found : nullptr})) {}
+    Cell(const Begin& begin, Findings findings, std::int64_t its_number)
+        : number(its_number), search(begin(desk, findings == Findings::handed_on ? &found : nullptr)) {}
 
     std::int64_t number;
     CycleDesk desk;
@@ -138,8 +136,15 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (const auto result = solve_at_once(scene_.job(), place)) {
         return take_({number, *result, stopwatch.seconds(), {}});
     }
-    auto cell = std::make_unique<Cell>(*this, place, number);
+    add([&](CycleDesk& desk,
+            auto* found) { return solve_cell(desk, scene_.job(), place, {&known_, found}); },
+        number);
+}
+
+void CellPool::add(const Begin& begin, std::int64_t number) {
+    auto cell = std::make_unique<Cell>(begin, findings_, number);
     ++in_hand_;
+    const Stopwatch stopwatch;
     cell->search.start();
     cell->seconds = stopwatch.seconds();
     if (cell->search.done()) return finish(*cell);

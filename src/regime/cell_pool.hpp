@@ -49,6 +49,9 @@ class CellPool {
     [[nodiscard]] bool has_room() const;
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
+    // Any search on the same rig, begun at a desk; what it finds goes to the list, if there is one.
+    using Begin = std::function<Task<CellResult>(CycleDesk& desk, std::vector<FoundAttractor>* found)>;
+    void add(const Begin& begin, std::int64_t number);
 
     // Carries each batch that has become large through the cycles that its cells wait for, or the largest where
     // none has; the foremost of the cells outside batches through a few.

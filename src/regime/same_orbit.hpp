@@ -8,17 +8,22 @@ namespace peterka::regime {
 
 // Relative: orbits that coexist lie much farther apart, and the points of one are known much better.
 inline constexpr double same_point = 1e-6;
+// An orbit with a weak cubic spring and the same one without it, which different engines carry, differ by a little
+// more than the change in force that is allowed.
+inline constexpr double same_point_with_and_without = 1e-2;
 
 // Whether two coordinates of points are the same.
-[[nodiscard]] inline bool coincide(double a, double b) {
-    return std::abs(a - b) <= same_point * (1 + std::max(std::abs(a), std::abs(b)));
+[[nodiscard]] inline bool coincide(double a, double b, double tolerance = same_point) {
+    return std::abs(a - b) <= tolerance * (1 + std::max(std::abs(a), std::abs(b)));
 }
 
 // Whether two cells that have an orbit have the same one. As solved or as stored.
 template <class Cell>
 [[nodiscard]] bool same_orbit(const Cell& a, const Cell& b) {
+    const double tolerance = a.engine == b.engine ? same_point : same_point_with_and_without;
     return a.regime == b.regime && a.period == b.period && a.impacts == b.impacts &&
-           coincide(a.orbit_displacement, b.orbit_displacement) && coincide(a.orbit_velocity, b.orbit_velocity);
+           coincide(a.orbit_displacement, b.orbit_displacement, tolerance) &&
+           coincide(a.orbit_velocity, b.orbit_velocity, tolerance);
 }
 
 }  // namespace peterka::regime

@@ -25,7 +25,7 @@ using parallel::Session;
 
 using parallel::Place;
 using parallel::Tile;
-using Results = std::span<const regime::CellResult>;
+using Results = std::span<const attractors::SolvedCell>;
 
 // Every cell of a tile.
 TileWork whole_tiles(MapFile& file) {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "support/stop_request.hpp"
+#include "attractors/cell_crowd.hpp"
 
 namespace peterka {
 namespace {
@@ -15,7 +15,7 @@ class TilesInHand {
   public:
     TilesInHand(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                 parallel::TileSource& source)
-        : work_(work), source_(source), pool_(scene, known, [this](const auto& solved) { keep(solved); }) {}
+        : work_(work), source_(source), pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
 
     void solve() {
         keep_solving(pool_, source_, [this] { return add_cell(); });
@@ -25,7 +25,7 @@ class TilesInHand {
     struct Open {
         parallel::Tile tile;
         std::vector<parallel::Place> cells = {};
-        std::vector<regime::CellResult> results = {};
+        std::vector<attractors::SolvedCell> results = {};
         std::size_t added = 0;
         std::size_t solved = 0;
         double seconds = 0;
@@ -62,9 +62,9 @@ class TilesInHand {
         waiting_.push_front(&open);  // tiles that are begun come to an end before others
     }
 
-    void keep(const regime::CellPool::Solved& cell) {
+    void keep(attractors::CellCrowd::Solved cell) {
         Open& open = open_.at(cell.number / most_cells);
-        open.results[static_cast<std::size_t>(cell.number % most_cells)] = cell.result;
+        open.results[static_cast<std::size_t>(cell.number % most_cells)] = std::move(cell.cell);
         open.seconds += cell.seconds;
         if (++open.solved < open.cells.size()) return;
         solve(open, work_.go_on(open.tile, open.results, open.seconds));
@@ -76,28 +76,10 @@ class TilesInHand {
     parallel::TileSource& source_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
     std::deque<Open*> waiting_;                    // with cells that are still to be added
-    regime::CellPool pool_;
+    attractors::CellCrowd pool_;
 };
 
 }  // namespace
-
-void keep_solving(regime::CellPool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell) {
-    try {
-        while (source.carry_on()) {
-            while (pool.has_room() && add_cell()) {
-            }
-            if (!pool.empty()) {
-                pool.step();
-            } else if (source.ended()) {
-                return;
-            } else {
-                parallel::wait_for_tiles();
-            }
-        }
-    } catch (const Stopped&) {
-        return;  // in the middle of a cycle: nothing more comes out of this pool
-    }
-}
 
 void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                  parallel::TileSource& source) {

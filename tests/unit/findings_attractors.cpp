@@ -1,5 +1,6 @@
 // Which cells share an attractor, and the order of the table.
 #include "findings/attractors.hpp"
+#include "regime/same_attractor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -42,6 +42,7 @@ inline Job map() {
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
     job.refine = {.levels = 2};
+    job.starts = {.count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
     job.limits = {.failed_cells = 7};
     return job;
 }
@@ -59,6 +60,7 @@ inline Job basin() {
     job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
     job.start = {};
     job.refine = {};
+    job.starts = {};
     return job;
 }
 
@@ -69,6 +71,7 @@ inline Job sweep() {
     job.rows = {};
     job.audit = {};
     job.refine = {};
+    job.starts = {};
     job.sweep = {.gap_ratio = {0.5, -1.5}, .direction = Direction::down, .samples = 48};
     return job;
 }
@@ -85,6 +88,7 @@ inline Job study(StudyTopic topic) {
     job.output = {};
     job.audit = {};
     job.refine = {};
+    job.starts = {};
     job.limits = {};
     job.study.topic = topic;
     if (topic == StudyTopic::stability) job.solver.tolerance = 2e-9;
@@ -109,6 +113,7 @@ inline Job trace() {
     job.output = {};
     job.audit = {};
     job.refine = {};
+    job.starts = {};
     job.limits = {};
     job.trace.from = TraceBegin::start;
     job.trace.cycles = 7;

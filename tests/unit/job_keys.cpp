@@ -53,6 +53,11 @@ anonymous = true
 cells = 150
 [refine]
 levels = 2
+[starts]
+count = 65
+displacement_ratio = [-4.5, 0.5]
+velocity_ratio = [-3.5, 3]
+attractors = 9
 [limits]
 failed_cells = 7
 )",
@@ -90,6 +95,10 @@ const std::map<std::string, std::string> other_values{
     {"output.fields", "[\"lyapunov\"]"},
     {"audit.cells", "151"},
     {"refine.levels", "3"},
+    {"starts.count", "66"},
+    {"starts.displacement_ratio", "[-4.5, 0.25]"},
+    {"starts.velocity_ratio", "[-3.5, 3.5]"},
+    {"starts.attractors", "10"},
     {"limits.failed_cells", "8"},
     {"sweep.gap_ratio", "[2.5]"},
     {"sweep.direction", "\"independent\""},

@@ -37,6 +37,10 @@ class RandomJobs {
         if (is_map) {
             job.start = {signed_number(1e9), signed_number(1e9)};
             job.refine.levels = integer(0, 6);
+            if (coin()) {
+                job.starts = {integer(1, 1'000'000), {job.rows.from - uniform(1, 1e6), job.rows.from + 1},
+                              {uniform(-1e9, 0), uniform(1, 1e9)}, integer(1, 64)};
+            }
         } else {
             job.operating_point = {uniform(1e-6, 1e6), signed_number(1e6)};
         }
@@ -48,7 +52,8 @@ class RandomJobs {
         if (job.solver.engine != EngineChoice::exact && coin())
             job.hammer.cubic_stiffness_n_per_m3 = magnitude();
         for (const auto& field : Names<OptionalField>::all) {
-            if (coin()) job.output.fields.push_back(field.value);
+            const bool is_kick = field.value == OptionalField::critical_kick;
+            if (coin() && (!is_kick || job.starts.count > 0)) job.output.fields.push_back(field.value);
         }
         job.output.anonymous = coin();
         job.audit.cells = integer(0, 1'000'000);

@@ -1,0 +1,60 @@
+#include "attractors/cell_crowd.hpp"
+
+#include <utility>
+
+namespace peterka::attractors {
+
+CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take)
+    : setting_(scene, known),
+      take_(std::move(take)),
+      pool_(scene, known, [this](const auto& search) { keep(search); }, regime::CellPool::Findings::handed_on) {}
+
+void CellCrowd::add(std::int64_t row, std::int64_t column, std::int64_t number) {
+    auto open = std::make_unique<Open>(CellSearch(setting_, row, column));
+    Open& cell = *cells_.emplace(number, std::move(open)).first->second;
+    begin_next(number, cell);
+    fill_pool();
+}
+
+void CellCrowd::step() {
+    fill_pool();
+    if (!pool_.empty()) pool_.step();
+}
+
+// A search may end as soon as it is added, and then those that wait grow more.
+void CellCrowd::fill_pool() {
+    while (!waiting_.empty() && pool_.has_room()) {
+        const Waiting next = std::move(waiting_.front());
+        waiting_.pop_front();
+        pool_.add(next.begin, next.number);
+    }
+}
+
+void CellCrowd::begin_next(std::int64_t number, Open& cell) {
+    const std::vector<Ended> ended = std::exchange(cell.ended, {});
+    std::vector<Begin> searches = cell.search.next(ended);
+    if (searches.empty()) {
+        Solved solved{number, cell.search.result(), cell.seconds};
+        cells_.erase(number);
+        take_(std::move(solved));
+        return;
+    }
+    cell.ended.resize(searches.size());
+    cell.running = searches.size();
+    for (std::size_t place = 0; place < searches.size(); ++place) {
+        searches_.emplace(next_search_, std::pair(number, place));
+        waiting_.push_back({std::move(searches[place]), next_search_++});
+    }
+}
+
+void CellCrowd::keep(const regime::CellPool::Solved& search) {
+    const auto where = searches_.find(search.number);
+    const auto [number, place] = where->second;
+    searches_.erase(where);
+    Open& cell = *cells_.at(number);
+    cell.ended[place] = {search.result, {search.found.begin(), search.found.end()}};
+    cell.seconds += search.seconds;
+    if (--cell.running == 0) begin_next(number, cell);
+}
+
+}  // namespace peterka::attractors

@@ -1,0 +1,61 @@
+// Solves many cells of a map at once, with all the starts of each, in one pool of searches.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "attractors/cell_search.hpp"
+#include "attractors/solved_cell.hpp"
+#include "regime/cell_pool.hpp"
+
+namespace peterka::attractors {
+
+class CellCrowd {
+  public:
+    // The number under which a cell was added, what it is, and the seconds of computing that were its share.
+    struct Solved {
+        std::int64_t number;
+        SolvedCell cell;
+        double seconds;
+    };
+    using Take = std::function<void(Solved solved)>;
+
+    // `take` is called for each cell when it is solved. The scene and the table must outlive this.
+    CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take);
+
+    [[nodiscard]] bool has_room() const { return waiting_.empty() && pool_.has_room(); }
+    [[nodiscard]] bool empty() const { return cells_.empty(); }
+    void add(std::int64_t row, std::int64_t column, std::int64_t number);
+    void step();
+
+  private:
+    struct Open {
+        CellSearch search;
+        std::vector<Ended> ended = {};  // of the searches that run
+        std::size_t running = 0;
+        double seconds = 0;
+    };
+    struct Waiting {
+        Begin begin;
+        std::int64_t number;
+    };
+
+    void begin_next(std::int64_t cell, Open& open);
+    void keep(const regime::CellPool::Solved& search);
+    void fill_pool();
+
+    Setting setting_;
+    Take take_;
+    std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
+    std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>> searches_;  // cell and place, by number
+    std::int64_t next_search_ = 0;
+    std::deque<Waiting> waiting_;
+    regime::CellPool pool_;
+};
+
+}  // namespace peterka::attractors

@@ -1,0 +1,186 @@
+#include "attractors/cell_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "attractors/start_sequence.hpp"
+#include "regime/same_orbit.hpp"
+#include "regime/solve_cell.hpp"
+
+namespace peterka::attractors {
+
+namespace {
+
+using regime::CellResult;
+using regime::CycleDesk;
+using regime::FoundAttractor;
+
+// Rounds have 1, 7, 56, 448, 448, ... starts: the first ones soon tell the attractors with large shares.
+constexpr std::int64_t largest_round = 448;
+
+std::int64_t size_of_round(std::int64_t begun) {
+    return begun == 0 ? 1 : std::min(begun * 7, largest_round);
+}
+
+// What a start that ends in a neighbourhood still takes, and what a proof of one takes for each cycle of its
+// orbit [forcing cycles].
+constexpr double cycles_to_get_there = 8;
+constexpr double cycles_of_proof = 200;
+
+job::Job of_starts(job::Job job) {
+    job.output.fields.clear();
+    return job;
+}
+
+Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
+                             std::vector<regime::Neighbourhood>* places) {
+    regime::Places proved = co_await regime::find_places(desk, std::move(scene), std::move(found), 1);
+    *places = std::move(proved.neighbourhoods);
+    co_return CellResult{.cycles = static_cast<std::int32_t>(proved.cycles)};
+}
+
+}  // namespace
+
+Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_before)
+    : scene(map), known(known_before), of_starts(attractors::of_starts(map.job())) {}
+
+CellSearch::CellSearch(const Setting& setting, std::int64_t row, std::int64_t column)
+    : setting_(setting), cell_(setting.scene.cell(row, column)) {}
+
+std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
+    for (const Ended& each : ended) cycles_ += each.result.cycles;
+    switch (std::exchange(stage_, Stage::starts)) {
+        case Stage::begin:
+            break;
+        case Stage::starts: {
+            take_starts(ended);
+            if (count() == 0) return {};
+            if (seen_ == count()) return finish_starts();
+            std::vector<Begin> searches = places_worth_proving();
+            if (searches.empty()) break;
+            stage_ = Stage::places;
+            return searches;
+        }
+        case Stage::places:
+            for (std::size_t i = 0; i < proving_.size(); ++i) {
+                const FoundAttractor& found = known_[proving_[i]].found;
+                table_.add(scene_of(found), found, proved_[i]);
+            }
+            break;
+        case Stage::kicks: {
+            std::vector<Begin> searches = kicks_->next(ended);
+            stage_ = Stage::kicks;
+            if (searches.empty()) take_kicks();
+            return searches;
+        }
+    }
+    return next_round();
+}
+
+SolvedCell CellSearch::result() const {
+    SolvedCell solved = solved_;
+    solved.cell.cycles = static_cast<std::int32_t>(
+        std::min<std::int64_t>(cycles_, std::numeric_limits<std::int32_t>::max()));
+    return solved;
+}
+
+std::vector<Begin> CellSearch::next_round() {
+    std::vector<Begin> searches;
+    if (begun_ == 0) {
+        searches.emplace_back([this](CycleDesk& desk, std::vector<FoundAttractor>* found) {
+            return regime::solve_cell(desk, setting_.scene.job(), cell_, {&setting_.known, found});
+        });
+    }
+    const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
+    for (; begun_ < end; ++begun_) {
+        searches.push_back(search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_)));
+    }
+    return searches;
+}
+
+Begin CellSearch::search_from(const scene::State<double>& start) const {
+    return [this, start](CycleDesk& desk, std::vector<FoundAttractor>* found) {
+        return regime::solve_cell(desk, setting_.of_starts, {cell_.oscillator, start}, {&table_, found});
+    };
+}
+
+void CellSearch::take_starts(std::span<const Ended> ended) {
+    if (seen_ == 0) {
+        solved_.cell = ended.front().result;
+        take_found(ended.front().found);
+        ended = ended.subspan(1);
+    }
+    for (const Ended& start : ended) {
+        tally_.add(start.result, start.found);
+        take_found(start.found);
+    }
+    seen_ += static_cast<std::int64_t>(ended.size());
+}
+
+void CellSearch::take_found(std::span<const FoundAttractor> found) {
+    for (const FoundAttractor& each : found) {
+        if (each.result.regime != regime::Regime::periodic) continue;
+        const auto known = std::ranges::find_if(known_, [&](const Known& other) {
+            return other.found.cubic == each.cubic &&
+                   regime::same_map(scene_of(each), other.found.settings, each.settings) &&
+                   regime::same_orbit(other.found.result, each.result);
+        });
+        Known& entry = known != known_.end() ? *known : known_.emplace_back(Known{each});
+        ++entry.times;
+        entry.cycles += each.result.cycles;
+    }
+}
+
+// Those that are likely to spare the starts to come more cycles than their proof takes.
+std::vector<Begin> CellSearch::places_worth_proving() {
+    std::vector<Begin> searches;
+    proving_.clear();
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        Known& known = known_[i];
+        const auto times = static_cast<double>(known.times);
+        const double expected = times / static_cast<double>(seen_ + 1) * static_cast<double>(count() - seen_);
+        const double spared = static_cast<double>(known.cycles) / times - cycles_to_get_there;
+        const double price = cycles_of_proof * static_cast<double>(known.found.result.period);
+        if (known.tried || expected * spared < price) continue;
+        known.tried = true;
+        proving_.push_back(i);
+    }
+    proved_.assign(proving_.size(), {});
+    for (std::size_t i = 0; i < proving_.size(); ++i) {
+        searches.emplace_back([this, i](CycleDesk& desk, std::vector<FoundAttractor>*) {
+            const FoundAttractor& found = known_[proving_[i]].found;
+            return find_places(desk, scene_of(found), found, &proved_[i]);
+        });
+    }
+    return searches;
+}
+
+std::vector<Begin> CellSearch::finish_starts() {
+    kept_ = tally_.in_order();
+    solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
+    kept_.resize(std::min(kept_.size(), static_cast<std::size_t>(setting_.of_starts.starts.attractors)));
+    solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
+    for (const Tally::Entry& entry : kept_) solved_.attractors.push_back(as_attractor(entry, count()));
+    if (!setting_.scene.job().output.has(job::OptionalField::critical_kick)) return {};
+    stage_ = Stage::kicks;
+    const auto& velocities = setting_.of_starts.starts.velocity_ratio;
+    const double largest = std::max(std::abs(velocities.front()), std::abs(velocities.back()));
+    kicks_.emplace(cell_.oscillator, kept_, largest, [this](const auto& start) { return search_from(start); });
+    return next({});
+}
+
+void CellSearch::take_kicks() {
+    for (std::size_t slot = 0; slot < kept_.size(); ++slot) {
+        solved_.attractors[slot].critical_kick = kicks_->smallest(slot);
+    }
+}
+
+scene::Oscillator<double> CellSearch::scene_of(const FoundAttractor& found) const {
+    scene::Oscillator<double> scene = cell_.oscillator;
+    scene.cubic = found.cubic;
+    return scene;
+}
+
+}  // namespace peterka::attractors

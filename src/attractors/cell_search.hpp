@@ -1,0 +1,76 @@
+// One cell of a map: its start, and, where the job has [starts], all of these, in rounds.
+//
+// The searches of a round know the attractors that rounds before it found, and end in their proven
+// neighbourhoods (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't hang on how
+// long others take. [start] itself is solved as in a map without [starts].
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "attractors/kicks.hpp"
+#include "attractors/solved_cell.hpp"
+#include "attractors/tally.hpp"
+#include "attractors/work.hpp"
+#include "regime/attractor_table.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::attractors {
+
+// What the cells of a map share; outlives their searches.
+struct Setting {
+    explicit Setting(const scene::Scene& map, const regime::AttractorTable& known_before);
+
+    const scene::Scene& scene;
+    const regime::AttractorTable& known;  // for [start]: none but in a basin
+    job::Job of_starts;                   // measures nothing that is not kept of attractors
+};
+
+class CellSearch {
+  public:
+    CellSearch(const Setting& setting, std::int64_t row, std::int64_t column);
+
+    // The next searches, once the last ones have ended, whose ends are given in their order; none: it is
+    // solved.
+    [[nodiscard]] std::vector<Begin> next(std::span<const Ended> ended);
+    [[nodiscard]] SolvedCell result() const;
+
+  private:
+    enum class Stage { begin, starts, places, kicks };
+    // An attractor on one map, and how often it was found.
+    struct Known {
+        regime::FoundAttractor found;
+        std::int64_t times = 0;
+        std::int64_t cycles = 0;
+        bool tried = false;
+    };
+
+    [[nodiscard]] std::vector<Begin> next_round();
+    [[nodiscard]] std::vector<Begin> places_worth_proving();
+    [[nodiscard]] std::vector<Begin> finish_starts();
+    void take_starts(std::span<const Ended> ended);
+    void take_found(std::span<const regime::FoundAttractor> found);
+    void take_kicks();
+    [[nodiscard]] Begin search_from(const scene::State<double>& start) const;
+    [[nodiscard]] scene::Oscillator<double> scene_of(const regime::FoundAttractor& found) const;
+    [[nodiscard]] std::int64_t count() const { return setting_.of_starts.starts.count; }
+
+    const Setting& setting_;
+    scene::Cell cell_;
+    Stage stage_ = Stage::begin;
+    std::int64_t begun_ = 0;  // of the starts
+    std::int64_t seen_ = 0;
+    std::int64_t cycles_ = 0;  // of all searches
+    Tally tally_;
+    std::vector<Known> known_;
+    std::vector<std::size_t> proving_;                             // of known_
+    std::vector<std::vector<regime::Neighbourhood>> proved_;       // the same, where searches leave them
+    regime::AttractorTable table_;
+    std::vector<Tally::Entry> kept_;
+    std::optional<Kicks> kicks_;
+    SolvedCell solved_;
+};
+
+}  // namespace peterka::attractors

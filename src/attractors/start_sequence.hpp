@@ -1,0 +1,19 @@
+// The starts of a cell: a low-discrepancy sequence over the rectangle of [starts], the same in every cell.
+//
+// The n-th point of the unit square is the fraction of 1/2 + n (1/g, 1/g^2), g^3 = g + 1: the sequence R2 of
+// M. Roberts (2018), whose first points, however many, leave only small holes. Computed in integers, it is the
+// same on any machine. Displacements beyond the stop are not allowed: the rectangle is squeezed to end there.
+#pragma once
+
+#include <cstdint>
+
+#include "job/job.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::attractors {
+
+// Start n of the cell with this oscillator: (delta, delta') at forcing phase 0.
+[[nodiscard]] scene::State<double> start_of(const job::Starts& starts, const scene::Oscillator<double>& cell,
+                                            std::int64_t n);
+
+}  // namespace peterka::attractors

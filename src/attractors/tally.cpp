@@ -1,0 +1,61 @@
+#include "attractors/tally.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "regime/same_attractor.hpp"
+
+namespace peterka::attractors {
+
+namespace {
+
+auto order_of(const Tally::Entry& entry) {
+    const regime::CellResult& result = entry.result;
+    // a NaN, of failed ones, orders nothing; they are one entry
+    return std::tuple(-entry.starts, result.regime, result.period, result.impacts, result.peak_force,
+                      result.orbit_displacement, result.orbit_velocity);
+}
+
+std::optional<regime::FoundAttractor> orbit_of(const regime::CellResult& result,
+                                               std::span<const regime::FoundAttractor> found) {
+    if (result.regime != regime::Regime::periodic) return std::nullopt;
+    for (const regime::FoundAttractor& each : found) {
+        if (each.settings.engine == result.engine && regime::same_orbit(each.result, result)) return each;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void Tally::add(const regime::CellResult& result, std::span<const regime::FoundAttractor> found) {
+    const std::int32_t known = slot_of(entries_, result);
+    if (known >= 0) {
+        ++entries_[static_cast<std::size_t>(known)].starts;
+    } else {
+        entries_.push_back({result, orbit_of(result, found), 1});
+    }
+}
+
+std::vector<Tally::Entry> Tally::in_order() const {
+    std::vector<Entry> ordered = entries_;
+    std::ranges::stable_sort(ordered,
+                             [](const Entry& a, const Entry& b) { return order_of(a) < order_of(b); });
+    return ordered;
+}
+
+std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellResult& result) {
+    const auto entry = std::ranges::find_if(entries, [&](const Tally::Entry& each) {
+        return regime::same_attractor(each.result, result);
+    });
+    return entry == entries.end() ? -1 : static_cast<std::int32_t>(entry - entries.begin());
+}
+
+CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts) {
+    return {.regime = entry.result.regime,
+            .impacts = entry.result.impacts,
+            .period = entry.result.period,
+            .peak_force = entry.result.peak_force,
+            .share = static_cast<double>(entry.starts) / static_cast<double>(all_starts)};
+}
+
+}  // namespace peterka::attractors

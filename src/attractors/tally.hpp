@@ -1,0 +1,41 @@
+// Which attractors the starts of a cell end on, and how many of them on each.
+//
+// All chaotic ones are one attractor, all unresolved and all failed ones, too. The first start that ends on an
+// attractor stands for it, so starts are added in their order.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "attractors/solved_cell.hpp"
+#include "regime/attractor_table.hpp"
+#include "regime/cell_result.hpp"
+
+namespace peterka::attractors {
+
+class Tally {
+  public:
+    struct Entry {
+        regime::CellResult result;                   // of the first start
+        std::optional<regime::FoundAttractor> orbit;  // the same, with the map on which it is one
+        std::int64_t starts = 0;
+    };
+
+    // found: what the searches of this start ended on.
+    void add(const regime::CellResult& result, std::span<const regime::FoundAttractor> found);
+
+    // In the order of the file: by share, then regime, q, p and force.
+    [[nodiscard]] std::vector<Entry> in_order() const;
+
+  private:
+    std::vector<Entry> entries_;
+};
+
+// The first of these that a result belongs to; -1 for none.
+[[nodiscard]] std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellResult& result);
+
+[[nodiscard]] CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts);
+
+}  // namespace peterka::attractors

@@ -1,0 +1,89 @@
+#include "refine/fill_attractors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace peterka::refine {
+namespace {
+
+using attractors::CellAttractor;
+using regime::Regime;
+
+constexpr double steps_between_neighbours = 2;  // of a share, in starts, that count as smooth
+
+auto label_of(const CellAttractor& attractor) {
+    return std::tuple(attractor.regime, attractor.period, attractor.impacts);
+}
+
+bool goes_before(const CellAttractor& a, const CellAttractor& b) {
+    return a.share != b.share ? a.share > b.share : label_of(a) < label_of(b);
+}
+
+bool is_like(const CellAttractor& a, const CellAttractor& b) {
+    return label_of(a) == label_of(b);
+}
+
+// The attractors of each cell around that go by one label; nothing where any has none or two, or others
+// besides.
+class SameLabel {
+  public:
+    static std::optional<SameLabel> find(const Surroundings& around, const CellAttractor& like,
+                                         std::size_t of_each) {
+        SameLabel found;
+        for (std::size_t i = 0; i < around.rows().size; ++i) {
+            for (std::size_t j = 0; j < around.columns().size; ++j) {
+                const auto& here = around.attractors_at(i, j);
+                const auto is_one = [&](const CellAttractor& each) { return is_like(each, like); };
+                const bool complete = here.size() == of_each &&
+                                      around.at(i, j).attractors == static_cast<std::int32_t>(of_each);
+                if (!complete || std::ranges::count_if(here, is_one) != 1) return std::nullopt;
+                found.attractors_[i][j] = &*std::ranges::find_if(here, is_one);
+            }
+        }
+        return found;
+    }
+    [[nodiscard]] std::optional<double> interpolated(const Surroundings& around,
+                                                     double CellAttractor::*number, double rough) const {
+        const auto value_at = [&](auto i, auto j) { return attractors_[i][j]->*number; };
+        return refine::interpolated(around, values_around(around, value_at), rough);
+    }
+
+  private:
+    std::array<std::array<const CellAttractor*, 4>, 4> attractors_{};
+};
+
+std::optional<CellAttractor> filled_one(const Surroundings& around, const CellAttractor& like,
+                                        std::size_t of_each, std::int64_t starts) {
+    const auto same = SameLabel::find(around, like, of_each);
+    if (!same) return std::nullopt;
+    CellAttractor attractor{like.regime, like.impacts, like.period};
+    const double step = steps_between_neighbours / static_cast<double>(starts);
+    const auto share = same->interpolated(around, &CellAttractor::share, step);
+    if (!share || *share < 0) return std::nullopt;
+    attractor.share = *share;
+    if (!regime::has_period(like.regime)) return attractor;  // no smooth numbers
+    const auto force = same->interpolated(around, &CellAttractor::peak_force, 0);
+    const auto kick = same->interpolated(around, &CellAttractor::critical_kick, 0);
+    if (!force || !kick) return std::nullopt;
+    attractor.peak_force = *force;
+    attractor.critical_kick = *kick;
+    return attractor;
+}
+
+}  // namespace
+
+std::optional<std::vector<CellAttractor>> filled_attractors(const Surroundings& around, std::int64_t starts) {
+    const std::vector<CellAttractor>& next =
+        around.attractors_at(around.rows().before, around.columns().before);
+    std::vector<CellAttractor> filled;
+    for (const CellAttractor& like : next) {
+        const auto attractor = filled_one(around, like, next.size(), starts);
+        if (!attractor) return std::nullopt;
+        filled.push_back(*attractor);
+    }
+    std::ranges::sort(filled, goes_before);
+    return filled;
+}
+
+}  // namespace peterka::refine
