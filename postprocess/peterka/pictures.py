@@ -9,7 +9,7 @@ from functools import partial
 
 from .files.opened import OpenedFile
 from .maps import (
-    audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map, quantity_map,
+    attractor_maps, audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map, quantity_map,
 )
 from .maps.curves_file import CurvesFile
 from .maps.map_file import PeterkaFile
@@ -50,6 +50,13 @@ PICTURES = [
           lambda file, name=name: name in file.numbers) for name in number_map.NUMBERS),
     Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
+    Row("attractors", ("map",), attractor_maps.draw_number, lambda file: file.slots > 0),
+    Row("attractors_largest", ("map",), attractor_maps.draw_largest, lambda file: file.slots > 0),
+    Row("attractors_impact", ("map",), attractor_maps.draw_impacting, lambda file: file.slots > 0),
+    *(Row(name, ("map",), partial(attractor_maps.draw_share, name=name),
+          lambda file, name=name: file.slots > 0 and name in attractor_maps.commonest(file))
+      for name in attractor_maps.SHARES),
+    Row("kick", ("map",), attractor_maps.draw_kick, lambda file: file.has_kicks),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),

@@ -26,7 +26,7 @@ constexpr AttractorColumn column(const hdf5::Variable& variable) {
 }
 
 // clang-format off
-constexpr AttractorColumn columns[] = {
+constexpr AttractorColumn attractor_columns[] = {
     column<&StoredAttractor::regime>({"attractor_regime", hdf5::Number::int8, regime::regime_not_computed, "", "regime of an attractor of the cell, those with the largest shares first", quantities::regime_names}),
     column<&StoredAttractor::impacts>({"attractor_impacts", hdf5::Number::int32, -1, "1", "impacts p of its z = p/q"}),
     column<&StoredAttractor::period>({"attractor_period", hdf5::Number::int32, -1, "1", "period q of its z = p/q in forcing cycles"}),
@@ -38,7 +38,7 @@ constexpr AttractorColumn columns[] = {
 
 const AttractorColumn& column_of(const hdf5::Variable& variable) {
     return *std::ranges::find_if(
-        columns, [&](const AttractorColumn& each) { return each.variable.name == variable.name; });
+        attractor_columns, [&](const AttractorColumn& each) { return each.variable.name == variable.name; });
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ const AttractorColumn& column_of(const hdf5::Variable& variable) {
 std::vector<hdf5::Variable> attractor_variables(const job::Job& job) {
     std::vector<hdf5::Variable> variables;
     if (job.starts.count == 0) return variables;
-    for (const AttractorColumn& each : columns) variables.push_back(each.variable);
+    for (const AttractorColumn& each : attractor_columns) variables.push_back(each.variable);
     if (!job.output.has(job::OptionalField::critical_kick)) variables.pop_back();  // the last one
     return variables;
 }

@@ -16,7 +16,13 @@ struct Totals {
     findings::Observed chaos;
     findings::Extremes largest;
     findings::Transients transients;
+    findings::StartCounts starts;
     double tile_seconds = 0;
+};
+
+struct PairCount {
+    findings::AttractorPair pair;
+    std::int64_t cells = 0;
 };
 
 struct ClassCount {
@@ -29,7 +35,9 @@ findings::Statistics survey_share(const TileStore& tiles, parallel::Share share)
     for (std::int64_t index = share.first; index < share.end; ++index) {
         look_for_stop_request();
         const parallel::Tile tile = tiles.tiling().tile(index);
-        findings::add_tile(mine, tile, tiles.read(tile));
+        const std::vector<quantities::StoredCell> cells = tiles.read(tile);
+        findings::add_tile(mine, tile, cells);
+        findings::add_attractors(mine.starts, cells, tiles.read_attractors(tile));
         const double seconds = tiles.seconds(tile);
         if (!std::isnan(seconds)) mine.tile_seconds += seconds;
     }
@@ -43,7 +51,10 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts, mine.chaos, mine.largest, mine.transients, mine.tile_seconds};
+    const Totals totals{mine.counts, mine.chaos, mine.largest, mine.transients, mine.starts.counts,
+                        mine.tile_seconds};
+    std::vector<PairCount> pairs;
+    for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
     std::vector<ClassCount> classes;
     for (const auto& [impact_class, cells] : mine.periodic_cells) classes.push_back({impact_class, cells});
 
@@ -53,7 +64,11 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
         all.chaos.take(share.chaos);
         all.largest.take(share.largest);
         all.transients.add(share.transients);
+        all.starts.counts.add(share.starts);
         all.tile_seconds += share.tile_seconds;
+    }
+    for (const PairCount& share : parallel::gather<PairCount>(pairs, communicator)) {
+        all.starts.pairs[share.pair] += share.cells;
     }
     for (const ClassCount& share : parallel::gather<ClassCount>(classes, communicator)) {
         all.periodic_cells[share.impact_class] += share.cells;

@@ -11,6 +11,7 @@
 #include "job/names.hpp"
 #include "regime/solve_cell.hpp"
 #include "report/starts_inside.hpp"
+#include "report/starts_summary.hpp"
 #include "report/sweep_summary.hpp"
 #include "support/readable.hpp"
 
@@ -293,7 +294,8 @@ std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
-           transients(input) + forces(input) +
+           starts_summary(input.scene.job(), input.findings.statistics.starts) + transients(input) +
+           forces(input) +
            sweep_text(input.scene.job(), input.scene.scales(), input.findings.branches) + effort(input) +
            audit(input) + omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));

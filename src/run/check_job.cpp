@@ -10,6 +10,7 @@
 #include <iterator>
 #include <variant>
 
+#include "attractors/solved_cell.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job/write.hpp"
@@ -64,6 +65,27 @@ std::string refine_text(const job::Job& job) {
         refine::Lattice(job.rows.points, stride).lines() * refine::Lattice(job.columns.points, stride).lines();
     return fmt::format("#   refine   from a grid of stride {}, {} cells, to all of them where it must\n",
                        stride, readable_count(coarsest));
+}
+
+// Of a map with [starts]: what they cost. Microseconds and core of a start as measured on the paper's rig, where
+// the machine has AVX-512; other laws, engines and strong cubic springs take many times as long.
+std::string starts_price(const job::Job& job) {
+    if (job.starts.count == 0) return "";
+    constexpr double microseconds = 9;
+    const double starts = static_cast<double>(job.starts.count) * static_cast<double>(job.cells());
+    return fmt::format("#   starts   {} in each cell, {:.3g} in all: some {} of one core, about\n",
+                       readable_count(job.starts.count), starts, readable_duration(starts * microseconds * 1e-6));
+}
+
+// Cells are open until all their starts have ended, with the results of a round of these [bytes].
+std::int64_t starts_bytes(const job::Job& job) {
+    if (job.starts.count == 0) return 0;
+    constexpr std::int64_t open_cells = 800;
+    constexpr std::int64_t largest_round = 448;
+    constexpr std::int64_t result = 1000;
+    const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
+    const std::int64_t kept = job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
+    return open_cells * std::min(job.starts.count + 1, largest_round) * result + 2 * tiles * kept;
 }
 
 // A rank keeps regions of a refined map until they are whole.
@@ -154,15 +176,16 @@ std::string check_job(const Request& request) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}{}{}"
+               "{}{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
-               starts_text(job), readable_count(tiling.count()), tiling.largest_tile().rows,
+               starts_text(job), starts_price(job), readable_count(tiling.count()), tiling.largest_tile().rows,
                tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job)),
+               readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job) +
+                              starts_bytes(job)),
                file.string(), readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job, origins);
 }

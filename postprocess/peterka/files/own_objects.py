@@ -12,6 +12,9 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
+# Planes of cells, one for each attractor that a cell may have; any other dataset has a cell's values side by side.
+STACKED = {"attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share",
+           "critical_kick"}
 SPARE = 2**28  # bytes that reading small things may take besides the file's own length
 
 
@@ -23,13 +26,15 @@ class NotOwn(Exception):
 class Storage:
     """Where the numbers of a dataset lie in the file: in one piece, chunk after chunk where it is chunked.
 
-    `shape`, `chunk`: (rows, columns, values per cell), None where it is not chunked."""
+    `shape`, `chunk`: (rows, columns, values per cell), None where it is not chunked. `stacked`: a chunk has plane after
+    plane, not cell after cell."""
 
     begin: int
     size: int
     value_bytes: int
     shape: tuple | None = None
     chunk: tuple | None = None
+    stacked: bool = False
 
     @property
     def grid(self):
@@ -117,7 +122,10 @@ def _storage(dataset, name, file_size):
 
 def _chunked(dataset, name, size, value_bytes):
     shape, chunk = ((*sides, 1)[:3] if len(sides) > 1 else (1, sides[0], 1) for sides in (dataset.shape, dataset.chunks))
-    storage = Storage(0, size, value_bytes, shape, chunk)
+    stacked = name in STACKED and len(dataset.shape) == 3
+    if stacked:
+        shape, chunk = ((*sides[1:], sides[0]) for sides in (shape, chunk))
+    storage = Storage(0, size, value_bytes, shape, chunk, stacked)
     chunk_bytes = value_bytes * chunk[0] * chunk[1] * chunk[2]
     count = storage.grid[0] * storage.grid[1]
     last = tuple((side - 1) // step * step for side, step in zip(dataset.shape, dataset.chunks))
@@ -126,4 +134,4 @@ def _chunked(dataset, name, size, value_bytes):
     in_order = first.byte_offset is not None and end.byte_offset == first.byte_offset + (count - 1) * chunk_bytes
     if len(dataset.shape) > 3 or chunk[2] != shape[2] or size != count * chunk_bytes or not in_order:
         raise NotOwn(f"keeps {name} in chunks that no file of peterka has")
-    return Storage(first.byte_offset, size, value_bytes, shape, chunk)
+    return Storage(first.byte_offset, size, value_bytes, shape, chunk, stacked)

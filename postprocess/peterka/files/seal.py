@@ -103,6 +103,9 @@ def _row_of_chunks(raw, field, row):
 
 def _cropped(field, span, row, column):
     rows, columns = (min(step, side - at * step) for side, step, at in zip(field.shape, field.chunk, (row, column)))
+    if field.stacked:
+        planes = span[column].reshape(field.chunk[2], field.chunk[0], -1)
+        return planes[:, :rows, : columns * field.value_bytes].tobytes()
     return span[column, :rows, : columns * field.chunk[2] * field.value_bytes].tobytes()
 
 

@@ -31,6 +31,10 @@ QUANTITIES = {
 }
 PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity", "peak_force_mean_ratio",
                 "peak_force_q95_ratio")
+# Of a map with [starts], on [attractor][gap_ratio][frequency_ratio]; the last one on request.
+SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
+         "attractor_peak_force_ratio": REAL, "basin_share": REAL, "critical_kick": REAL}
+MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
 BAND_CELLS = 2**21
 
@@ -49,7 +53,8 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
-    QUANTITIES and of PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors, audit."""
+    QUANTITIES and of PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors, audit; slots,
+    the number of attractors kept for each cell (0 without [starts]), and has_kicks."""
 
     coordinates = COORDINATES  # of each kind that this class reads
 
@@ -70,16 +75,19 @@ class PeterkaFile(OpenedFile):
         return (int(cycles.min()), int(cycles.max())) if cycles.size else None
 
     def bands(self, names, multiple=1):
-        """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names.
+        """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names; those of SLOTS
+        are (slots, rows, columns).
 
         All bands but the last one have a number of rows divisible by `multiple`. Values are checked on the way."""
-        rows = multiple * max(1, BAND_CELLS // (self.shape[1] * multiple))
+        slots = max(1, self.slots) if SLOTS.keys() & set(names) else 1
+        rows = multiple * max(1, BAND_CELLS // (slots * self.shape[1] * multiple))
         for first in range(0, self.shape[0], rows):
             yield first, self.band(names, first, first + rows)
 
     def band(self, names, first, last):
         """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
-        band = {name: self.data.values(name, slice(first, last)) for name in names}
+        rows = slice(first, last)
+        band = {name: self.data.values(name, (slice(None), rows) if name in SLOTS else rows) for name in names}
         self._check_values(band)
         return band
 
@@ -102,12 +110,27 @@ class PeterkaFile(OpenedFile):
         self._has_observed_cycles = self._has_integers("observed_cycles")
         self.is_refined = self._has_integers("computed")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
+        self.slots = self._slots()
+        self.has_kicks = self.slots > 0 and self.data.has("critical_kick")
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
 
     def _has_integers(self, name):
         if self.data.has(name):
             self.data.dataset(name, self.shape, INTEGER)
         return self.data.has(name)
+
+    def _slots(self):
+        if self.kind != "map" or not self.data.has("basin_share"):
+            return 0
+        slots = self.data.dataset("basin_share", None, REAL).shape[:1]
+        if not slots or not 1 <= slots[0] <= MAX_SLOTS:
+            raise self.refusal(f"keeps {slots[0] if slots else 'no'} attractors for each cell; 1 to {MAX_SLOTS} can be drawn")
+        for name, kind in SLOTS.items():
+            if name != "critical_kick" or self.data.has(name):
+                self.data.dataset(name, slots + self.shape, kind)
+        for name in ("attractors", "start_attractor"):
+            self.data.dataset(name, self.shape, INTEGER)
+        return slots[0]
 
     def _check_quantity(self, name):
         self.data.dataset(name, self.shape, REAL)
@@ -117,6 +140,11 @@ class PeterkaFile(OpenedFile):
 
     def _check_values(self, columns):
         check_labels(self.data, columns)
+        if "attractor_regime" in columns:
+            check_labels(self.data, {name: columns[f"attractor_{name}"] for name in ("regime", "impacts", "period")
+                                     if f"attractor_{name}" in columns})
+        if "basin_share" in columns and not np.all((columns["basin_share"] >= 0) & (columns["basin_share"] <= 1 + 1e-9)):
+            raise self.refusal("has a basin_share that is no share")
         attractor = columns.get("attractor")
         if attractor is not None and np.any((attractor < -1) | (attractor >= self.attractors.count)):
             raise self.refusal("names an attractor that its table does not have")

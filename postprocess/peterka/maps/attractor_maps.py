@@ -1,0 +1,154 @@
+"""What many starts in each cell tell: how many attractors, which has most starts, who impacts, how hard a knock it takes.
+
+Numbers of attractors grow darker, shares and kicks lighter, so that all of them can be read in grey; regimes have the
+colours of the Peterka map. Blocks of a reduced map show their mean share, and the kick of the most fragile cell.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
+from ..look import axes
+from ..look.classes import CLASSES, INDEX, classify
+from .reduce import LIMIT, block_size, class_picture, with_edges
+
+WIDTH = 3.7  # in
+COLOURS = "viridis"
+NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
+NUMBER_COLOURS = ["#FFFFFF", "#F2F2F2", "#9ECAE1", "#4292C6", "#08519C", "#041E42"]
+MOST_CLASSES = 6  # of z, each of which has a picture of its own
+LEAST_SHARE = 0.005  # of the plane; rarer ones have none
+
+
+@dataclass(frozen=True)
+class Shares:
+    """A share of each cell's starts: names of datasets, how to get it from their arrays, and words for it."""
+
+    names: tuple[str, ...]
+    of: callable
+    label: str
+
+
+def pictures(file):
+    """{name: function that takes the file and returns a Figure, or None} of a map with [starts]."""
+    found = {"attractors": draw_number, "attractors_largest": draw_largest,
+             "attractors_impact": partial(_draw_shares, shares=_impacting())}
+    for entry in _commonest(file):
+        name = f"share_{entry.orbit[0]}_{entry.orbit[1]}" if entry.orbit else f"share_{entry.label.replace(' ', '_')}"
+        found[name] = partial(_draw_shares, shares=_reaching(entry))
+    if file.has_kicks:
+        found["kick"] = draw_kick
+    return found
+
+
+def draw_number(file):
+    """In how many attractors the starts of a cell end."""
+    def label(regime, attractors):
+        return np.where(regime == NOT_COMPUTED, 0, np.clip(attractors, 1, len(NUMBERS) - 1))
+
+    reduced, counts = class_picture(file, ["regime", "attractors"], label, len(NUMBERS))
+    handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
+               for n in np.flatnonzero(counts)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "attractors of a cell (share of the map)")])
+    axes.show_classes(ax, reduced, NUMBER_COLOURS, 0)
+    return _finished(figure, ax, file)
+
+
+def draw_largest(file):
+    """The class of the attractor on which most starts end."""
+    names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
+    reduced, counts = class_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)), len(CLASSES))
+    handles = [axes.legend_patch(f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})", CLASSES[n].colour,
+                                 n == INDEX["not computed yet"]) for n in np.flatnonzero(counts)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "where most starts end (share of the map)")])
+    axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
+    named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
+             if counts[n] and (entry.orbit or n == INDEX["no impact"])}
+    axes.name_areas(ax, reduced, named)
+    return _finished(figure, ax, file)
+
+
+def draw_kick(file):
+    """The critical kick of the periodic attractor with the largest share; None where no cell has one."""
+    def values(regime, kick):
+        first = np.argmax(np.isfinite(kick), axis=0)
+        return np.where(regime == NOT_COMPUTED, np.nan, np.take_along_axis(kick, first[None], axis=0)[0])
+
+    reduced = _reduced(file, ["regime", "critical_kick"], values, np.fmin)
+    if not np.isfinite(reduced.image).any():
+        return None
+    top = float(np.nanpercentile(reduced.image, 99.9))
+    return _draw_scale(file, reduced, "critical kick of the likeliest orbit (m/s)", top, "no orbit, or no kick found")
+
+
+def _draw_shares(file, shares):
+    names = ["regime", *shares.names]
+    reduced = _reduced(file, names, lambda regime, *of: np.where(regime == NOT_COMPUTED, np.nan, shares.of(*of)), None)
+    return _draw_scale(file, reduced, shares.label, 1, None)
+
+
+def _draw_scale(file, reduced, label, top, lacking):
+    computed, counts = class_picture(file, ["regime"], lambda regime: (regime == NOT_COMPUTED).astype(np.uint8), 2)
+    handles = [axes.legend_patch(lacking, "#F7C6D0")] if lacking and counts[0] else []
+    handles += [axes.legend_patch("not computed yet", None, hatched=True)] if counts[1] else []
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True)
+    axes.show_classes(ax, computed, ["#F7C6D0", "#FFFFFF"], 1)
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=COLOURS,
+                         vmin=0, vmax=top, rasterized=True)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(label, fontsize=8)
+    return _finished(figure, ax, file)
+
+
+def _finished(figure, ax, file):
+    axes.label_axes(ax, file)
+    axes.notice_incomplete(ax, file)
+    axes.write_title(figure, file)
+    return figure
+
+
+def _impacting():
+    return Shares(("attractor_regime", "basin_share"),
+                  lambda regime, share: np.where(np.isin(regime, [PERIODIC, CHAOTIC]), share, 0).sum(axis=0),
+                  "share of starts that end with impacts")
+
+
+def _reaching(entry):
+    index = INDEX[entry.label]
+
+    def of(regime, impacts, period, share):
+        return np.where(classify(regime, impacts, period) == index, share, 0).sum(axis=0)
+
+    text = f"$z = {entry.label}$" if entry.orbit else entry.label
+    return Shares(("attractor_regime", "attractor_impacts", "attractor_period", "basin_share"), of,
+                  f"share of starts that end in {text}")
+
+
+def _commonest(file):
+    """The classes with most starts of the plane."""
+    total, cells = np.zeros(len(CLASSES)), 0
+    names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period", "basin_share"]
+    for _, band in file.bands(names):
+        classes = classify(*(band[name] for name in names[1:4]))
+        total += np.bincount(classes.ravel(), weights=band["basin_share"].ravel(), minlength=len(CLASSES))
+        cells += int(np.sum(band["regime"] != NOT_COMPUTED))
+    shown = [n for n in np.argsort(-total, kind="stable") if CLASSES[n].orbit or n in (INDEX["no impact"], INDEX["chaotic"])]
+    return [CLASSES[n] for n in shown[:MOST_CLASSES] if total[n] > LEAST_SHARE * max(cells, 1)]
+
+
+def _reduced(file, names, values, least):
+    """Values of the cells, a block's mean or, with np.fmin, its least one; NaN where it has none."""
+    block, pieces = block_size(file.shape, LIMIT), []
+    for _, band in file.bands(names, block):
+        cells = values(*(band[name] for name in names))
+        starts = [np.arange(0, size, block) for size in cells.shape]
+        if least is not None:
+            pieces.append(least.reduceat(least.reduceat(cells, starts[0], axis=0), starts[1], axis=1))
+            continue
+        sums, counts = (np.add.reduceat(np.add.reduceat(part, starts[0], axis=0), starts[1], axis=1)
+                        for part in (np.nan_to_num(cells), np.isfinite(cells).astype(float)))
+        pieces.append(np.where(counts > 0, sums / np.maximum(counts, 1), np.nan))
+    return with_edges(file, np.concatenate(pieces), block)

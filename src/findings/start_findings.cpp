@@ -1,0 +1,85 @@
+#include "findings/start_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace peterka::findings {
+
+namespace {
+
+using attractors::CellAttractor;
+using regime::Regime;
+
+bool impacts_for_ever(const CellAttractor& attractor) {
+    return attractor.regime == Regime::periodic || attractor.regime == Regime::chaotic;
+}
+
+AttractorLabel label_of(const CellAttractor& attractor) {
+    return {attractor.regime, attractor.period, attractor.impacts};
+}
+
+double smaller_kick(double a, double b) {
+    if (!(a > 0)) return b;
+    return b > 0 ? std::min(a, b) : a;
+}
+
+void count_kick(StartCounts& counts, std::span<const CellAttractor> here) {
+    for (const CellAttractor& attractor : here) {
+        if (std::isnan(attractor.critical_kick)) continue;
+        ++counts.with_kick;
+        counts.smallest_kick = smaller_kick(counts.smallest_kick, attractor.critical_kick);
+        return;
+    }
+}
+
+// here: those in use, the largest share first.
+void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
+              std::span<const CellAttractor> here) {
+    StartCounts& counts = findings.counts;
+    ++counts.cells;
+    ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
+    const auto hits = std::ranges::count_if(here, impacts_for_ever);
+    counts.mixed += hits > 0 && hits < std::ssize(here) ? 1 : 0;
+    counts.never_hit += hits == 0 ? 1 : 0;
+    counts.minority += cell.start_attractor > 0 ? 1 : 0;
+    counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
+    counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
+    count_kick(counts, here);
+    if (here.size() < 2) return;
+    const AttractorLabel first = label_of(here[0]);
+    const AttractorLabel second = label_of(here[1]);
+    ++findings.pairs[{std::min(first, second), std::max(first, second)}];
+}
+
+}  // namespace
+
+void StartCounts::add(const StartCounts& other) {
+    std::ranges::transform(by_number, other.by_number, by_number.begin(), std::plus<>());
+    cells += other.cells;
+    mixed += other.mixed;
+    never_hit += other.never_hit;
+    minority += other.minority;
+    not_kept += other.not_kept;
+    left_over += other.left_over;
+    with_kick += other.with_kick;
+    smallest_kick = smaller_kick(smallest_kick, other.smallest_kick);
+}
+
+void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
+                    std::span<const CellAttractor> attractors) {
+    const std::size_t slots = cells.empty() ? 0 : attractors.size() / cells.size();
+    std::vector<CellAttractor> here;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        if (cells[cell].attractors < 0) continue;
+        here.clear();
+        for (std::size_t slot = 0; slot < slots; ++slot) {
+            const CellAttractor& attractor = attractors[slot * cells.size() + cell];
+            if (attractor.share > 0) here.push_back(attractor);
+        }
+        add_cell(findings, cells[cell], here);
+    }
+}
+
+}  // namespace peterka::findings

@@ -1,0 +1,108 @@
+#include "report/starts_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+using findings::AttractorLabel;
+using findings::StartCounts;
+using findings::StartFindings;
+
+std::string label_in_words(const AttractorLabel& label) {
+    using enum regime::Regime;
+    switch (label.regime) {
+        case no_impact:
+            return "no impact";
+        case periodic:
+            return fmt::format("{}/{}", label.impacts, label.period);
+        case chaotic:
+            return "chaos";
+        case sustained_contact:
+            return "sustained contact";
+        case unresolved:
+            return "unresolved";
+        case failed:
+            break;
+    }
+    return "failed";
+}
+
+std::string numbers(const StartCounts& counts) {
+    std::string text = "  attractors of a cell:";
+    for (std::size_t n = 1; n < counts.by_number.size(); ++n) {
+        if (counts.by_number[n] == 0) continue;
+        text += fmt::format("{} {}{}: {}", text.ends_with(':') ? "" : ",", n,
+                            n == StartCounts::told_apart ? " or more" : "",
+                            readable_share(counts.by_number[n], counts.cells));
+    }
+    return text + "\n";
+}
+
+std::string commonest_pairs(const StartFindings& findings) {
+    using Entry = std::pair<findings::AttractorPair, std::int64_t>;
+    constexpr std::size_t shown = 5;
+    std::vector<Entry> pairs(findings.pairs.begin(), findings.pairs.end());
+    if (pairs.empty()) return "";
+    std::ranges::stable_sort(pairs, std::ranges::greater{}, &Entry::second);
+    std::string text = "  commonest pairs: ";
+    for (std::size_t i = 0; i < std::min(shown, pairs.size()); ++i) {
+        const auto& [pair, cells] = pairs[i];
+        text += fmt::format("{}{} with {} {}", i == 0 ? "" : ", ", label_in_words(pair.upper),
+                            label_in_words(pair.lower), readable_share(cells, findings.counts.cells));
+    }
+    return text + (pairs.size() > shown ? fmt::format(" and {} more\n", pairs.size() - shown) : "\n");
+}
+
+// An attractor with share s is missed by n starts with probability (1 - s)^n.
+std::string what_is_missed(std::int64_t starts) {
+    constexpr double even = 0.5;
+    constexpr double hardly_ever = 0.01;
+    const auto share_missed_with = [&](double probability) {
+        return 100 * (1 - std::pow(probability, 1 / static_cast<double>(starts)));
+    };
+    return fmt::format(
+        "  {} starts miss an attractor whose basin takes {:.2g} % of the rectangle in every second cell, one "
+        "with\n"
+        "  {:.2g} % in one cell of a hundred\n",
+        readable_count(starts), share_missed_with(even), share_missed_with(hardly_ever));
+}
+
+std::string kicks(const job::Job& job, const StartCounts& counts) {
+    if (!job.output.has(job::OptionalField::critical_kick)) return "";
+    if (counts.with_kick == 0) return "  no kick that was tried throws a settled hammer out of its basin\n";
+    return fmt::format("  in {} a kick throws the settled hammer out of its basin, the smallest one {}\n",
+                       readable_share(counts.with_kick, counts.cells),
+                       readable_amount(counts.smallest_kick, "m/s", 3));
+}
+
+}  // namespace
+
+std::string starts_summary(const job::Job& job, const StartFindings& findings) {
+    const StartCounts& counts = findings.counts;
+    if (job.starts.count == 0 || counts.cells == 0) return "";
+    std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
+    text += numbers(counts) + commonest_pairs(findings);
+    text += fmt::format(
+        "  with impacts from some starts and without from others: {}; without impacts from every start: {}\n",
+        readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
+    text += fmt::format("  [start] ends on another attractor than most starts in {} of the cells\n",
+                        readable_share(counts.minority, counts.cells));
+    if (counts.not_kept > 0)
+        text += fmt::format("  and on none of those that are kept in {}\n",
+                            readable_share(counts.not_kept, counts.cells));
+    if (counts.left_over > 0)
+        text += fmt::format("  {} cells have more attractors than starts.attractors keeps\n",
+                            readable_count(counts.left_over));
+    return text + kicks(job, counts) + what_is_missed(job.starts.count);
+}
+
+}  // namespace peterka

@@ -1,0 +1,146 @@
+"""Maps with [starts]: what they hold, and that it is the same however it was computed."""
+
+import math
+import random
+
+import h5py
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import kills
+import launch
+import many_starts
+import map_contents
+from conftest import compute
+
+EMPTY = -128
+
+
+@pytest.fixture(scope="module")
+def starts_file(tmp_path_factory):
+    return compute(tmp_path_factory.mktemp("starts"), many_starts.small_map())
+
+
+@pytest.mark.parametrize("ranks", [1, 2, 3, 7])
+def test_it_is_the_same_at_any_number_of_ranks(tmp_path, starts_file, ranks):
+    jobs.write(tmp_path, many_starts.small_map())
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=ranks)
+    assert finished.returncode == 0, finished.stderr
+    map_contents.assert_same_map(tmp_path / "job.h5", starts_file)
+
+
+def test_it_is_the_same_after_kills(tmp_path, starts_file):
+    jobs.write(tmp_path, many_starts.small_map())
+    toll, chance = kills.Toll(), random.Random(3)
+    for ranks in (1, 3, 2, 4):
+        kills.run_and_kill(tmp_path, ranks, chance.choice(kills.VICTIMS), chance)
+        kills.look(tmp_path / "job.h5", starts_file, toll)
+    kills.finish(tmp_path, starts_file, toll)
+    assert toll.harm == 0, toll
+
+
+def test_a_damaged_share_is_noticed(tmp_path, starts_file):
+    """What the slots hold is under the tile's checksum, too."""
+    jobs.write(tmp_path, many_starts.small_map())
+    path = tmp_path / "job.h5"
+    path.write_bytes(starts_file.read_bytes())
+    with h5py.File(path, "r+") as file:
+        file["basin_share"][1, 20, 20] += 0.25
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 3
+    assert "damaged" in finished.stderr
+
+
+def test_shares_and_slots_are_sound(starts_file):
+    with xarray.open_dataset(starts_file) as cells:
+        share, regime = cells.basin_share.values, cells.attractor_regime.values
+        assert cells.basin_share.dims == ("attractor", "gap_ratio", "frequency_ratio")
+        assert share.shape[0] == 8
+        assert cells.attractors.values.max() <= 8  # nothing is left over
+        np.testing.assert_allclose(share.sum(axis=0), 1, rtol=0, atol=1e-12)
+        assert np.array_equal((share > 0).sum(axis=0), cells.attractors.values)
+        assert np.all(np.diff(share, axis=0) <= 0)
+        assert np.array_equal(regime == EMPTY, share == 0)
+        assert (cells.attractors.values > 1).mean() > 0.3  # 41 % with 32 starts in this window
+        mine = cells.start_attractor.values
+        assert mine.min() >= -1
+        slot = np.maximum(mine, 0)[None]
+        for name in ("regime", "impacts", "period"):
+            of_slot = np.take_along_axis(cells[f"attractor_{name}"].values, slot, axis=0)[0]
+            assert np.array_equal(of_slot[mine >= 0], cells[name].values[mine >= 0]), name
+
+
+def test_start_itself_is_as_in_a_map_without_starts(tmp_path, starts_file):
+    plain = many_starts.compute(tmp_path, jobs.small_map())
+    with h5py.File(starts_file) as file:
+        for name in ("regime", "impacts", "period", "status", "engine", "peak_force_ratio", "impact_rate"):
+            assert file[name][()].tobytes() == plain[name].tobytes(), name
+
+
+def test_what_is_left_over_is_counted(tmp_path, starts_file):
+    few = many_starts.compute(tmp_path, many_starts.small_map().replace("attractors = 8", "attractors = 1"))
+    with h5py.File(starts_file) as file:
+        assert np.array_equal(few["attractors"], file["attractors"][()])
+        assert few["basin_share"].tobytes() == file["basin_share"][:1].tobytes()
+
+
+def test_a_refined_map_agrees_with_a_full_one(tmp_path):
+    text = many_starts.small_map(count=16, columns=96, rows=96)
+    full = many_starts.compute(tmp_path, text, name="full")
+    refined = many_starts.compute(tmp_path, text + "[refine]\nlevels = 2\n", name="refined", ranks=2)
+    computed = refined["computed"] == 1
+    assert 0.2 < computed.mean() < 0.95
+    for name in ("attractors", "start_attractor"):
+        assert np.array_equal(refined[name][computed], full[name][computed])
+    for name in ("attractor_regime", "basin_share", "attractor_peak_force_ratio"):
+        assert refined[name][:, computed].tobytes() == full[name][:, computed].tobytes(), name
+    np.testing.assert_allclose(refined["basin_share"].sum(axis=0), 1, rtol=0, atol=1e-9)
+    filled = ~computed
+    assert np.mean(refined["attractors"][filled] == full["attractors"][filled]) > 0.98
+    # a share has steps of 1/16, so one cell may be off by some of them
+    assert np.abs(refined["basin_share"] - full["basin_share"])[:, filled].mean() < 0.5 / 16
+
+
+def test_a_basin_is_one_cell(tmp_path):
+    """The same rectangle seen as a grid and as one cell of a map: within the binomial error."""
+    count, points, gap = 1024, 48, 1.6
+    rectangle = {"displacement": (-3.0, gap), "velocity": (-4.0, 4.0)}
+    cell = many_starts.compute(
+        tmp_path, jobs.RIG.format(kind="map", title="one cell") + jobs.axis("frequency_ratio", 1.8, 1.9, 2)
+        + jobs.axis("gap_ratio", gap, 1.7, 2) + many_starts.table(count, **rectangle), name="cell")
+    grid = many_starts.compute(
+        tmp_path, jobs.RIG.format(kind="basin", title="grid")
+        + f"[operating_point]\nfrequency_ratio = 1.8\ngap_ratio = {gap}\n"
+        + jobs.axis("displacement_ratio", *rectangle["displacement"], points)
+        + jobs.axis("velocity_ratio", *rectangle["velocity"], points), name="grid")
+    found = 0
+    for slot in range(int(cell["attractors"][0, 0])):
+        label = [int(cell[f"attractor_{name}"][slot, 0, 0]) for name in ("regime", "impacts", "period")]
+        same = np.all([grid[name] == value for name, value in zip(("regime", "impacts", "period"), label)], axis=0)
+        share, expected = cell["basin_share"][slot, 0, 0], same.mean()
+        found += expected
+        error = math.sqrt(max(expected * (1 - expected), 1 / count) / count)
+        assert abs(share - expected) < 4 * error, (label, share, expected)
+    assert found > 0.98
+
+
+def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
+    jobs.write(tmp_path, many_starts.small_map(count=64, columns=16, rows=16))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    for words in ("Where 64 starts of each cell end", "attractors of a cell: 1:", "commonest pairs:", "no impact",
+                  "[start] ends on another attractor than most starts in",
+                  # 1 - 0.5^(1/64) and 1 - 0.01^(1/64)
+                  "64 starts miss an attractor whose basin takes 1.1 % of the rectangle in every second cell",
+                  "6.9 % in one cell of a hundred"):
+        assert words in finished.stdout, words
+
+
+def test_check_prices_starts(tmp_path):
+    jobs.write(tmp_path, many_starts.small_map())
+    plain, many = (launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path) for count in (0, 5000))
+    assert "in each cell" not in plain.stdout
+    assert "5,000 in each cell, 7e+06 in all" in many.stdout
+    assert launch.told_megabytes(many) > launch.told_megabytes(plain) + 100

@@ -1,0 +1,89 @@
+"""Shares and kicks against runs of single starts, each in full, by an integrator that shares nothing with the closed form."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+import jobs
+import many_starts
+
+COUNT = 12
+RECTANGLE = {"displacement": (-4.0, 0.25), "velocity": (-4.0, 4.0)}
+ROUNDING = 15  # sensitivity from which on another engine may turn a label: its errors are larger than those of rounding
+OVERDAMPED = 'law = "kelvin_voigt"\nstiffness_n_per_m = 4.0e4\ndamping_ns_per_m = 2.5e2\n'  # zeta_i = 1.14
+UNDERDAMPED = 'law = "kelvin_voigt"\nstiffness_n_per_m = 5.5e6\ndamping_ns_per_m = 3.0e2\n'  # zeta_i = 0.12
+RIGID = 'law = "restitution"\ncoefficient = 0.6\n'
+RIGS = {
+    "underdamped": lambda job: job.replace(jobs.KELVIN_VOIGT, UNDERDAMPED),
+    "overdamped": lambda job: job.replace(jobs.KELVIN_VOIGT, OVERDAMPED),
+    "rigid": lambda job: job.replace(jobs.KELVIN_VOIGT, RIGID),
+    "cubic": lambda job: job.replace("damping_ns_per_m = 0.06", "damping_ns_per_m = 0.06\n"
+                                     "cubic_stiffness_n_per_m3 = 238.23"),
+}
+
+
+def window(seed):
+    """2 by 2 cells at random places where several attractors are common, and where the stop squeezes no start."""
+    chance = np.random.default_rng(seed)
+    left, low = chance.uniform(0.8, 4.0), chance.uniform(0.3, 3.0)
+    return (jobs.RIG.format(kind="map", title="cells") + jobs.axis("frequency_ratio", left, left + 0.4, 2)
+            + jobs.axis("gap_ratio", low, low + 1.0, 2))
+
+
+def labels_of(cells):
+    return np.stack([cells[name] for name in ("regime", "impacts", "period")], axis=-1)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("rig", RIGS)
+def test_each_start_ends_where_a_run_of_its_own_does(tmp_path, rig, seed):
+    job = RIGS[rig](window(seed))
+    many = many_starts.compute(tmp_path, job + many_starts.table(COUNT, **RECTANGLE), name="many", ranks=2)
+    expected = {place: Counter() for place in np.ndindex(2, 2)}
+    open_ends = Counter()
+    for x, v in many_starts.starts(COUNT, **RECTANGLE):
+        single = many_starts.compute(
+            tmp_path, job + f"[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n"
+            '[solver]\nengine = "cvode"\n[output]\nfields = ["sensitivity"]\n', name="single", ranks=2)
+        for place in expected:
+            expected[place][tuple(int(number) for number in labels_of(single)[place])] += 1
+            proved = single["regime"][place] in (0, 1, 3)
+            open_ends[place] += bool(not proved or single["sensitivity"][place] > ROUNDING)
+    for place, wanted in expected.items():
+        found = Counter()
+        for slot in range(int(many["attractors"][place])):
+            label = tuple(int(many[f"attractor_{name}"][slot][place]) for name in ("regime", "impacts", "period"))
+            found[label] += round(COUNT * float(many["basin_share"][slot][place]))
+        assert found.total() == COUNT
+        assert (wanted - found).total() <= open_ends[place], (rig, seed, place, wanted, found)
+    assert sum(open_ends.values()) < COUNT  # of 4 COUNT: else nothing was compared
+
+
+def test_kicks_are_where_a_hair_more_and_a_hair_less_end_differently(tmp_path):
+    """At Omega/omega 1.8, gap/A0 1.6 impacts (1/1) and no impact coexist (paper, Fig. 24; 150 mm)."""
+    cells = (jobs.RIG.format(kind="map", title="kicked").replace("natural_frequency_hz = 4.5", "natural_frequency_hz = 5.25")
+             .replace("0.06", "0.08") + jobs.axis("frequency_ratio", 1.8, 1.82, 2) + jobs.axis("gap_ratio", 1.6, 1.62, 2))
+    speed = 0.89e-3 * 2 * np.pi * 5.25  # A0 omega [m/s]
+    many = many_starts.compute(tmp_path, cells + '[output]\nfields = ["critical_kick"]\n' + many_starts.table(64), name="many")
+    slots = [slot for slot in range(8) if tuple(int(many[f"attractor_{name}"][slot, 0, 0])
+                                                for name in ("regime", "impacts", "period")) == (1, 1, 1)]
+    assert len(slots) == 1
+    kick = float(many["critical_kick"][slots[0], 0, 0]) / speed
+    others = [many["critical_kick"][slot, 0, 0] for slot in range(8) if slot not in slots]
+    assert np.isnan(others).all()  # of what isn't periodic, and of empty slots
+    assert 0 < kick <= 4
+
+    def run(x, v):
+        return many_starts.compute(tmp_path, cells + f"[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n"
+                                   '[output]\nfields = ["orbit"]\n', name="single")
+
+    for x, v in many_starts.starts(16, (-4.0, 1.0), (-4.0, 4.0)):
+        orbit = run(x, v)
+        if orbit["impacts"][0, 0] == 1:
+            break
+    x, v = float(orbit["orbit_displacement"][0, 0]), float(orbit["orbit_velocity"][0, 0]) + 1.8
+    ends = {(sign, share): int(run(x, v + sign * share * kick)["impacts"][0, 0])
+            for sign in (-1, 1) for share in (0.5, 0.999, 1.001)}
+    assert all(ends[sign, share] == 1 for sign in (-1, 1) for share in (0.5, 0.999)), ends
+    assert 0 in (ends[-1, 1.001], ends[1, 1.001]), ends

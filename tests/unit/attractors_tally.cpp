@@ -1,0 +1,78 @@
+// Which starts share an attractor, and the order of the slots.
+#include "attractors/tally.hpp"
+
+#include <gtest/gtest.h>
+
+namespace peterka::attractors {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+CellResult orbit(std::int32_t impacts, std::int32_t period, double displacement, double force = 1) {
+    CellResult result;
+    result.regime = Regime::periodic;
+    result.impacts = impacts;
+    result.period = period;
+    result.peak_force = force;
+    result.orbit_displacement = displacement;
+    result.orbit_velocity = -1;
+    return result;
+}
+
+CellResult of_regime(Regime regime, double force = 0) {
+    CellResult result;
+    result.regime = regime;
+    result.peak_force = force;
+    return result;
+}
+
+TEST(Tally, CountsEachAttractorOnceAndAllChaosAsOne) {
+    Tally tally;
+    for (const CellResult& result :
+         {orbit(1, 2, 0.5), of_regime(Regime::chaotic, 3), orbit(1, 2, 0.5 + 1e-8), orbit(1, 2, 0.7),
+          of_regime(Regime::chaotic, 4), of_regime(Regime::chaotic, 2), of_regime(Regime::no_impact)}) {
+        tally.add(result, {});
+    }
+    const auto entries = tally.in_order();
+    ASSERT_EQ(entries.size(), 4U);
+    EXPECT_EQ(entries[0].result.regime, Regime::chaotic);
+    EXPECT_EQ(entries[0].starts, 3);
+    EXPECT_EQ(entries[0].result.peak_force, 3);  // of the first start
+    EXPECT_EQ(entries[1].starts, 2);
+    EXPECT_EQ(as_attractor(entries[1], 7).share, 2.0 / 7);
+}
+
+TEST(Tally, OrdersEqualSharesByRegimePeriodImpactsAndForce) {
+    Tally tally;
+    const CellResult failed = of_regime(Regime::failed, regime::unknown);
+    for (const CellResult& result : {failed, orbit(2, 2, 0.1), orbit(1, 2, 0.2, 9), orbit(1, 2, 0.3, 8),
+                                     orbit(5, 1, 0.4), of_regime(Regime::no_impact)}) {
+        tally.add(result, {});
+    }
+    const auto entries = tally.in_order();
+    ASSERT_EQ(entries.size(), 6U);
+    EXPECT_EQ(entries[0].result.regime, Regime::no_impact);
+    EXPECT_EQ(entries[1].result.impacts, 5);
+    EXPECT_EQ(entries[2].result.peak_force, 8);
+    EXPECT_EQ(entries[3].result.peak_force, 9);
+    EXPECT_EQ(entries[4].result.impacts, 2);
+    EXPECT_EQ(entries[5].result.regime, Regime::failed);
+    EXPECT_EQ(slot_of(entries, orbit(1, 2, 0.2, 9)), 3);
+    EXPECT_EQ(slot_of(entries, orbit(1, 3, 0.2, 9)), -1);
+}
+
+// The weak cubic spring may be left out of one start and kept for the next: the same attractor all the same.
+TEST(Tally, AnOrbitIsTheSameWithAndWithoutAWeakTerm) {
+    Tally tally;
+    CellResult with = orbit(1, 1, 0.5 + 1e-4);
+    with.engine = regime::Engine::split;
+    tally.add(orbit(1, 1, 0.5), {});
+    tally.add(with, {});
+    EXPECT_EQ(tally.in_order().size(), 1U);
+    tally.add(orbit(1, 1, 0.5 + 1e-4), {});
+    EXPECT_EQ(tally.in_order().size(), 2U);
+}
+
+}  // namespace
+}  // namespace peterka::attractors
