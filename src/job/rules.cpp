@@ -105,8 +105,9 @@ std::string rule_of_interval(std::string_view name, const std::vector<double>& i
 }
 
 std::string rule_of_room(const Starts& starts, double lowest_gap) {
-    if (starts.count == 0 || starts.displacement_ratio.empty() || starts.displacement_ratio[0] < lowest_gap)
-        return {};
+    const std::vector<double>& interval = starts.displacement_ratio;
+    const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // else a fault already
+    if (starts.count == 0 || !is_sound || interval[0] < lowest_gap) return {};
     return fmt::format(
         "starts.displacement_ratio begins at {}, beyond the stop at the lowest axes.gap_ratio = {}; the hammer "
         "starts in front of the stop; begin it below {}, or take the stop further away",
