@@ -60,9 +60,13 @@ def draw_largest(file):
     """The class of the attractor on which most starts end."""
     names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
     reduced, counts = class_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)), len(CLASSES))
-    handles = [axes.legend_patch(f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})", CLASSES[n].colour,
-                                 n == INDEX["not computed yet"]) for n in np.flatnonzero(counts)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "where most starts end (share of the map)")])
+    orbits, others = [], []
+    for n in np.flatnonzero(counts):
+        text = f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})"
+        entry = axes.legend_patch(text, CLASSES[n].colour, n == INDEX["not computed yet"])
+        (orbits if CLASSES[n].orbit or n == INDEX["other p/q"] else others).append(entry)
+    legends = [(orbits, 3, "where most starts end (share of the map)"), (others, 2, None)]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
              if counts[n] and (entry.orbit or n == INDEX["no impact"])}
