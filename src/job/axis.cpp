@@ -31,6 +31,7 @@ std::vector<double> axis_values(const Axis& axis) {
 }
 
 bool resolves_its_points(const Axis& axis) {
+    if (axis.points == 1) return true;
     // A value carries a rounding error of an ulp or two; 16 ulps between neighbours keep the order and the
     // spacing.
     constexpr double resolution = 16 * std::numeric_limits<double>::epsilon();

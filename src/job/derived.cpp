@@ -17,6 +17,11 @@ HammerNumbers derive(const Hammer& hammer) {
     return {impedance(hammer) / hammer.mass_kg, hammer.damping() / (2 * impedance(hammer))};
 }
 
+double natural_frequency_hz(const Hammer& hammer) {
+    return hammer.natural_frequency_hz ? *hammer.natural_frequency_hz
+                                       : derive(hammer).omega_rad_per_s / (2 * std::numbers::pi);
+}
+
 KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer) {
     return {stop.stiffness_n_per_m / hammer.stiffness(), stop.damping_ns_per_m / impedance(hammer)};
 }

@@ -24,6 +24,7 @@ struct HuntCrossleyNumbers {
 };
 
 [[nodiscard]] HammerNumbers derive(const Hammer& hammer);
+[[nodiscard]] double natural_frequency_hz(const Hammer& hammer);
 [[nodiscard]] KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer);
 [[nodiscard]] HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const Cart& cart);
 

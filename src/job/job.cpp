@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace peterka::job {
@@ -20,12 +21,14 @@ double Hammer::damping() const {
 }
 
 std::int64_t Sweep::branches() const {
-    return std::ssize(gap_ratio) * (direction == Direction::both ? 2 : 1);
+    return std::max<std::int64_t>(std::ssize(gap_ratio), 1) * (direction == Direction::both ? 2 : 1);
 }
 
 Branch Sweep::branch(std::int64_t i) const {
-    if (direction != Direction::both) return {gap_ratio[static_cast<std::size_t>(i)], direction};
-    return {gap_ratio[static_cast<std::size_t>(i / 2)], i % 2 == 0 ? Direction::up : Direction::down};
+    const bool both = direction == Direction::both;
+    const auto gap = static_cast<std::size_t>(both ? i / 2 : i);
+    return {gap_ratio.empty() ? std::numeric_limits<double>::quiet_NaN() : gap_ratio.at(gap),
+            both ? (i % 2 == 0 ? Direction::up : Direction::down) : direction};
 }
 
 bool Output::has(OptionalField field) const {

@@ -72,13 +72,19 @@ struct Axis {
     double to = 0;
     std::int64_t points = 0;
     Spacing scale = Spacing::linear;
+    std::string over =
+        {};  // what it runs over (axis_quantity.hpp); "": what jobs of its kind usually have there
     friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn, or the cell that a trace follows.
+// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn, the cell that a trace follows, or what
+// the cells of a map or sweep share. Where a value is given in SI units, the ratio is the one that follows for
+// the job's own rig; a cell with a rig of its own has its own (cell_numbers.hpp).
 struct OperatingPoint {
     double frequency_ratio = 0;
     double gap_ratio = 0;
+    std::optional<double> frequency_hz = {};
+    std::optional<double> gap_m = {};
     friend bool operator==(const OperatingPoint&, const OperatingPoint&) = default;
 };
 
@@ -89,10 +95,10 @@ struct Start {
     friend bool operator==(const Start&, const Start&) = default;
 };
 
-// Of a map: more starts in each cell, the same in all, spread evenly over a rectangle; and what of the attractors
-// that they end on is kept.
+// Of a map: more starts in each cell, the same in all, spread evenly over a rectangle; and what of the
+// attractors that they end on is kept.
 struct Starts {
-    std::int64_t count = 0;  // besides [start]; 0: none
+    std::int64_t count = 0;                            // besides [start]; 0: none
     std::vector<double> displacement_ratio = {-4, 1};  // x(0)/A0, from and to; at most the gap
     std::vector<double> velocity_ratio = {-4, 4};      // x'(0)/(A0 omega), from and to
     std::int64_t attractors = 8;                       // kept for each cell, those with the largest shares
@@ -148,16 +154,16 @@ struct Refine {
     friend bool operator==(const Refine&, const Refine&) = default;
 };
 
-// One line of a sweep: a gap, and the order in which the frequencies are visited (never `both`).
+// One line of a sweep: a gap, and the order in which the points are visited (never `both`).
 struct Branch {
-    double gap_ratio = 0;
+    double gap_ratio = 0;  // NaN where the sweep has no list of gaps
     Direction direction = Direction::up;
     friend bool operator==(const Branch&, const Branch&) = default;
 };
 
-// Of a sweep: each branch goes through all frequencies of the axis, from state to state or from start to start.
+// Of a sweep: each branch goes through all values of the axis, from state to state or from start to start.
 struct Sweep {
-    std::vector<double> gap_ratio;
+    std::vector<double> gap_ratio;  // empty: the gap is the axis, or that of the operating point
     Direction direction = Direction::both;
     std::int64_t samples = 64;  // of the steady motion stored for each point, at most
     [[nodiscard]] std::int64_t branches() const;
@@ -213,9 +219,9 @@ struct Job {
     Hammer hammer;
     Cart cart;
     Contact contact;
-    Axis columns;                    // map and sweep: frequency_ratio; basin: displacement_ratio
-    Axis rows;                       // map: gap_ratio; basin: velocity_ratio; a sweep has branches instead
-    OperatingPoint operating_point;  // basin and trace
+    Axis columns;                    // usually frequency_ratio; basin: displacement_ratio
+    Axis rows;                       // usually gap_ratio; basin: velocity_ratio; a sweep has branches instead
+    OperatingPoint operating_point;  // basin and trace; map and sweep: what is no axis
     Start start;                     // map, sweep and trace
     SteadyState steady_state;
     Solver solver;

@@ -26,7 +26,7 @@ struct Names;
 
 template <>
 struct Names<Kind> {
-    static constexpr std::array all{Named{Kind::map, "map"}, Named{Kind::basin, "basin"},
+    static constexpr std::array all{Named{Kind::map, "map"},     Named{Kind::basin, "basin"},
                                     Named{Kind::sweep, "sweep"}, Named{Kind::study, "study"},
                                     Named{Kind::trace, "trace"}, Named{Kind::curves, "curves"}};
 };
@@ -116,11 +116,5 @@ struct AxisNames {
     std::string_view columns;
     std::string_view rows;
 };
-
-[[nodiscard]] constexpr AxisNames axis_names(Kind kind) {
-    if (kind == Kind::basin) return {"displacement_ratio", "velocity_ratio"};
-    if (kind == Kind::sweep) return {"frequency_ratio", "branch"};
-    return {"frequency_ratio", "gap_ratio"};
-}
 
 }  // namespace peterka::job

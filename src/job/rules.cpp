@@ -9,17 +9,19 @@
 #include "job/axis.hpp"
 #include "job/derived.hpp"
 #include "job/names.hpp"
+#include "job/settle.hpp"
 #include "job/toml_text.hpp"
 #include "support/harmless.hpp"
 
 namespace peterka::job {
 
 std::string rule_of_direction(std::string_view axis_name, const Axis& axis) {
-    if (axis.from < axis.to) return {};
+    if (axis.from < axis.to || (axis.from == axis.to && axis.points == 1)) return {};
     const bool is_empty = axis.from == axis.to;
     return fmt::format("axes.{} runs from {} to {}; an axis {}; {}", axis_name, toml_text(axis.from),
-                       toml_text(axis.to), is_empty ? "must have a length" : "runs upwards",
-                       is_empty ? "give a larger to" : "swap from and to");
+                       toml_text(axis.to),
+                       is_empty ? "of more than a point must have a length" : "runs upwards",
+                       is_empty ? "give a larger to, or points = 1" : "swap from and to");
 }
 
 std::string rule_of_logarithm(std::string_view axis_name, const Axis& axis) {
@@ -165,12 +167,10 @@ std::string rule_of_trace(const Job& job) {
         return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
                "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }
-    const Hammer& hammer = job.hammer;
-    const bool is_complete = hammer.mass_kg > 0 && (hammer.natural_frequency_hz || hammer.stiffness_n_per_m) &&
-                             (hammer.damping_ns_per_m || hammer.damping_ratio);
-    if (eta == 0 && !is_complete) return {};  // that is told already
-    const double cycles = eta > 0 ? static_cast<double>(trace.cycles)
-                                  : trace.duration_s * derive(hammer).omega_rad_per_s / (2 * std::numbers::pi);
+    if (eta == 0 && !has_rig(job)) return {};  // that is told already
+    const double cycles = eta > 0
+                              ? static_cast<double>(trace.cycles)
+                              : trace.duration_s * derive(job.hammer).omega_rad_per_s / (2 * std::numbers::pi);
     const double samples = cycles * static_cast<double>(trace.samples_per_cycle);
     if (samples <= most_samples) return {};
     return fmt::format(

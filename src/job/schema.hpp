@@ -11,6 +11,7 @@
 #include "job/names.hpp"
 #include "job/rules.hpp"
 #include "job/schema_curves.hpp"
+#include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_rig.hpp"
 #include "job/schema_settings.hpp"
@@ -56,17 +57,19 @@ void describe(Walker& file, Job& job) {
     std::int64_t schema = schema_version;
     file.integer({"schema", "version of the job file's own format", "1"}, schema,
                  from_to(schema_version, schema_version, "this version reads job files of schema 1 only"));
-    const bool kind_is_known =
-        file.choice({"kind", "kind of the job: map, basin, sweep, study, trace or curves", "\"map\""}, job.kind);
+    const bool kind_is_known = file.choice(
+        {"kind", "kind of the job: map, basin, sweep, study, trace or curves", "\"map\""}, job.kind);
     file.text({.name = "title", .meaning = "title of pictures and reports", .is_identity = false}, job.title);
     file.rule({"title"}, [&] { return rule_of_title(job.title); });
     file.skip({"rig"});  // followed before anything is read (rig_files.hpp)
 
     if (kind_is_known && job.kind == Kind::trace) return describe_trace(file, job);
+    if (kind_is_known && (job.kind == Kind::map || job.kind == Kind::sweep)) file.leave_to_axes(job);
     describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip({"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves"});
+        file.skip(
+            {"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves"});
     }
     if (kind_is_known && job.kind == Kind::map) {
         describe_map(file, job);

@@ -5,6 +5,7 @@
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_settings.hpp"
 
@@ -19,10 +20,6 @@ void describe(Walker& table, Curves& curves) {
 template <typename Walker>
 void describe_curves(Walker& file, Job& job) {
     describe_plane(file, job);
-    file.rule({"axes"}, [&] {
-        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
-                                  "the lowest axes.gap_ratio", job.rows.from);
-    });
     file.table({"curves", "which curves are traced"}, [&](auto& table) { describe(table, job.curves); });
     describe_solver(file, job);
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });

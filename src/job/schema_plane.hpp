@@ -1,12 +1,15 @@
-// The tables of a job that say which cells it has: the axes of a map or basin, and where the hammer starts.
+// What maps, basins and sweeps have in common that say which cells they have: axes, places and starts.
 #pragma once
 
 #include <limits>
+#include <optional>
 
+#include "job/axis_quantity.hpp"
 #include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/settle.hpp"
 
 namespace peterka::job {
 
@@ -28,6 +31,13 @@ inline constexpr Quantity gap_ratio{
     from_to(-1e6, 1e6,
             "the stop stands within reach of the hammer, in front of it or (negative) pressed into it"),
     "0.0", "5.0"};
+inline constexpr Quantity frequency_hz{"frequency_hz", "excitation frequency Omega/(2 pi) [Hz]",
+                                       positive("the cart must vibrate"), "2.25", "20.25"};
+inline constexpr Quantity gap_m{
+    "gap_m", "gap between hammer and stop [m]",
+    from_to(-1e6, 1e6,
+            "the stop stands within reach of the hammer, in front of it or (negative) pressed into it"),
+    "0.0", "4e-3"};
 inline constexpr Quantity displacement_ratio{
     "displacement_ratio", "start of the hammer, x(0)/A0 [1]",
     from_to(-1e9, 1e9, "a start further away loses the cart's motion in rounding"), "-6.0", "6.0"};
@@ -36,68 +46,54 @@ inline constexpr Quantity velocity_ratio{
     from_to(-1e9, 1e9, "a faster start loses the cart's motion in rounding"), "-6.0", "6.0"};
 
 template <typename Walker>
-void describe(Walker& table, Axis& axis, const Quantity& quantity) {
+void describe(Walker& table, Axis& axis, const AxisQuantity& quantity) {
     table.number({"from", "first value", quantity.from}, axis.from, quantity.range);
     table.number({"to", "last value", quantity.to}, axis.to, quantity.range);
     table.integer({"points", "number of values, both ends included", "512"}, axis.points,
-                  from_to<std::int64_t>(2, std::numeric_limits<std::int32_t>::max(),
-                                        "an axis has two ends, and its points are counted in 32 bits"));
+                  from_to<std::int64_t>(1, std::numeric_limits<std::int32_t>::max(),
+                                        "an axis has a point or more, and they are counted in 32 bits"));
     table.choice({"scale", "spacing of the values, linear or log"}, axis.scale);
-    table.rule({"from", "to"}, [&] { return rule_of_direction(quantity.name, axis); });
-    table.rule({"from", "scale"}, [&] { return rule_of_logarithm(quantity.name, axis); });
-    table.rule({"from", "to", "points", "scale"}, [&] { return rule_of_resolution(quantity.name, axis); });
+    table.rule({"from", "to"}, [&] { return rule_of_direction(quantity.key, axis); });
+    table.rule({"from", "scale"}, [&] { return rule_of_logarithm(quantity.key, axis); });
+    table.rule({"from", "to", "points", "scale"}, [&] { return rule_of_resolution(quantity.key, axis); });
 }
 
 template <typename Walker>
-void describe_axes(Walker& axes, Job& job, const Quantity& columns, const Quantity& rows) {
-    axes.table({columns.name, columns.meaning, "from, to and points"},
-               [&](auto& table) { describe(table, job.columns, columns); });
-    axes.table({rows.name, rows.meaning, "from, to and points"},
-               [&](auto& table) { describe(table, job.rows, rows); });
+void describe_axis(Walker& axes, Axis& axis, const AxisQuantity& quantity) {
+    axes.table({quantity.key, quantity.meaning, "from, to and points"},
+               [&](auto& table) { describe(table, axis, quantity); });
+}
+
+template <typename Walker>
+void describe(Walker& table, Start& start) {
+    table.number({displacement_ratio.name, displacement_ratio.meaning}, start.displacement_ratio,
+                 displacement_ratio.range);
+    table.number({velocity_ratio.name, velocity_ratio.meaning}, start.velocity_ratio, velocity_ratio.range);
 }
 
 template <typename Walker>
 void describe_start(Walker& file, Job& job) {
     file.table({"start", "start of the hammer at t = 0, absolute (not relative to the cart)"},
-               [&](auto& table) {
-                   table.number({displacement_ratio.name, displacement_ratio.meaning},
-                                job.start.displacement_ratio, displacement_ratio.range);
-                   table.number({velocity_ratio.name, velocity_ratio.meaning}, job.start.velocity_ratio,
-                                velocity_ratio.range);
-               });
+               [&](auto& table) { describe(table, job.start); });
 }
 
-// The plane of a map and the start of its cells.
+// Of one place in the plane: as a ratio or in SI units.
 template <typename Walker>
-void describe_plane(Walker& file, Job& job) {
-    file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
-        describe_axes(axes, job, frequency_ratio, gap_ratio);
-        constexpr auto why =
-            "is an axis of a basin; a map starts every cell alike; give one value under [start]";
-        axes.refuse(displacement_ratio.name, why);
-        axes.refuse(velocity_ratio.name, why);
-    });
-    describe_start(file, job);
+void describe_frequency(Walker& table, OperatingPoint& place, const Quantity& ratios = frequency_ratio) {
+    std::optional<double> ratio = place.frequency_hz ? std::nullopt : std::optional(place.frequency_ratio);
+    table.either({{ratios.name, ratios.meaning, "1.8"}, ratio, ratios.range},
+                 {{frequency_hz.name, frequency_hz.meaning, "9.0"}, place.frequency_hz, frequency_hz.range},
+                 "either of them sets the excitation frequency");
+    place.frequency_ratio = ratio.value_or(0);
 }
 
 template <typename Walker>
-void describe(Walker& table, Refine& refine) {
-    table.integer(
-        {"levels", "first every 2^levels-th cell, then only where needed; 0 computes every cell"},
-        refine.levels,
-        from_to<std::int64_t>(0, 6, "on a coarser grid than every 64th cell whole regions go unseen"));
-}
-
-template <typename Walker>
-void describe_map(Walker& file, Job& job) {
-    describe_plane(file, job);
-    file.table({"refine", "cells that are filled from those around them instead of being computed"},
-               [&](auto& table) { describe(table, job.refine); });
-    file.refuse("operating_point", "belongs to a basin; a map covers the plane of its axes; remove this table");
-    file.rule({"axes"}, [&] {
-        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
-                                  "the lowest axes.gap_ratio", job.rows.from);
-    });
+void describe_gap(Walker& table, OperatingPoint& place) {
+    std::optional<double> ratio = place.gap_m ? std::nullopt : std::optional(place.gap_ratio);
+    table.either({{gap_ratio.name, gap_ratio.meaning, "1.6"}, ratio, gap_ratio.range},
+                 {{gap_m.name, gap_m.meaning, "1e-3"}, place.gap_m, gap_m.range},
+                 "either of them sets the gap");
+    place.gap_ratio = ratio.value_or(0);
 }
 
 template <typename Walker>
@@ -105,24 +101,26 @@ void describe_basin(Walker& file, Job& job) {
     file.table(
         {"operating_point", "place in the plane at which the basin is drawn", "frequency_ratio and gap_ratio"},
         [&](auto& table) {
-            table.number({frequency_ratio.name, frequency_ratio.meaning, "1.8"},
-                         job.operating_point.frequency_ratio, frequency_ratio.range);
-            table.number({gap_ratio.name, gap_ratio.meaning, "1.6"}, job.operating_point.gap_ratio,
-                         gap_ratio.range);
+            describe_frequency(table, job.operating_point);
+            describe_gap(table, job.operating_point);
         });
+    settle_place(job);
     file.table({"axes", "plane of starts", "[axes.displacement_ratio] and [axes.velocity_ratio]"},
                [&](auto& axes) {
-                   describe_axes(axes, job, displacement_ratio, velocity_ratio);
+                   describe_axis(axes, job.columns, quantity(column_key(job)));
+                   describe_axis(axes, job.rows, quantity(row_key(job)));
                    constexpr auto why =
                        "is an axis of a map; a basin is drawn at one place; give one value under "
                        "[operating_point]";
-                   axes.refuse(frequency_ratio.name, why);
-                   axes.refuse(gap_ratio.name, why);
+                   for (const Quantity& other : {frequency_ratio, gap_ratio, frequency_hz, gap_m}) {
+                       axes.refuse(other.name, why);
+                   }
                });
     file.refuse("starts", "is for maps; every cell of a basin is a start; remove this table");
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
     file.refuse("refine",
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");
+    file.rule({"operating_point"}, [&] { return rule_of_place(job); });
     file.rule({"axes"}, [&] {
         return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
                                   "operating_point.gap_ratio", job.operating_point.gap_ratio);

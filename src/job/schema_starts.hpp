@@ -10,16 +10,18 @@ namespace peterka::job {
 
 template <typename Walker>
 void describe(Walker& table, Starts& starts) {
-    table.integer({"count", "starts of each cell besides [start]; 0 for none"}, starts.count,
-                  from_to<std::int64_t>(0, 1'000'000,
-                                        "a million starts see every attractor that takes a hundred-thousandth of "
-                                        "the rectangle"));
+    table.integer(
+        {"count", "starts of each cell besides [start]; 0 for none"}, starts.count,
+        from_to<std::int64_t>(0, 1'000'000,
+                              "a million starts see every attractor that takes a hundred-thousandth of "
+                              "the rectangle"));
     table.numbers({displacement_ratio.name, "from and to, x(0)/A0, at most up to the gap [1]"},
                   starts.displacement_ratio, displacement_ratio.range);
     table.numbers({velocity_ratio.name, "from and to, x'(0)/(A0 omega) [1]"}, starts.velocity_ratio,
                   velocity_ratio.range);
-    table.integer({"attractors", "kept for each cell, those with the largest shares"}, starts.attractors,
-                  from_to<std::int64_t>(1, 64, "each takes room in every cell, and few cells have more than four"));
+    table.integer(
+        {"attractors", "kept for each cell, those with the largest shares"}, starts.attractors,
+        from_to<std::int64_t>(1, 64, "each takes room in every cell, and few cells have more than four"));
     table.rule({displacement_ratio.name},
                [&] { return rule_of_interval("starts.displacement_ratio", starts.displacement_ratio); });
     table.rule({velocity_ratio.name},

@@ -5,6 +5,7 @@
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_settings.hpp"
 

@@ -44,21 +44,11 @@ void describe(Walker& table, Trace& trace) {
     table.rule({"map", "row", "column"}, [&] { return rule_of_traced_cell(trace); });
 }
 
-template <typename Walker>
-void describe_operating_point_and_start(Walker& file, Job& job, const Key& operating_point) {
-    file.table(operating_point, [&](auto& table) {
-        const bool is_required = operating_point.is_required();
-        table.number(
-            {frequency_ratio.name, "excitation frequency over natural frequency, Omega/omega; 0: at rest [1]",
-             is_required ? "2.0" : ""},
-            job.operating_point.frequency_ratio,
-            from_to(0.0, frequency_ratio.range.high,
-                    "the cart vibrates or is at rest, and its frequency is a finite magnitude"));
-        table.number({gap_ratio.name, gap_ratio.meaning, is_required ? "0.0" : ""},
-                     job.operating_point.gap_ratio, gap_ratio.range);
-    });
-    describe_start(file, job);
-}
+inline constexpr Quantity trace_frequency_ratio{
+    "frequency_ratio", "excitation frequency over natural frequency, Omega/omega; 0: at rest [1]",
+    from_to(0.0, frequency_ratio.range.high,
+            "the cart vibrates or is at rest, and its frequency is a finite magnitude"),
+    "0.0", "4.5"};
 
 // The rig and the cell of a map file.
 template <typename Walker>
@@ -75,8 +65,12 @@ void describe_trace_of_map(Walker& file, Job& job) {
             "is that of the job in the file that trace.map names; a cell is followed as it was computed; "
             "remove this table");
     }
-    describe_operating_point_and_start(file, job,
-                                       {"operating_point", "values of the cell in the plane of a map"});
+    file.table({"operating_point", "values of the cell in the plane of a map"}, [&](auto& table) {
+        table.number({trace_frequency_ratio.name, trace_frequency_ratio.meaning},
+                     job.operating_point.frequency_ratio, trace_frequency_ratio.range);
+        table.number({gap_ratio.name, gap_ratio.meaning}, job.operating_point.gap_ratio, gap_ratio.range);
+    });
+    describe_start(file, job);
     file.rule({"trace"}, [&] {
         Job driven = job;  // a map's cart vibrates; its place isn't known before the file is read
         driven.operating_point = {1, 0};
@@ -86,8 +80,14 @@ void describe_trace_of_map(Walker& file, Job& job) {
 
 template <typename Walker>
 void describe_trace_of_rig(Walker& file, Job& job) {
-    describe_operating_point_and_start(
-        file, job, {"operating_point", "place of the cell in the plane", "frequency_ratio and gap_ratio"});
+    file.table({"operating_point", "place of the cell in the plane", "frequency_ratio and gap_ratio"},
+               [&](auto& table) {
+                   describe_frequency(table, job.operating_point, trace_frequency_ratio);
+                   describe_gap(table, job.operating_point);
+               });
+    settle_place(job);
+    describe_start(file, job);
+    file.rule({"operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });
     file.rule({"operating_point", "trace", "hammer"}, [&] { return rule_of_trace(job); });
     file.rule({"operating_point", "start", "contact"}, [&] {
         return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,

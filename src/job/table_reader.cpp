@@ -10,6 +10,18 @@
 #include "job/toml_text.hpp"
 
 namespace peterka::job {
+namespace {
+
+// Of "table.key" the value of that key in that table.
+const Value* find_inside(const Table& table, std::string_view name) {
+    const std::size_t dot = name.find('.');
+    const Value* value = table.find(name.substr(0, dot));
+    if (dot == std::string_view::npos || value == nullptr) return value;
+    const auto* inner = value->as<Table>();
+    return inner == nullptr ? nullptr : find_inside(*inner, name.substr(dot + 1));
+}
+
+}  // namespace
 
 TableReader::TableReader(const Value& value, std::string path, std::vector<Fault>& faults)
     : table_(*value.as<Table>()), where_(value.where), path_(std::move(path)), faults_(faults) {}
@@ -100,6 +112,9 @@ void TableReader::flag(const Key& key, bool& value) {
 }
 
 void TableReader::either(const Alternative& first, const Alternative& second, std::string_view why) {
+    if (is_left_to_an_axis(first.key.name) || is_left_to_an_axis(second.key.name)) {
+        return skip({first.key.name, second.key.name});
+    }
     read_alternative(first);
     read_alternative(second);
     const Value* one = table_.find(first.key.name);
@@ -171,6 +186,7 @@ std::vector<std::size_t> TableReader::choose_several(const Key& key, const Words
 
 const Value* TableReader::ask(const Key& key) {
     known_.push_back(key.name);
+    if (is_left_to_an_axis(key.name)) return nullptr;
     const Value* given = table_.find(key.name);
     if (given == nullptr && key.is_required()) {
         fault(key.name, where_,
@@ -183,7 +199,11 @@ const Value* TableReader::ask(const Key& key) {
 std::optional<TableReader> TableReader::open(const Key& key) {
     known_.push_back(key.name);
     const std::string name = full_name(key.name);
-    const Value* given = table_.find(key.name);
+    const Value* given = find_inside(table_, key.name);
+    if (given == nullptr && has_key_left_to_an_axis(name)) {
+        static const Value nothing_else{{}, Table{}};
+        given = &nothing_else;
+    }
     if (given == nullptr) {
         if (key.is_required()) {
             fault(key.name, where_,
@@ -200,7 +220,18 @@ std::optional<TableReader> TableReader::open(const Key& key) {
                         name, given->type_in_words(), key.meaning, name));
         return std::nullopt;
     }
-    return TableReader(*given, name, faults_);
+    TableReader inner(*given, name, faults_);
+    inner.left_to_axes_ = left_to_axes_;
+    return inner;
+}
+
+bool TableReader::has_key_left_to_an_axis(const std::string& table) const {
+    return std::ranges::any_of(left_to_axes_,
+                               [&](const std::string& key) { return key.starts_with(table + "."); });
+}
+
+bool TableReader::is_left_to_an_axis(std::string_view key) const {
+    return std::ranges::find(left_to_axes_, full_name(key)) != left_to_axes_.end();
 }
 
 template <typename Number>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "job/document.hpp"
+#include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/range.hpp"
@@ -58,6 +59,17 @@ class TableReader {
         }
     }
 
+    // Whether the file has a table or key.
+    [[nodiscard]] bool has(std::string_view name) const { return table_.find(name) != nullptr; }
+
+    // From now on, keys over which an axis of this file runs are left to it: none of them is missing, and what
+    // the tables give for them does nothing.
+    void leave_to_axes(const Job& job);
+
+    // Of the table [axes]: which two numbers of the job, or which one of a sweep, it runs over, in the order of
+    // the file. The number of axes that are to be read.
+    int choose_axes(Job& job);
+
     // A rule over several keys, asked only where each of them is sound. `complaint` returns what is wrong, or
     // "".
     template <typename Complaint>
@@ -80,6 +92,8 @@ class TableReader {
   private:
     const Value* ask(const Key& key);  // nullptr where it is not given; a fault if it had to be
     std::optional<TableReader> open(const Key& key);
+    [[nodiscard]] bool has_key_left_to_an_axis(const std::string& table) const;
+    [[nodiscard]] bool is_left_to_an_axis(std::string_view key) const;
     void read_number(const Key& key, const Value& value, double& number, const Range<double>& range);
     void read_integer(const Key& key, const Value& value, std::int64_t& number,
                       const Range<std::int64_t>& range);
@@ -104,6 +118,7 @@ class TableReader {
     const Table& table_;
     Location where_;
     std::string path_;
+    std::vector<std::string> left_to_axes_;
     std::vector<Fault>& faults_;
     Words known_;  // names to suggest
     std::set<std::string, std::less<>> refused_;

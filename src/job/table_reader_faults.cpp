@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "job/axis_quantity.hpp"
 #include "job/nearest.hpp"
 #include "job/table_reader.hpp"
 #include "job/toml_text.hpp"
@@ -45,7 +46,9 @@ bool TableReader::sound(std::initializer_list<std::string_view> keys) const {
 }
 
 std::string TableReader::full_name(std::string_view name) const {
-    return path_.empty() ? toml_key(name) : path_ + "." + toml_key(name);
+    const bool is_path = name.find('.') != std::string_view::npos && find_quantity(name) != nullptr;
+    const std::string key = is_path ? std::string(name) : toml_key(name);
+    return path_.empty() ? key : path_ + "." + key;
 }
 
 std::string TableReader::place_to_add() const {

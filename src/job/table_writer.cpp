@@ -1,12 +1,24 @@
 #include "job/table_writer.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace peterka::job {
 
 void TableWriter::either(const Alternative& first, const Alternative& second, std::string_view) {
+    if (is_left_to_an_axis(first.key) || is_left_to_an_axis(second.key)) return;
     const Alternative& given = first.value ? first : second;
     line(given.key, toml_text(given.value.value()));
+}
+
+void TableWriter::leave_to_axes(const Job& job) {
+    left_to_axes_ = {job.columns.over, job.rows.over};
+}
+
+bool TableWriter::is_left_to_an_axis(const Key& key) const {
+    const std::string name = fmt::format("{}.{}", path_, key.name);
+    return std::ranges::find(left_to_axes_, name) != left_to_axes_.end();
 }
 
 void TableWriter::header() {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/origins.hpp"
@@ -25,7 +26,9 @@ class TableWriter {
     TableWriter(std::string& text, Style style, const Origins* origins = nullptr)
         : TableWriter(text, style, origins, "", "") {}
 
-    void number(const Key& key, double value, const Range<double>&) { line(key, toml_text(value)); }
+    void number(const Key& key, double value, const Range<double>&) {
+        if (!is_left_to_an_axis(key)) line(key, toml_text(value));
+    }
     void integer(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
         line(key, toml_text(value));
     }
@@ -56,8 +59,12 @@ class TableWriter {
         TableWriter inner(text_, style_, origins_,
                           path_.empty() ? std::string(key.name) : path_ + "." + std::string(key.name),
                           key.meaning);
+        inner.left_to_axes_ = left_to_axes_;
         write(inner);
     }
+
+    // Keys over which an axis runs are not written: their tables have its first value (settle.hpp).
+    void leave_to_axes(const Job& job);
 
     template <typename Note>
     void note(Note note) {
@@ -69,6 +76,8 @@ class TableWriter {
     void rule(std::initializer_list<std::string_view>, Complaint) {}
     void refuse(std::string_view, std::string_view) {}
     void skip(std::initializer_list<std::string_view>) {}
+    [[nodiscard]] bool has(std::string_view) const { return true; }
+    int choose_axes(const Job&) { return 2; }
 
   private:
     TableWriter(std::string& text, Style style, const Origins* origins, std::string path,
@@ -85,11 +94,13 @@ class TableWriter {
     }
     template <typename Number>
     void list(const Key& key, const std::vector<Number>& values) {
+        if (values.empty()) return;  // a list that the job has not
         std::string text;
         for (const Number value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
         line(key, "[" + text + "]");
     }
     void line(const Key& key, const std::string& value);
+    [[nodiscard]] bool is_left_to_an_axis(const Key& key) const;
     [[nodiscard]] std::string origin_of(const Key& key) const;
     void header();  // before the first key: a table of tables alone needs none
 
@@ -99,6 +110,7 @@ class TableWriter {
     std::string path_;
     std::string_view meaning_;
     bool has_header_;
+    std::vector<std::string> left_to_axes_;
 };
 
 }  // namespace peterka::job

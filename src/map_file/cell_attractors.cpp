@@ -52,14 +52,14 @@ std::vector<hdf5::Variable> attractor_variables(const job::Job& job) {
 }
 
 std::vector<StoredAttractor> in_file_units(std::span<const attractors::SolvedCell> cells, std::int64_t kept,
-                                           const scene::Scales& scales) {
+                                           std::span<const scene::Scales> scales) {
     std::vector<StoredAttractor> stored(static_cast<std::size_t>(kept) * cells.size());
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         for (std::size_t slot = 0; slot < cells[cell].attractors.size(); ++slot) {
             StoredAttractor& attractor = stored[slot * cells.size() + cell];
             attractor = cells[cell].attractors[slot];
-            attractor.peak_force *= scales.force_ratio();
-            attractor.critical_kick *= scales.length_m * scales.frequency_rad_per_s;
+            attractor.peak_force *= scales[cell].force_ratio();
+            attractor.critical_kick *= scales[cell].length_m * scales[cell].frequency_rad_per_s;
             // every NaN the same NaN, so that equal results are equal bytes
             if (std::isnan(attractor.peak_force)) attractor.peak_force = regime::unknown;
             if (std::isnan(attractor.critical_kick)) attractor.critical_kick = regime::unknown;

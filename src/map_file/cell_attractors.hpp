@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "attractors/solved_cell.hpp"
-#include "job/job.hpp"
 #include "hdf5/variable.hpp"
+#include "job/job.hpp"
 #include "scene/scales.hpp"
 
 namespace peterka::map_file {
@@ -19,9 +19,10 @@ using StoredAttractor = attractors::CellAttractor;
 
 [[nodiscard]] std::vector<hdf5::Variable> attractor_variables(const job::Job& job);  // none without [starts]
 
-// So many of each cell are kept; empty ones have fill values.
+// So many of each cell are kept; empty ones have fill values. `scales` has those of each cell.
 [[nodiscard]] std::vector<StoredAttractor> in_file_units(std::span<const attractors::SolvedCell> cells,
-                                                         std::int64_t kept, const scene::Scales& scales);
+                                                         std::int64_t kept,
+                                                         std::span<const scene::Scales> scales);
 
 // attractors: all of the first slot, cell after cell, then those of the second, ...
 [[nodiscard]] std::vector<std::byte> encode(std::span<const hdf5::Variable> variables,

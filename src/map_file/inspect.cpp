@@ -140,7 +140,8 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     const hdf5::FileId file = open_map(check);
     require_layout_version(path, file);
     require_job(path, file, job);
-    const bool is_whole = job.kind == job::Kind::study || job.kind == job::Kind::trace || job.kind == job::Kind::curves;
+    const bool is_whole =
+        job.kind == job::Kind::study || job.kind == job::Kind::trace || job.kind == job::Kind::curves;
     if (is_whole) {  // it was written whole, and no number of it is looked at
         require_seal(check, file, Sealed::whole);
         return Existing::complete;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "job/axis_quantity.hpp"
 #include "map_file/audit_table.hpp"
 #include "map_file/cell_attractors.hpp"
 #include "map_file/samples.hpp"
@@ -62,6 +63,15 @@ parallel::Extent largest_tile(const job::Job& job) {
     return job.kind == job::Kind::sweep ? parallel::Extent{1, job.columns.points} : parallel::tile_extent;
 }
 
+// What an axis runs over, as a coordinate. Its texts live as long as the program.
+hdf5::Variable coordinate_of(std::string_view key) {
+    for (const hdf5::Variable& usual : {frequency_ratio, gap_ratio, displacement_ratio, velocity_ratio}) {
+        if (key == usual.name) return usual;
+    }
+    const job::AxisQuantity& over = job::quantity(key);
+    return {over.coordinate.c_str(), hdf5::Number::float64, nan, over.units.c_str(), over.long_name.c_str()};
+}
+
 // On the plane of cells, and of so many samples in each.
 DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::vector<Dimension> dimensions) {
     const parallel::Extent largest = largest_tile(job);
@@ -73,18 +83,19 @@ DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::v
 
 void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const Dimension branches{branch.name, job.row_count()};
-    const Dimension frequencies{frequency_ratio.name, job.columns.points};
+    const hdf5::Variable axis = coordinate_of(column_key(job));
+    const Dimension along{axis.name, job.columns.points};
     const Dimension samples{sample.name, job.sweep.samples};
     plans.push_back({"/", branch, {branches}});
-    plans.push_back({"/", frequency_ratio, {frequencies}});
+    plans.push_back({"/", axis, {along}});
     plans.push_back({"/", sample, {samples}});
-    plans.push_back({"/", gap_ratio, {branches}});
+    if (!job.sweep.gap_ratio.empty()) plans.push_back({"/", gap_ratio, {branches}});
     plans.push_back({"/", direction, {branches}});
     for (const quantities::Field& field : quantities::stored_fields(job)) {
-        plans.push_back(on_cells(job, field.variable, {branches, frequencies}));
+        plans.push_back(on_cells(job, field.variable, {branches, along}));
     }
     for (const hdf5::Variable& variable : sample_variables) {
-        plans.push_back(on_cells(job, variable, {branches, frequencies, samples}));
+        plans.push_back(on_cells(job, variable, {branches, along, samples}));
     }
 }
 
@@ -104,8 +115,8 @@ void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, c
 
 void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const bool is_map = job.kind == job::Kind::map;
-    const hdf5::Variable& columns = is_map ? frequency_ratio : displacement_ratio;
-    const hdf5::Variable& rows = is_map ? gap_ratio : velocity_ratio;
+    const hdf5::Variable columns = coordinate_of(column_key(job));
+    const hdf5::Variable rows = coordinate_of(row_key(job));
     const Dimension column_dimension{columns.name, job.columns.points};
     const Dimension row_dimension{rows.name, job.rows.points};
     plans.push_back({"/", columns, {column_dimension}});

@@ -13,6 +13,7 @@
 #include "hdf5/attributes.hpp"
 #include "hdf5/block.hpp"
 #include "job/axis.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 
 namespace peterka::map_file {
@@ -95,7 +96,7 @@ bool is_coordinate(const DatasetPlan& plan) {
 
 // One value of it: of an axis or a branch, or the number of a tile, a sample or a row in a table.
 double coordinate(const DatasetPlan& plan, const job::Job& job, std::int64_t i) {
-    const auto axes = job::axis_names(job.kind);
+    const auto axes = job::axis_names(job);
     const std::string_view name = plan.variable.name;
     if (plan.group != "/") return static_cast<double>(i);
     if (name == axes.columns) return job::axis_value(job.columns, i);

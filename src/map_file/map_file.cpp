@@ -47,7 +47,7 @@ void write_facts(const hdf5::OpenMap& map, const RunFacts& facts) {
 
 }  // namespace
 
-MapFile::MapFile(hdf5::Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
+MapFile::MapFile(hdf5::Checked check, const job::Job& job, const ScalesOfCell& scales, MPI_Comm communicator,
                  Access access)
     : check_(std::move(check)),
       job_(job),
@@ -60,12 +60,12 @@ MapFile::MapFile(hdf5::Checked check, const job::Job& job, const scene::Scales& 
       tiles_(open_map(), job) {}
 
 MapFile MapFile::create(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
-                        const scene::Scales& scales, MPI_Comm communicator) {
+                        const ScalesOfCell& scales, MPI_Comm communicator) {
     parallel::on_first_rank(communicator, [&] { make_file(path, job, provenance); });
     return open(path, job, scales, communicator);
 }
 
-MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, const scene::Scales& scales,
+MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, const ScalesOfCell& scales,
                       MPI_Comm communicator, Access access) {
     return {hdf5::Checked(path), job, scales, communicator, access};
 }
@@ -73,21 +73,25 @@ MapFile MapFile::open(const std::filesystem::path& path, const job::Job& job, co
 void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells,
                          double seconds) {
     std::vector<quantities::StoredCell> stored;
-    for (const attractors::SolvedCell& each : cells) {
-        stored.push_back(quantities::in_file_units(each.cell, scales_));
+    std::vector<scene::Scales> scales;
+    for (std::int64_t i = 0; i < std::ssize(cells); ++i) {
+        const std::int64_t row = tile.row + i / tile.extent.columns;
+        const std::int64_t column = tile.column + i % tile.extent.columns;
+        scales.push_back(scales_(row, column));
+        stored.push_back(quantities::in_file_units(cells[static_cast<std::size_t>(i)].cell, scales.back()));
     }
-    tiles_.write(
-        tile, stored, {seconds, rank_},
-        encode(attractor_variables(job_), in_file_units(cells, job_.starts.attractors, scales_)));
+    tiles_.write(tile, stored, {seconds, rank_},
+                 encode(attractor_variables(job_), in_file_units(cells, job_.starts.attractors, scales)));
 }
 
 void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
                            double seconds) {
     std::vector<quantities::StoredCell> stored;
-    for (const regime::BranchPoint& point : points)
-        stored.push_back(quantities::in_file_units(point.cell, scales_));
-    const std::vector<double> samples =
-        sample_values(points, job_.sweep.branch(tile.row).gap_ratio, job_.sweep.samples);
+    for (std::int64_t column = 0; column < std::ssize(points); ++column) {
+        stored.push_back(quantities::in_file_units(points[static_cast<std::size_t>(column)].cell,
+                                                   scales_(tile.row, column)));
+    }
+    const std::vector<double> samples = sample_values(points, job_.sweep.samples);
     tiles_.write(tile, stored, {seconds, rank_}, std::as_bytes(std::span(samples)));
 }
 

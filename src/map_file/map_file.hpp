@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,6 +43,9 @@ struct RemainingTiles {
     std::int64_t damaged = 0;  // of these tiles, how many are marked done but fail their checksum
 };
 
+// The units of the cell in a row and column.
+using ScalesOfCell = std::function<scene::Scales(std::int64_t row, std::int64_t column)>;
+
 class MapFile {
   public:
     MapFile(MapFile&&) = delete;  // what is open inside knows where it lies
@@ -49,21 +53,20 @@ class MapFile {
     ~MapFile() = default;
 
     // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
-    // previous_name(path) until finish(). `scales` take a CellResult to the units of the file.
+    // previous_name(path) until finish(). `scales` of a cell take its CellResult to the units of the file.
     [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
-                                        const Provenance& provenance, const scene::Scales& scales,
+                                        const Provenance& provenance, const ScalesOfCell& scales,
                                         MPI_Comm communicator);
 
     // Collective. Opens a file that inspect() has found to be this job's.
     [[nodiscard]] static MapFile open(const std::filesystem::path& path, const job::Job& job,
-                                      const scene::Scales& scales, MPI_Comm communicator,
+                                      const ScalesOfCell& scales, MPI_Comm communicator,
                                       Access access = Access::write);
 
     [[nodiscard]] const parallel::Tiling& tiling() const { return tiles_.tiling(); }
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
-    void write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells,
-                    double seconds);
+    void write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells, double seconds);
     // The same for a branch of a sweep.
     void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
 
@@ -100,7 +103,7 @@ class MapFile {
     void close();
 
   private:
-    MapFile(hdf5::Checked check, const job::Job& job, const scene::Scales& scales, MPI_Comm communicator,
+    MapFile(hdf5::Checked check, const job::Job& job, const ScalesOfCell& scales, MPI_Comm communicator,
             Access access);
     void seal();
     [[nodiscard]] hdf5::OpenMap open_map() const { return {check_, file_.id(), disk_}; }
@@ -108,7 +111,7 @@ class MapFile {
     hdf5::Checked check_;
     job::Job job_;
     std::int64_t audit_rows_;
-    scene::Scales scales_;
+    ScalesOfCell scales_;
     MPI_Comm communicator_;
     int rank_;
     ParallelFile file_;

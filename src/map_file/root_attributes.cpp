@@ -1,10 +1,11 @@
 #include "map_file/root_attributes.hpp"
 
-#include <cmath>
-#include <numbers>
 #include <string>
+#include <vector>
 
 #include "hdf5/attributes.hpp"
+#include "job/axis_quantity.hpp"
+#include "job/cell_numbers.hpp"
 #include "job/derived.hpp"
 #include "job/names.hpp"
 #include "job/write.hpp"
@@ -14,9 +15,52 @@ namespace peterka::map_file {
 
 namespace {
 
-double natural_frequency_hz(const job::Job& job) {
-    return job.hammer.natural_frequency_hz.value_or(derive(job.hammer).omega_rad_per_s /
-                                                    (2 * std::numbers::pi));
+using job::CellNumbers;
+
+// What all cells share, for drawing in SI units: a number that varies from cell to cell follows from the axes.
+class SharedNumbers {
+  public:
+    SharedNumbers(const hdf5::Checked& check, hid_t file, const job::Job& job)
+        : check_(check), file_(file), numbers_(job::numbers_at_corners(job)) {}
+
+    template <class ValueOf>
+    void write(const char* name, ValueOf value_of) const {
+        const double value = value_of(numbers_.front());
+        for (const CellNumbers& other : numbers_) {
+            if (value_of(other) != value) return;
+        }
+        hdf5::write_attribute(check_, file_, name, value);
+    }
+
+    void write_rig() const {
+        write("natural_frequency_hz", [](const CellNumbers& n) { return natural_frequency_hz(n.hammer); });
+        write("damping_ratio", [](const CellNumbers& n) { return derive(n.hammer).zeta; });
+        write("cart_amplitude_m", [](const CellNumbers& n) { return n.cart.amplitude_m; });
+        write("hammer_mass_kg", [](const CellNumbers& n) { return n.hammer.mass_kg; });
+    }
+    void write_frequency() const {
+        write("frequency_ratio", [](const CellNumbers& n) { return n.frequency_ratio(); });
+        if (const auto& given = numbers_.front().place.frequency_hz)
+            hdf5::write_attribute(check_, file_, "frequency_hz", *given);
+    }
+    void write_gap() const {
+        write("gap_ratio", [](const CellNumbers& n) { return n.gap_ratio(); });
+        if (const auto& given = numbers_.front().place.gap_m)
+            hdf5::write_attribute(check_, file_, "gap_m", *given);
+    }
+
+  private:
+    const hdf5::Checked& check_;
+    hid_t file_;
+    std::vector<CellNumbers> numbers_;
+};
+
+void write_shared_numbers(const hdf5::Checked& check, hid_t file, const job::Job& job) {
+    const SharedNumbers shared(check, file, job);
+    shared.write_rig();
+    if (job.kind == job::Kind::study) return;
+    if (!has_axis(job, job::is_frequency)) shared.write_frequency();
+    if (!has_axis(job, job::is_gap) && job.sweep.gap_ratio.empty()) shared.write_gap();
 }
 
 }  // namespace
@@ -34,14 +78,7 @@ void write_root_attributes(const hdf5::Checked& check, hid_t file, const job::Jo
     write(attribute::job, job::resolved_text(job));
     write(attribute::job_identity, job::identity_text(job));
 
-    write("natural_frequency_hz", natural_frequency_hz(job));
-    write("damping_ratio", derive(job.hammer).zeta);
-    write("cart_amplitude_m", job.cart.amplitude_m);
-    write("hammer_mass_kg", job.hammer.mass_kg);
-    if (job.kind == job::Kind::basin || job.kind == job::Kind::trace) {
-        write("frequency_ratio", job.operating_point.frequency_ratio);
-        write("gap_ratio", job.operating_point.gap_ratio);
-    }
+    write_shared_numbers(check, file, job);
 
     write("git_commit", provenance.git_commit);
     write("hdf5_version", provenance.hdf5);

@@ -5,21 +5,21 @@
 
 namespace peterka::map_file {
 
-std::vector<double> sample_values(std::span<const regime::BranchPoint> points, double gap_ratio,
-                                  std::int64_t samples) {
+std::vector<double> sample_values(std::span<const regime::BranchPoint> points, std::int64_t samples) {
     const auto per_point = static_cast<std::size_t>(samples);
     const std::size_t per_variable = points.size() * per_point;
     std::vector<double> values(sample_variables.size() * per_variable, regime::unknown);
     for (std::size_t point = 0; point < points.size(); ++point) {
+        const double gap = points[point].gap;
         double* to = &values[point * per_point];
         for (const auto& state : points[point].motion.stroboscopic.values()) {
-            to[0] = state[0] + gap_ratio;
+            to[0] = state[0] + gap;
             to[per_variable] = state[1];
             ++to;
         }
         to = &values[2 * per_variable + point * per_point];
         for (const auto& touch : points[point].motion.touches.values()) {
-            to[0] = gap_ratio + std::sin(touch.phase);
+            to[0] = gap + std::sin(touch.phase);
             to[per_variable] = touch.speed;
             ++to;
         }

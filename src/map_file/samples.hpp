@@ -25,7 +25,7 @@ inline constexpr std::array<hdf5::Variable, 4> sample_variables{
 // clang-format on
 
 // Variable after variable, each [point][sample], so many of them per point.
-[[nodiscard]] std::vector<double> sample_values(std::span<const regime::BranchPoint> points, double gap_ratio,
+[[nodiscard]] std::vector<double> sample_values(std::span<const regime::BranchPoint> points,
                                                 std::int64_t samples);
 
 }  // namespace peterka::map_file

@@ -51,8 +51,8 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts, mine.chaos, mine.largest, mine.transients, mine.starts.counts,
-                        mine.tile_seconds};
+    const Totals totals{mine.counts,     mine.chaos,         mine.largest,
+                        mine.transients, mine.starts.counts, mine.tile_seconds};
     std::vector<PairCount> pairs;
     for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
     std::vector<ClassCount> classes;

@@ -71,25 +71,47 @@ class JumpSearch {
     double least_change_ = 0;
 };
 
+// Where a motion ended, at forcing phase 0 of a cell.
+struct Ended {
+    scene::State<double> state;  // (delta, x'/(A0 omega))
+    double gap = 0;              // [A0]
+    scene::Scales scales;
+};
+
+Ended ended(const scene::Cell& cell, const scene::State<double>& end) {
+    return {{end[0], end[1] + cell.oscillator.frequency}, cell.oscillator.gap, cell.scales};
+}
+
+// From there in the coordinates of another cell.
+scene::State<double> start_from(const Ended& last, const scene::Cell& cell) {
+    const double cart_speed = cell.oscillator.frequency;  // y'/(A0 omega) at phase 0
+    const double gap = cell.oscillator.gap;
+    const double length = last.scales.length_m / cell.scales.length_m;
+    const double rate = last.scales.frequency_rad_per_s / cell.scales.frequency_rad_per_s;
+    if (length == 1 && rate == 1 && gap == last.gap) return {last.state[0], last.state[1] - cart_speed};
+    const double delta = (last.state[0] + last.gap) * length - gap;
+    return {std::min(delta, std::max(last.state[0] * length, 0.0)), last.state[1] * length * rate - cart_speed};
+}
+
 }  // namespace
 
 std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                       const std::function<bool()>& carry_on) {
     const job::Branch branch = scene.job().sweep.branch(row);
     const auto samples = static_cast<std::size_t>(scene.job().sweep.samples);
-    std::vector<BranchPoint> points(static_cast<std::size_t>(scene.columns()), {{}, SteadyMotion(samples)});
-    std::optional<scene::State<double>> state;  // (delta, x'/(A0 omega)) to start from
+    std::vector<BranchPoint> points(static_cast<std::size_t>(scene.columns()), {{}, SteadyMotion(samples), 0});
+    std::optional<Ended> last;
     for (const std::int64_t column : columns_of(scene, branch.direction)) {
-        auto& [result, motion] = points[static_cast<std::size_t>(column)];
+        auto& [result, motion, gap] = points[static_cast<std::size_t>(column)];
         scene::Cell cell = scene.cell(row, column);
-        const double cart_speed = cell.oscillator.frequency;  // y'/(A0 omega) at phase 0
-        if (state) cell.start = {(*state)[0], (*state)[1] - cart_speed};
+        gap = cell.oscillator.gap;
+        if (last) cell.start = start_from(*last, cell);
         CycleDesk desk;
         const Task<CellResult> search = solve_cell(desk, scene.job(), cell, {}, &motion);
         if (!run(search, desk, carry_on)) return std::nullopt;
         result = search.result();
         if (motion.end && branch.direction != job::Direction::independent) {
-            state = {(*motion.end)[0], (*motion.end)[1] + cart_speed};
+            last = ended(cell, *motion.end);
         }
     }
     mark_jumps(points, branch.direction);

@@ -1,11 +1,13 @@
-// One branch of a sweep: the steady states along the frequencies, each reached from the one before.
+// One branch of a sweep: the steady states along its axis, each reached from the one before.
 //
 // Up and down, a point starts from the motion on which the last one ended: the hammer keeps its absolute
-// position x and velocity x' at forcing phase 0, where the cart passes its middle, and the cart goes on with
-// another speed from there. So would a motor leave it that is set to a new speed after the motion has settled.
-// In cart coordinates the gap and delta stay, and delta' = x'/(A0 omega) - eta changes with eta. From a motion
-// without a proof the next point starts where its run ended, and from a failed one where that started. The
-// first point, and each one of a branch with independent starts, starts from [start].
+// position x and velocity x' [m, m/s] at forcing phase 0, where the cart passes its middle, and the cart goes
+// on with another speed or amplitude from there. So would a motor leave it that is set to a new speed after the
+// motion has settled. In cart coordinates delta' = x'/(A0 omega) - eta changes with eta, delta with the gap,
+// and both with the units A0 and omega. A stop that comes closer takes the hammer along: the hammer never lies
+// deeper in it than before. From a motion without a proof the next point starts where its run ended, and from a
+// failed one where that started. The first point, and each one of a branch with independent starts, starts from
+// [start].
 //
 // The steps are finite, so a jump may come up to a step early where the basin of an attractor is as narrow as
 // the step is long.
@@ -25,9 +27,10 @@ namespace peterka::regime {
 struct BranchPoint {
     CellResult cell;
     SteadyMotion motion;
+    double gap = 0;  // [A0]
 };
 
-// The points in the order of the frequency axis, whatever the direction; nothing where carry_on, asked every
+// The points in the order of the axis, whatever the direction; nothing where carry_on, asked every
 // now and then, says to give up.
 [[nodiscard]] std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                                     const std::function<bool()>& carry_on);

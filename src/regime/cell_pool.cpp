@@ -176,7 +176,8 @@ CellPool::Group& CellPool::group_for(const Cell& cell) {
 void CellPool::enter(std::unique_ptr<Cell> cell) {
     if (cell->engine != cell->desk.engines_used()) {
         cell->engine = cell->desk.engines_used();
-        cell->batch = batch_of(cell->desk);
+        // lanes of a batch share their rig
+        cell->batch = scene_.rigs_differ() ? std::nullopt : batch_of(cell->desk);
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "job/axis_quantity.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -25,8 +26,13 @@ std::string kept_in_words(const findings::Statistics& statistics) {
     return text;
 }
 
+bool has_cubic(const job::Job& job) {
+    const auto is_cubic = [](std::string_view key) { return key == "hammer.cubic_stiffness_n_per_m3"; };
+    return job.hammer.cubic_stiffness_n_per_m3 != 0 || has_axis(job, is_cubic);
+}
+
 std::string cubic_in_words(const job::Job& job, const findings::Statistics& statistics) {
-    if (job.hammer.cubic_stiffness_n_per_m3 == 0) return "cubic spring: the job has none (k3 = 0)";
+    if (!has_cubic(job)) return "cubic spring: the job has none (k3 = 0)";
     return fmt::format(
         "cubic spring: in {} cells, where it changes no label and the peak force by less than omit_tolerance = "
         "{:g}, or "
@@ -40,8 +46,7 @@ std::string cubic_in_words(const job::Job& job, const findings::Statistics& stat
 std::vector<std::string> omitted_in_words(const job::Job& job, const findings::Statistics& statistics) {
     std::vector<std::string> sentences;
     const std::int64_t exact = cells_of(statistics, Engine::exact);
-    if (exact > 0 || job.hammer.cubic_stiffness_n_per_m3 == 0)
-        sentences.push_back(cubic_in_words(job, statistics));
+    if (exact > 0 || !has_cubic(job)) sentences.push_back(cubic_in_words(job, statistics));
     if (cells_of(statistics, Engine::cvode) + cells_of(statistics, Engine::arkode) == 0) {
         sentences.emplace_back(
             "numerical integration: linear phases are solved in closed form, SUNDIALS is not called");

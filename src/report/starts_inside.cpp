@@ -15,21 +15,42 @@ struct Starts {
     std::int64_t all = 0;
     std::int64_t inside = 0;
     double deepest = 0;  // penetration, in A0
-    double force = 0;    // the largest at first, in k A0
+    double deepest_m = 0;
+    double force_n = 0;  // the largest at first
 };
 
-// `count` starts as deep as those of two cells, between which the speed towards the stop is largest at an end.
+// `count` starts between two cells, of which both lie inside or neither; the extremes are at these.
 void add(Starts& starts, std::int64_t count, const scene::Cell& one, const scene::Cell& other) {
     starts.all += count;
     if (!(one.start[0] > 0)) return;
     starts.inside += count;
-    starts.deepest = std::max(starts.deepest, one.start[0]);
     for (const scene::Cell& cell : {one, other}) {
-        starts.force = std::max(starts.force, trajectory::contact_force(cell.oscillator, cell.start));
+        starts.deepest_m = std::max(starts.deepest_m, cell.start[0] * cell.scales.length_m);
+        starts.deepest = std::max(starts.deepest, cell.start[0]);
+        starts.force_n = std::max(starts.force_n,
+                                  trajectory::contact_force(cell.oscillator, cell.start) * cell.scales.force_n);
     }
 }
 
-// How deep a start lies depends on the row alone: the gap; in a basin on the column alone: the displacement.
+// A row: how deep a start lies is monotonic along it, and so those inside are its first or its last ones.
+void add_row(Starts& starts, const scene::Scene& scene, std::int64_t row) {
+    const std::int64_t columns = scene.columns();
+    const auto inside = [&](std::int64_t column) { return scene.cell(row, column).start[0] > 0; };
+    const bool first_inside = inside(0);
+    std::int64_t change = columns;  // the first column that is otherwise than column 0
+    if (inside(columns - 1) != first_inside) {
+        std::int64_t same = 0;
+        for (change = columns - 1; change - same > 1;) {
+            const std::int64_t middle = same + (change - same) / 2;
+            (inside(middle) == first_inside ? same : change) = middle;
+        }
+    }
+    add(starts, change, scene.cell(row, 0), scene.cell(row, change - 1));
+    if (change < columns) {
+        add(starts, columns - change, scene.cell(row, change), scene.cell(row, columns - 1));
+    }
+}
+
 Starts find_starts(const scene::Scene& scene) {
     const job::Job& job = scene.job();
     Starts starts;
@@ -37,22 +58,14 @@ Starts find_starts(const scene::Scene& scene) {
         add(starts, 1, scene.cell(0, 0), scene.cell(0, 0));
         return starts;
     }
-    const std::int64_t last_row = scene.rows() - 1;
-    const std::int64_t last_column = scene.columns() - 1;
-    if (job.kind == job::Kind::basin) {
-        for (std::int64_t i = 0; i <= last_column; ++i) {
-            add(starts, scene.rows(), scene.cell(0, i), scene.cell(last_row, i));
-        }
-        return starts;
-    }
     const bool follows = job.kind == job::Kind::sweep && job.sweep.direction != job::Direction::independent;
-    for (std::int64_t row = 0; row <= last_row; ++row) {
+    for (std::int64_t row = 0; row < scene.rows(); ++row) {
         if (follows) {  // a branch starts once, where it begins
             const bool down = job.sweep.branch(row).direction == job::Direction::down;
-            const scene::Cell begin = scene.cell(row, down ? last_column : 0);
+            const scene::Cell begin = scene.cell(row, down ? scene.columns() - 1 : 0);
             add(starts, 1, begin, begin);
         } else {
-            add(starts, scene.columns(), scene.cell(row, 0), scene.cell(row, last_column));
+            add_row(starts, scene, row);
         }
     }
     return starts;
@@ -68,8 +81,7 @@ std::string starts_inside(const scene::Scene& scene) {
             ? std::string("the hammer starts")
             : fmt::format("{} of {} starts lie", readable_count(starts.inside), readable_count(starts.all));
     return fmt::format("{} inside the stop, by up to {:.4g} A0 ({:.3g} mm): it presses with up to {} at once",
-                       which, starts.deepest, starts.deepest * scene.scales().length_m * 1e3,
-                       readable_amount(starts.force * scene.scales().force_n, "N", 3));
+                       which, starts.deepest, starts.deepest_m * 1e3, readable_amount(starts.force_n, "N", 3));
 }
 
 }  // namespace peterka

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "job/axis.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "regime/solve_cell.hpp"
+#include "report/axis_words.hpp"
 #include "report/starts_inside.hpp"
 #include "report/starts_summary.hpp"
 #include "report/sweep_summary.hpp"
@@ -28,14 +29,13 @@ std::string what_the_cells_are(const job::Job& job) {
             return fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
                                job.operating_point.gap_ratio);
         case job::Kind::sweep:
-            return "excitation frequencies and branches";
         case job::Kind::map:
         case job::Kind::study:
         case job::Kind::trace:
         case job::Kind::curves:
             break;
     }
-    return "excitation frequencies and gaps";
+    return plane_in_words(job);
 }
 
 std::string heading(const SummaryInput& input) {
@@ -161,42 +161,37 @@ std::string transients(const SummaryInput& input) {
 // A largest value at the border of what was looked at may go on growing beyond.
 std::string border(const job::Job& job, const LargestForce& force) {
     std::string borders;
-    const auto add = [&](bool is_there, const char* name) {
-        if (is_there) borders += fmt::format("{}{}", borders.empty() ? "" : ", ", name);
+    const auto add = [&](std::string_view key, std::int64_t place, std::int64_t points) {
+        if (points == 1 || (place > 0 && place + 1 < points)) return;
+        borders += fmt::format("{}{}", borders.empty() ? "" : ", ", end_in_words(key, place > 0));
     };
-    add(force.column == 0, "lowest frequency");
-    add(force.column + 1 == job.columns.points, "highest frequency");
-    add(job.kind == job::Kind::map && force.row == 0, "smallest gap");
-    add(job.kind == job::Kind::map && force.row + 1 == job.rows.points, "largest gap");
+    add(column_key(job), force.column, job.columns.points);
+    if (job.kind == job::Kind::map) add(row_key(job), force.row, job.rows.points);
     if (borders.empty()) return "";
     return fmt::format(", on the {}'s border ({})", job::name(job.kind), borders);
 }
 
 // An orbit has one force, whatever start leads to it.
-std::string place_in_basin(const SummaryInput& input, const LargestForce& force, double x, double y) {
+std::string place_in_basin(const SummaryInput& input, const LargestForce& force) {
+    const job::Job& job = input.scene.job();
     const findings::Extremes& largest = input.findings.statistics.largest;
     const bool is_orbit = force.peak_force_ratio == largest.periodic.peak_force_ratio;
     if (is_orbit) return "on an orbit: the same from every start that leads to it";
-    return fmt::format("without a period, from x/A0 {:.4g}, x'/(A0 omega) {:.4g}", x, y);
+    return fmt::format("without a period, from x/A0 {:.4g}, x'/(A0 omega) {:.4g}",
+                       job::axis_value(job.columns, force.column), job::axis_value(job.rows, force.row));
 }
 
 std::string place(const SummaryInput& input, const LargestForce& force) {
     const job::Job& job = input.scene.job();
-    const double x = job::axis_value(job.columns, force.column);
-    const double y = job.kind == job::Kind::sweep ? job.sweep.branch(force.row).gap_ratio
-                                                  : job::axis_value(job.rows, force.row);
-    if (job.kind == job::Kind::basin) return place_in_basin(input, force, x, y);
-    const double natural_frequency_hz = input.scene.scales().frequency_rad_per_s / (2 * std::numbers::pi);
-    return fmt::format("at Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm){}", x,
-                       x * natural_frequency_hz, y, y * input.scene.scales().length_m * 1e3,
-                       border(job, force));
+    if (job.kind == job::Kind::basin) return place_in_basin(input, force);
+    return fmt::format("at {}{}", place_in_words(input.scene, force.row, force.column), border(job, force));
 }
 
 std::string force_line(const SummaryInput& input, const char* of, const LargestForce& force) {
     if (!force.found() || !(force.peak_force_ratio > 0)) return "";
+    const double weight = input.scene.cell(force.row, force.column).scales.weight_n;
     return fmt::format("  {:<12}{:>6.4g} weights = {:>8}   {}\n", of, force.peak_force_ratio,
-                       readable_amount(force.peak_force_ratio * input.scene.scales().weight_n, "N"),
-                       place(input, force));
+                       readable_amount(force.peak_force_ratio * weight, "N"), place(input, force));
 }
 
 bool strikes(const Statistics& statistics) {
@@ -216,8 +211,12 @@ std::string forces(const SummaryInput& input) {
     const std::string lines =
         force_line(input, "of all", largest.any_regime) + force_line(input, "of z = 1/1", largest.one_to_one);
     if (lines.empty()) return "\nNo cell strikes the stop for ever.\n";
-    return fmt::format("\nLargest peak force (the hammer weighs {})\n{}",
-                       readable_amount(input.scene.scales().weight_n, "N", 3), lines);
+    const auto is_mass = [](std::string_view key) { return key == "hammer.mass_kg"; };
+    const std::string weight =
+        has_axis(input.scene.job(), is_mass)
+            ? std::string("over the weight that the hammer has there")
+            : fmt::format("the hammer weighs {}", readable_amount(input.scene.scales().weight_n, "N", 3));
+    return fmt::format("\nLargest peak force ({})\n{}", weight, lines);
 }
 
 std::string refinement(const Statistics& statistics) {
@@ -295,9 +294,8 @@ std::string summary_text(const SummaryInput& input) {
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
            starts_summary(input.scene.job(), input.findings.statistics.starts) + transients(input) +
-           forces(input) +
-           sweep_text(input.scene.job(), input.scene.scales(), input.findings.branches) + effort(input) +
-           audit(input) + omitted(input) +
+           forces(input) + sweep_text(input.scene, input.findings.branches) + effort(input) + audit(input) +
+           omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "job/axis.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/names.hpp"
+#include "report/axis_words.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -40,10 +42,20 @@ std::string name(const MotionClass& motion) {
 
 class Words {
   public:
-    Words(const job::Job& job, const scene::Scales& scales) : job_(job), scales_(scales) {}
+    explicit Words(const scene::Scene& scene)
+        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(key_)) {}
 
-    [[nodiscard]] std::string gap(double gap_ratio) const {
-        return fmt::format("\nGap/A0 {:.4g} ({:.3g} mm)\n", gap_ratio, gap_ratio * scales_.length_m * 1e3);
+    // Of the branches with the same gap, from the first of them on.
+    [[nodiscard]] std::string gap(std::int64_t branch) const {
+        const scene::Cell first = scene_.cell(branch, 0);
+        const scene::Cell last = scene_.cell(branch, job_.columns.points - 1);
+        const auto millimetres = [](const scene::Cell& cell) {
+            return cell.oscillator.gap * cell.scales.length_m * 1e3;
+        };
+        if (first.oscillator.gap != last.oscillator.gap) return fmt::format("\nAlong {}\n", key_);
+        return millimetres(first) == millimetres(last)
+                   ? fmt::format("\nGap/A0 {:.4g} ({:.3g} mm)\n", first.oscillator.gap, millimetres(first))
+                   : fmt::format("\nGap/A0 {:.4g}\n", first.oscillator.gap);
     }
 
     [[nodiscard]] std::string branch(const BranchFindings& found) const {
@@ -59,25 +71,22 @@ class Words {
         if (!stretch) return line("both", "hysteresis", "none");
         const std::int64_t middle = (stretch->first + stretch->last) / 2;
         const double width = value(stretch->last) - value(stretch->first);
-        return line(
-            "both", "hysteresis",
-            fmt::format("{} to {}, width {:.3g} ({:.3g} Hz): up {}, down {}", frequency(value(stretch->first)),
-                        frequency(value(stretch->last)), width, width * natural_hz(),
-                        name(motion_class(at(up, middle))), name(motion_class(at(down, middle)))));
+        return line("both", "hysteresis",
+                    fmt::format("{} to {}, width {}: up {}, down {}", at_axis(value(stretch->first)),
+                                at_axis(value(stretch->last)), value_in_words(scene_, key_, width),
+                                name(motion_class(at(up, middle))), name(motion_class(at(down, middle)))));
     }
 
   private:
     static std::string line(const std::string& branch, const char* what, const std::string& text) {
         return text.empty() ? "" : fmt::format("  {:<12}{:<18}{}\n", branch, what, text);
     }
-    [[nodiscard]] double natural_hz() const { return scales_.frequency_rad_per_s / (2 * std::numbers::pi); }
     [[nodiscard]] double value(std::int64_t column) const { return job::axis_value(job_.columns, column); }
-    [[nodiscard]] std::string frequency(double ratio) const {
-        return fmt::format("{:.4g} ({:.4g} Hz)", ratio, ratio * natural_hz());
-    }
-    [[nodiscard]] std::string force(const StoredCell& cell) const {
-        return fmt::format("{:.4g} weights = {}", cell.peak_force,
-                           readable_amount(cell.peak_force * scales_.weight_n, "N"));
+    [[nodiscard]] std::string at_axis(double value) const { return value_in_words(scene_, key_, value); }
+    [[nodiscard]] std::string force(const BranchFindings& found, std::int64_t column) const {
+        const double ratio = at(found, column).peak_force;
+        return fmt::format("{:.4g} weights = {}", ratio,
+                           readable_amount(ratio * scene_.cell(0, column).scales.weight_n, "N"));
     }
 
     static bool is_resonance(const BranchFindings& found) {
@@ -85,8 +94,8 @@ class Words {
     }
     [[nodiscard]] std::string one_to_one(const BranchFindings& found) const {
         if (!found.one_to_one) return "no impacts with z = 1/1 have a force";
-        return fmt::format("{} at Omega/omega {}, {}", force(at(found, *found.one_to_one)),
-                           frequency(value(*found.one_to_one)),
+        return fmt::format("{} at {} {}, {}", force(found, *found.one_to_one), label_,
+                           at_axis(value(*found.one_to_one)),
                            is_resonance(found) ? "the largest of z = 1/1" : no_maximum(found));
     }
     // Why the largest force is no resonance. A branch comes to a band from one side and leaves it at the other.
@@ -112,8 +121,8 @@ class Words {
         if (!found.largest || found.largest == found.one_to_one) return "";
         const StoredCell& cell = at(found, *found.largest);
         const bool at_end = found.largest == 0 || *found.largest + 1 == std::ssize(found.cells);
-        return fmt::format("{} at Omega/omega {}, {}{}", force(cell), frequency(value(*found.largest)),
-                           name(motion_class(cell)),
+        return fmt::format("{} at {} {}, {}{}", force(found, *found.largest), label_,
+                           at_axis(value(*found.largest)), name(motion_class(cell)),
                            at_end ? ", at the end of the sweep: it may be larger beyond" : "");
     }
 
@@ -142,7 +151,7 @@ class Words {
         const StoredCell& before = at(found, jump.from);
         const StoredCell& after = at(found, jump.to);
         return fmt::format("{} from {} ({:.3g} weights) to {} ({:.3g} weights)",
-                           frequency((value(jump.from) + value(jump.to)) / 2), name(motion_class(before)),
+                           at_axis((value(jump.from) + value(jump.to)) / 2), name(motion_class(before)),
                            before.peak_force, name(motion_class(after)), after.peak_force);
     }
 
@@ -179,19 +188,20 @@ class Words {
         return text;
     }
 
+    const scene::Scene& scene_;
     const job::Job& job_;
-    const scene::Scales& scales_;
+    std::string_view key_;
+    std::string label_;
 };
 
 }  // namespace
 
-std::string sweep_text(const job::Job& job, const scene::Scales& scales,
-                       std::span<const BranchFindings> branches) {
-    const Words words(job, scales);
-    const bool both = job.sweep.direction == job::Direction::both;
+std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches) {
+    const Words words(scene);
+    const bool both = scene.job().sweep.direction == job::Direction::both;
     std::string text;
     for (std::size_t i = 0; i < branches.size(); ++i) {
-        if (!both || i % 2 == 0) text += words.gap(branches[i].branch.gap_ratio);
+        if (!both || i % 2 == 0) text += words.gap(static_cast<std::int64_t>(i));
         text += words.branch(branches[i]);
         if (both && i % 2 == 1) text += words.hysteresis(branches[i - 1], branches[i]);
     }

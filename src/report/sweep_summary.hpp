@@ -5,13 +5,11 @@
 #include <string>
 
 #include "findings/sweep_findings.hpp"
-#include "job/job.hpp"
-#include "scene/scales.hpp"
+#include "scene/scene.hpp"
 
 namespace peterka {
 
 // `branches` in the order of the sweep.
-[[nodiscard]] std::string sweep_text(const job::Job& job, const scene::Scales& scales,
-                                     std::span<const BranchFindings> branches);
+[[nodiscard]] std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches);
 
 }  // namespace peterka

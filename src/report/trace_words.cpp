@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "job/axis.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "quantities/fields.hpp"
 #include "report/starts_inside.hpp"
@@ -91,7 +92,7 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
 }
 
 std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, const scene::Scene& scene) {
-    const auto names = job::axis_names(map.job.kind);
+    const auto names = job::axis_names(map.job);
     const StoredCell& stored = map.stored;
     std::string text = fmt::format(
         "\n{} {}, row {} ({} = {:.6g}), column {} ({} = {:.6g})\n"

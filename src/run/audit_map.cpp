@@ -70,8 +70,8 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
         column -= column % stride;
         first = file.read_cell(row, column);
     }
-    const StoredCell again =
-        quantities::in_file_units(regime::solve_again(scene, row, column, first.engine), scene.scales());
+    const StoredCell again = quantities::in_file_units(regime::solve_again(scene, row, column, first.engine),
+                                                       scene.cell(row, column).scales);
     const bool agrees = regime::same_label(first, again);
     return {.cell = row * scene.columns() + column,
             .row = row,

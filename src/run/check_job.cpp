@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <variant>
 
 #include "attractors/solved_cell.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job/write.hpp"
@@ -67,14 +69,15 @@ std::string refine_text(const job::Job& job) {
                        stride, readable_count(coarsest));
 }
 
-// Of a map with [starts]: what they cost. Microseconds and core of a start as measured on the paper's rig, where
-// the machine has AVX-512; other laws, engines and strong cubic springs take many times as long.
+// Of a map with [starts]: what they cost. Microseconds and core of a start as measured on the paper's rig,
+// where the machine has AVX-512; other laws, engines and strong cubic springs take many times as long.
 std::string starts_price(const job::Job& job) {
     if (job.starts.count == 0) return "";
     constexpr double microseconds = 9;
     const double starts = static_cast<double>(job.starts.count) * static_cast<double>(job.cells());
     return fmt::format("#   starts   {} in each cell, {:.3g} in all: some {} of one core, about\n",
-                       readable_count(job.starts.count), starts, readable_duration(starts * microseconds * 1e-6));
+                       readable_count(job.starts.count), starts,
+                       readable_duration(starts * microseconds * 1e-6));
 }
 
 // Cells are open until all their starts have ended, with the results of a round of these [bytes].
@@ -84,7 +87,8 @@ std::int64_t starts_bytes(const job::Job& job) {
     constexpr std::int64_t largest_round = 448;
     constexpr std::int64_t result = 1000;
     const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
-    const std::int64_t kept = job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
+    const std::int64_t kept =
+        job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
     return open_cells * std::min(job.starts.count + 1, largest_round) * result + 2 * tiles * kept;
 }
 
@@ -112,9 +116,19 @@ std::string branches_text(const job::Job& job) {
     std::string text;
     for (std::int64_t i = 0; i < job.sweep.branches(); ++i) {
         const job::Branch branch = job.sweep.branch(i);
-        text += fmt::format("#     {:<4} gap/A0 {:g}, {}\n", i, branch.gap_ratio, job::name(branch.direction));
+        const std::string gap =
+            std::isnan(branch.gap_ratio) ? "" : fmt::format("gap/A0 {:g}, ", branch.gap_ratio);
+        text += fmt::format("#     {:<4} {}{}\n", i, gap, job::name(branch.direction));
     }
     return "#   branches\n" + text;
+}
+
+// Of a job whose cells have springs, dampers or stops of their own.
+std::string rigs_text(const job::Job& job) {
+    if (job.kind == job::Kind::sweep || !scene::Scene(job).rigs_differ()) return "";
+    return "#   rigs     each cell has its own: it is solved alone and takes about 8 times as long as one of a "
+           "map "
+           "with one rig\n";
 }
 
 // Of the plane, the branches or the one cell of a job.
@@ -170,20 +184,20 @@ std::string check_job(const Request& request) {
     if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     const auto file = map_file_of(request);
-    const auto axes = job::axis_names(job.kind);
+    const auto axes = job::axis_names(job);
     const parallel::Tiling tiling = map_file::tiling(job);
 
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}{}{}{}"
+               "{}{}{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
-               starts_text(job), starts_price(job), readable_count(tiling.count()), tiling.largest_tile().rows,
-               tiling.largest_tile().columns,
+               rigs_text(job), starts_text(job), starts_price(job), readable_count(tiling.count()),
+               tiling.largest_tile().rows, tiling.largest_tile().columns,
                readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job) +
                               starts_bytes(job)),
                file.string(), readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +

@@ -38,7 +38,10 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
         });
     }
     const auto access = plan.existing == Existing::complete ? map_file::Access::read : map_file::Access::write;
-    return MapFile::open(plan.file, plan.job, scene.scales(), session.communicator(), access);
+    return MapFile::open(
+        plan.file, plan.job,
+        [&scene](std::int64_t row, std::int64_t column) { return scene.cell(row, column).scales; },
+        session.communicator(), access);
 }
 
 // Rank 0 alone, once every rank's branches are in the file.

@@ -6,35 +6,44 @@
 
 namespace peterka::scene {
 
+Scales scales_of(const job::CellNumbers& numbers) {
+    return {.length_m = numbers.cart.amplitude_m,
+            .frequency_rad_per_s = derive(numbers.hammer).omega_rad_per_s,
+            .force_n = numbers.hammer.stiffness() * numbers.cart.amplitude_m,
+            .weight_n = numbers.hammer.mass_kg * standard_gravity};
+}
+
 Scales scales_of(const job::Job& job) {
-    return {.length_m = job.cart.amplitude_m,
-            .frequency_rad_per_s = derive(job.hammer).omega_rad_per_s,
-            .force_n = job.hammer.stiffness() * job.cart.amplitude_m,
-            .weight_n = job.hammer.mass_kg * standard_gravity};
+    return scales_of(numbers_in(job));
 }
 
 namespace {
 
-ContactLaw<double> stop_of(const job::Job& job) {
-    if (const auto* stop = std::get_if<job::KelvinVoigt>(&job.contact)) {
-        const auto numbers = derive(*stop, job.hammer);
-        return KelvinVoigt<double>{numbers.kappa, numbers.chi};
+ContactLaw<double> stop_of(const job::CellNumbers& numbers) {
+    if (const auto* stop = std::get_if<job::KelvinVoigt>(&numbers.contact)) {
+        const auto derived = derive(*stop, numbers.hammer);
+        return KelvinVoigt<double>{derived.kappa, derived.chi};
     }
-    if (const auto* stop = std::get_if<job::HuntCrossley>(&job.contact)) {
-        const auto numbers = derive(*stop, job.hammer, job.cart);
-        return HuntCrossley<double>{numbers.stiffness, stop->exponent, numbers.dissipation};
+    if (const auto* stop = std::get_if<job::HuntCrossley>(&numbers.contact)) {
+        const auto derived = derive(*stop, numbers.hammer, numbers.cart);
+        return HuntCrossley<double>{derived.stiffness, stop->exponent, derived.dissipation};
     }
-    return Restitution<double>{std::get<job::Restitution>(job.contact).coefficient};
+    return Restitution<double>{std::get<job::Restitution>(numbers.contact).coefficient};
 }
 
 }  // namespace
 
 Oscillator<double> oscillator_of(const job::Job& job) {
-    const double amplitude = job.cart.amplitude_m;
-    return {.damping_ratio = derive(job.hammer).zeta,
-            .contact = stop_of(job),
-            .cubic = job.hammer.cubic_stiffness_n_per_m3 * amplitude * amplitude / job.hammer.stiffness(),
-            .cubic_form = job.hammer.cubic};
+    return oscillator_of(numbers_in(job));
+}
+
+Oscillator<double> oscillator_of(const job::CellNumbers& numbers) {
+    const double amplitude = numbers.cart.amplitude_m;
+    return {
+        .damping_ratio = derive(numbers.hammer).zeta,
+        .contact = stop_of(numbers),
+        .cubic = numbers.hammer.cubic_stiffness_n_per_m3 * amplitude * amplitude / numbers.hammer.stiffness(),
+        .cubic_form = numbers.hammer.cubic};
 }
 
 }  // namespace peterka::scene

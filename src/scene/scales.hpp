@@ -1,6 +1,7 @@
 // The units in which the core computes, for the way back to SI.
 #pragma once
 
+#include "job/cell_numbers.hpp"
 #include "job/job.hpp"
 #include "scene/oscillator.hpp"
 
@@ -17,9 +18,11 @@ struct Scales {
     [[nodiscard]] double force_ratio() const { return force_n / weight_n; }  // F/(m g0) of a force k A0
 };
 
-Scales scales_of(const job::Job& job);
+Scales scales_of(const job::CellNumbers& numbers);
+Scales scales_of(const job::Job& job);  // as its tables have it
 
-// zeta, kappa and chi of the job's hammer and stop; frequency and gap are left to the cell.
+// zeta, kappa and chi of a hammer and its stop; frequency and gap are left to the cell.
+Oscillator<double> oscillator_of(const job::CellNumbers& numbers);
 Oscillator<double> oscillator_of(const job::Job& job);
 
 }  // namespace peterka::scene

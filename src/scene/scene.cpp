@@ -1,29 +1,62 @@
 #include "scene/scene.hpp"
 
-#include "job/axis.hpp"
+#include <algorithm>
+#include <variant>
+
+#include "job/axis_key.hpp"
+#include "job/cell_numbers.hpp"
 
 namespace peterka::scene {
+namespace {
 
-Scene::Scene(const job::Job& job) : job_(job), scales_(scales_of(job)), oscillator_(oscillator_of(job)) {}
+struct SameNumbers {
+    bool operator()(const KelvinVoigt<double>& a, const KelvinVoigt<double>& b) const {
+        return a.stiffness == b.stiffness && a.damping == b.damping;
+    }
+    bool operator()(const Restitution<double>& a, const Restitution<double>& b) const {
+        return a.coefficient == b.coefficient;
+    }
+    bool operator()(const HuntCrossley<double>& a, const HuntCrossley<double>& b) const {
+        return a.stiffness == b.stiffness && a.exponent == b.exponent && a.dissipation == b.dissipation;
+    }
+    template <class One, class Other>
+    bool operator()(const One&, const Other&) const {
+        return false;
+    }
+};
 
-// The cart passes its middle at full speed, y = 0 and y' = A0 Omega, when the forcing's phase is 0.
-Cell Scene::cell_at(const job::OperatingPoint& place, const job::Start& start) const {
-    Cell cell{oscillator_, {}};
-    cell.oscillator.frequency = place.frequency_ratio;
-    cell.oscillator.gap = place.gap_ratio;
-    cell.start = {start.displacement_ratio - place.gap_ratio, start.velocity_ratio - place.frequency_ratio};
-    return cell;
+bool any_differs(const job::Job& job) {
+    const auto corners = job::numbers_at_corners(job);
+    const Oscillator<double> first = oscillator_of(corners.front());
+    return !std::ranges::all_of(
+        corners, [&](const job::CellNumbers& other) { return same_rig(first, oscillator_of(other)); });
 }
 
-Cell Scene::cell(std::int64_t row, std::int64_t column) const {
-    if (job_.kind == job::Kind::trace) return cell_at(job_.operating_point, job_.start);
-    const double across = job::axis_value(job_.columns, column);
-    const bool sweeps = job_.kind == job::Kind::sweep;
-    const double up = sweeps ? job_.sweep.branch(row).gap_ratio : job::axis_value(job_.rows, row);
-    const bool is_map = job_.kind != job::Kind::basin;  // a study of labels has the plane of a map
+}  // namespace
 
-    if (is_map) return cell_at({across, up}, job_.start);
-    return cell_at(job_.operating_point, {across, up});
+bool same_rig(const Oscillator<double>& a, const Oscillator<double>& b) {
+    return a.damping_ratio == b.damping_ratio && a.cubic == b.cubic && a.cubic_form == b.cubic_form &&
+           std::visit(SameNumbers{}, a.contact, b.contact);
+}
+
+Scene::Scene(const job::Job& job)
+    : job_(job),
+      scales_(scales_of(job)),
+      oscillator_(oscillator_of(job)),
+      varies_(has_axis(job, job::is_of_rig)),
+      rigs_differ_(varies_ && any_differs(job)) {}
+
+// The cart passes its middle at full speed, y = 0 and y' = A0 Omega, when the forcing's phase is 0.
+Cell Scene::cell(std::int64_t row, std::int64_t column) const {
+    const bool is_alone = job_.kind == job::Kind::trace;
+    const job::CellNumbers numbers = is_alone ? numbers_in(job_) : numbers_at(job_, row, column);
+    Cell cell = varies_ ? Cell{oscillator_of(numbers), {}, scales_of(numbers)} : Cell{oscillator_, {}, scales_};
+    const double frequency = numbers.frequency_ratio();
+    const double gap = numbers.gap_ratio();
+    cell.oscillator.frequency = frequency;
+    cell.oscillator.gap = gap;
+    cell.start = {numbers.start.displacement_ratio - gap, numbers.start.velocity_ratio - frequency};
+    return cell;
 }
 
 }  // namespace peterka::scene

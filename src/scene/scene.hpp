@@ -9,18 +9,25 @@
 
 namespace peterka::scene {
 
-// One cell: its oscillator, and where the hammer starts relative to the stop at forcing phase 0.
+// One cell: its oscillator, where the hammer starts relative to the stop at forcing phase 0, and its units.
 struct Cell {
     Oscillator<double> oscillator;
     State<double> start;
+    Scales scales = {};
 };
+
+// Whether they have the same springs, dampers and stop: frequency and gap may differ.
+[[nodiscard]] bool same_rig(const Oscillator<double>& a, const Oscillator<double>& b);
 
 class Scene {
   public:
     explicit Scene(const job::Job& job);
 
     [[nodiscard]] const job::Job& job() const { return job_; }
+    // Of the job's tables; a cell of a map over numbers of the rig has its own.
     [[nodiscard]] const Scales& scales() const { return scales_; }
+    // Whether cells have springs, dampers or stops of their own.
+    [[nodiscard]] bool rigs_differ() const { return rigs_differ_; }
     [[nodiscard]] std::int64_t rows() const { return job_.row_count(); }
     [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
     // Of a sweep the row is a branch, and the start that of its first point; a trace has one cell, whatever its
@@ -28,11 +35,11 @@ class Scene {
     [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
 
   private:
-    [[nodiscard]] Cell cell_at(const job::OperatingPoint& place, const job::Start& start) const;
-
     job::Job job_;
     Scales scales_;
     Oscillator<double> oscillator_;
+    bool varies_;  // an axis runs over a number of the rig
+    bool rigs_differ_;
 };
 
 }  // namespace peterka::scene

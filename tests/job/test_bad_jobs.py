@@ -23,7 +23,7 @@ def overrides_in(job):
 
 
 @pytest.mark.parametrize("command", ["check", "run"])
-@pytest.mark.parametrize("name", ["all_at_once", "mass_negative", "axis_backwards", "axis_of_one_point",
+@pytest.mark.parametrize("name", ["all_at_once", "mass_negative", "axis_backwards", "axis_without_points",
                                   "syntax_key_twice", "set_faults_after_those_of_the_file"])
 def test_bad_job_gets_its_message_and_leaves_no_file(name, command, tmp_path):
     job = FOLDER / f"{name}.toml"

@@ -191,7 +191,7 @@ CASES = {
     "period 0": (lambda p: replaced(write_map(p), "period", np.zeros((4, 4), "i4")), "period is below 1"),
     "axis descends": (lambda p: replaced(write_map(p), "gap_ratio", [3.0, 2.0, 1.0, 0.0]), "does not ascend"),
     "axis with NaN": (lambda p: replaced(write_map(p), "gap_ratio", [0, 1, np.nan, 3]), "gap_ratio that does not"),
-    "axis of one point": (lambda p: replaced(write_map(p), "gap_ratio", [1.0]), "shape (1,)"),
+    "axis of one point": (lambda p: replaced(write_map(p), "gap_ratio", [1.0]), "instead of (1, "),
     "axis in two dimensions": (lambda p: replaced(write_map(p), "gap_ratio", np.ones((4, 4))), "shape (4, 4)"),
     "huge axis": (lambda p: huge_axis(write_map(p)), "too short for what it says of gap_ratio"),
     "huge plane": (huge_plane, "too short for what it says of"),

@@ -89,9 +89,9 @@ TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;
     job.columns = {.from = 1.0, .to = 2.0, .points = 6};
-    job.sweep = {.gap_ratio = {1.0}, .direction = job::Direction::both};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::both};
     const std::vector<BranchFindings> branches{rising(), falling()};
-    const std::string text = sweep_text(job, scene::scales_of(job), branches);
+    const std::string text = sweep_text(scene::Scene(job), branches);
     for (const char* words :
          {"Gap/A0 0 (0 mm)", "up ", "down ",
           "60 weights = 175.3 N at Omega/omega 1.4 (6.3 Hz), where z = 1/1 ends with a jump: no resonance",
@@ -113,7 +113,7 @@ TEST(SweepSummary, CallsAMaximumInsideTheBandAResonance) {
     job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::up};
     const auto text = [&](std::vector<StoredCell> cells) {
         const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, std::move(cells))};
-        return sweep_text(job, scene::scales_of(job), branches);
+        return sweep_text(scene::Scene(job), branches);
     };
     const std::string inside = text({orbit(1, 1, 40), orbit(1, 1, 60), orbit(1, 1, 50)});
     EXPECT_NE(

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "job/axis_key.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job_examples.hpp"
@@ -24,7 +25,8 @@ TEST(ShippedJobs, AreAllSound) {
         // Tables 2 and 3 of the paper.
         EXPECT_EQ(job.hammer.mass_kg, 0.298) << entry.path();
         EXPECT_EQ(job.cart.amplitude_m, 0.89e-3) << entry.path();
-        if (law_of(job.contact) != ContactLaw::kelvin_voigt) continue;
+        const auto is_stop = [](std::string_view key) { return key.starts_with("contact."); };
+        if (law_of(job.contact) != ContactLaw::kelvin_voigt || has_axis(job, is_stop)) continue;
         EXPECT_EQ(job.contact, (Contact{KelvinVoigt{5.5e6, 1.2e3}})) << entry.path();
     }
     EXPECT_GE(count, 7);

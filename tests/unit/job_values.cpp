@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "job/axis.hpp"
+#include "job/axis_quantity.hpp"
 #include "job/derived.hpp"
 #include "job/names.hpp"
 #include "job/nearest.hpp"
@@ -116,8 +117,13 @@ TEST(Names, AreThoseOfTheJobFile) {
     EXPECT_EQ(name(Kind::basin), "basin");
     EXPECT_EQ(name(EngineChoice::automatic), "auto");
     EXPECT_EQ(name(OptionalField::sensitivity), "sensitivity");
-    EXPECT_EQ(axis_names(Kind::map).columns, "frequency_ratio");
-    EXPECT_EQ(axis_names(Kind::basin).rows, "velocity_ratio");
+    const auto names_of = [](Kind kind) {
+        Job job;
+        job.kind = kind;
+        return axis_names(job);
+    };
+    EXPECT_EQ(names_of(Kind::map).columns, "frequency_ratio");
+    EXPECT_EQ(names_of(Kind::basin).rows, "velocity_ratio");
 }
 
 TEST(Nearest, FindsTheWordThatWasMeant) {

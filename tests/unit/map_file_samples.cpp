@@ -11,11 +11,11 @@ namespace {
 
 TEST(Samples, LieByVariablePointAndSampleAndArePaddedWithNan) {
     constexpr double gap = 0.5;
-    std::vector<regime::BranchPoint> points(2, {{}, regime::SteadyMotion(3)});
+    std::vector<regime::BranchPoint> points(2, {{}, regime::SteadyMotion(3), gap});
     points[1].motion.stroboscopic.add({-1.5, 2.0});
     points[1].motion.stroboscopic.add({-2.5, 3.0});
     points[0].motion.touches.add({std::numbers::pi / 2, 4.0});
-    const std::vector<double> values = sample_values(points, gap, 3);
+    const std::vector<double> values = sample_values(points, 3);
     ASSERT_EQ(values.size(), 4U * 2 * 3);
     const auto at = [&](int variable, int point, int sample) {
         return values[static_cast<std::size_t>((variable * 2 + point) * 3 + sample)];

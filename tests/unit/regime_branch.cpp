@@ -139,7 +139,7 @@ TEST(Branch, SamplesAreTheWholeOrbit) {
     job::Job job = sweep_job(0, 2.0, 3.1, 12, Direction::independent);
     job.output.fields = {job::OptionalField::orbit, job::OptionalField::impact_speed};
     int doubled = 0;
-    for (const auto& [cell, motion] : branch(job)) {
+    for (const auto& [cell, motion, gap] : branch(job)) {
         if (cell.regime != Regime::periodic) continue;
         ASSERT_EQ(motion.stroboscopic.values().size(), static_cast<std::size_t>(cell.period));
         ASSERT_EQ(motion.touches.values().size(), static_cast<std::size_t>(cell.impacts));
@@ -184,7 +184,7 @@ TEST(Branch, TouchesLieOnTheOrbit) {
 TEST(Branch, KeepsAsManySamplesAsThereIsRoomFor) {
     job::Job job = sweep_job(0, 2.8, 2.9, 5, Direction::up);
     job.sweep.samples = 1;
-    for (const auto& [cell, motion] : branch(job)) {
+    for (const auto& [cell, motion, gap] : branch(job)) {
         EXPECT_EQ(motion.stroboscopic.values().size(), 1U);
         EXPECT_EQ(motion.touches.values().size(), 1U);
     }
@@ -206,7 +206,7 @@ TEST(Branch, GoesOnFromWhereAMotionWithoutAProofEnded) {
 TEST(Branch, AFailedPointIsData) {
     job::Job job = sweep_job(0, 2.0, 2.5, 3, Direction::up);
     job.contact = job::KelvinVoigt{5.5e6, 1e30};  // too many contacts in one cycle
-    for (const auto& [cell, motion] : branch(job)) {
+    for (const auto& [cell, motion, gap] : branch(job)) {
         EXPECT_EQ(cell.regime, Regime::failed);
         EXPECT_FALSE(motion.end.has_value());
         EXPECT_TRUE(motion.stroboscopic.values().empty());

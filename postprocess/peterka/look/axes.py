@@ -10,6 +10,7 @@ from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.ticker import NullFormatter, NullLocator
 
 from . import style
+from .coordinates import label
 from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
 from .fills import fill, textured
 from .frames import NOT_COMPUTED_HATCH, diagram, legend_patch, stack  # noqa: F401
@@ -17,12 +18,6 @@ from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
 from .titles import write_title  # noqa: F401
 
-LABELS = {
-    "frequency_ratio": r"$\Omega/\omega$",
-    "gap_ratio": r"$\mathrm{gap}/A_0$",
-    "displacement_ratio": r"$x/A_0$",
-    "velocity_ratio": r"$\dot{x}/(A_0\omega)$",
-}
 LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
@@ -30,7 +25,7 @@ GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better
 def label_axes(ax, file):
     """Axis labels and scales; on top and at the right in Hz, mm and m/s where the file gives frequency and amplitude."""
     for axis, ticks, which in ((file.columns, ax.xaxis, "x"), (file.rows, ax.yaxis, "y")):
-        getattr(ax, f"set_{which}label")(LABELS[axis.name])
+        getattr(ax, f"set_{which}label")(label(axis.name))
         getattr(ax, f"set_{which}scale")("log" if axis.log else "linear")
         getattr(ax, f"set_{which}lim")(axis.edges[0], axis.edges[-1])
         _set_ticks(ticks, axis.log)
@@ -65,10 +60,10 @@ def si_scale(file, name):
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if name == "frequency_ratio":
         return ("excitation frequency (Hz)", hertz) if hertz else None
-    if name == "velocity_ratio":
+    if name in ("velocity_ratio", "start_velocity_ratio"):
         return (r"$\dot{x}$ (m/s)", 2 * np.pi * hertz * metres) if hertz and metres else None
-    label = "gap (mm)" if name == "gap_ratio" else "$x$ (mm)"
-    return (label, 1000 * metres) if metres else None
+    lengths = {"gap_ratio": "gap (mm)", "displacement_ratio": "$x$ (mm)", "start_displacement_ratio": "start $x$ (mm)"}
+    return (lengths[name], 1000 * metres) if metres and name in lengths else None
 
 
 def _set_ticks(ticks, log):
@@ -115,11 +110,9 @@ def percent(share):
 
 
 def operating_point(file):
-    """Where in the map a basin lies, as text; empty for a map."""
-    frequency_ratio, gap_ratio = file.positive("frequency_ratio"), file.number("gap_ratio")
-    if frequency_ratio is None or gap_ratio is None:
-        return ""
-    return f"Ω/ω = {frequency_ratio:.4g}, gap/A₀ = {gap_ratio:.4g}"
+    """Frequency and gap where all cells share them, as text: both for a basin, none for a map over both."""
+    shared = (("Ω/ω", file.positive("frequency_ratio")), ("gap/A₀", file.number("gap_ratio")))
+    return ", ".join(f"{name} = {value:.4g}" for name, value in shared if value is not None)
 
 
 def notice_incomplete(ax, file):

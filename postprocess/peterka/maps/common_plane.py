@@ -14,6 +14,9 @@ class CommonPlane:
     """kind, rows and columns (Axis), shape, and plain attributes of the first file: what axes are drawn from."""
 
     def __init__(self, first, second):
+        if first.kind == second.kind and any(getattr(first, side).name != getattr(second, side).name for side in ("rows", "columns")):
+            raise second.refusal(f"runs over {_axes(second)}, and {first.path} over {_axes(first)}: only cells at the same places "
+                                 "can be compared")
         if first.kind != second.kind:
             raise second.refusal(f"is a {second.kind} and {first.path} a {first.kind}: their cells can't be compared")
         self.first, self.second, self.kind = first, second, first.kind
@@ -50,11 +53,10 @@ class CommonPlane:
         """The Axis of the points that both have, and their indices in the first and the second file."""
         axes = getattr(self.first, side), getattr(self.second, side)
         coarse, fine = sorted(axes, key=lambda axis: len(axis.values))
-        nearest = np.clip(np.searchsorted(fine.values, coarse.values), 1, len(fine.values) - 1)
-        nearest -= coarse.values - fine.values[nearest - 1] < fine.values[nearest] - coarse.values
-        length = coarse.values[-1] - coarse.values[0]
+        nearest = _nearest(fine.values, coarse.values)
+        length = (coarse.values[-1] - coarse.values[0]) or abs(coarse.values[0]) or 1
         same = np.abs(fine.values[nearest] - coarse.values) <= SAME_POINT * length
-        if same.sum() < 2:
+        if same.sum() < min(2, len(coarse.values)):
             a, b = axes
             raise self.second.refusal(f"has {_span(b)}, and {self.first.path} has {_span(a)}: only cells at the same places "
                                       "can be compared, two along each axis at least; compute one of them again with an axis "
@@ -62,6 +64,18 @@ class CommonPlane:
         of_coarse, of_fine = np.flatnonzero(same), nearest[same]
         indices = (of_coarse, of_fine) if coarse is axes[0] else (of_fine, of_coarse)
         return axis_of(coarse.name, coarse.values[same]), indices
+
+
+def _nearest(fine, coarse):
+    """Index in `fine` of the value nearest to each of `coarse`, both ascending."""
+    if len(fine) == 1:
+        return np.zeros(len(coarse), dtype=int)
+    nearest = np.clip(np.searchsorted(fine, coarse), 1, len(fine) - 1)
+    return nearest - (coarse - fine[nearest - 1] < fine[nearest] - coarse)
+
+
+def _axes(file):
+    return f"{file.columns.name} and {file.rows.name}"
 
 
 def _span(axis):

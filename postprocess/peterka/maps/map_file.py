@@ -1,7 +1,7 @@
 """A map or basin file, checked before anything in it is believed and read in bands of rows, never as a whole.
 
 Layout version 2: two coordinate vectors and the data on [rows][columns],
-    map    rows gap_ratio,      columns frequency_ratio
+    map    rows gap_ratio,      columns frequency_ratio, unless the axes of its job are others
     basin  rows velocity_ratio, columns displacement_ratio
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
 `attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 
 from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..files.job_axes import axes_of_job
 from ..files.opened import NotDrawable, OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
 from .tables import Attractors, read_attractors, read_audit
@@ -94,7 +95,7 @@ class PeterkaFile(OpenedFile):
     def check_content(self):
         if self.kind not in self.coordinates:
             raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(self.coordinates)} file is needed")
-        self.rows, self.columns = (self._axis(name) for name in self.coordinates[self.kind])
+        self.rows, self.columns = (self._axis(name) for name in self._coordinates())
         self.shape = (len(self.rows.values), len(self.columns.values))
         for name in ("regime", "impacts", "period"):
             self.data.dataset(name, self.shape, INTEGER)
@@ -113,6 +114,12 @@ class PeterkaFile(OpenedFile):
         self.slots = self._slots()
         self.has_kicks = self.slots > 0 and self.data.has("critical_kick")
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
+
+    def _coordinates(self):
+        names = axes_of_job(self.data.attribute("job"))
+        if self.kind == "map" and len(names) == 2 and all(self.data.has(name) for name in names):
+            return names[1], names[0]
+        return self.coordinates[self.kind]
 
     def _has_integers(self, name):
         if self.data.has(name):
@@ -154,8 +161,8 @@ class PeterkaFile(OpenedFile):
 
     def _axis(self, name):
         shape = self.data.dataset(name, None, INTEGER + REAL).shape
-        if len(shape) != 1 or not 2 <= shape[0] <= MAX_POINTS:
-            raise self.refusal(f"has {name} of shape {shape}; an axis of 2 to {MAX_POINTS} points can be drawn")
+        if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
+            raise self.refusal(f"has {name} of shape {shape}; an axis of 1 to {MAX_POINTS} points can be drawn")
         values = np.asarray(self.data.values(name, slice(None)), dtype=float)
         if not (np.isfinite(values).all() and np.all(np.diff(values) > 0)):
             raise self.refusal(f"has a coordinate {name} that does not ascend")
@@ -166,13 +173,17 @@ def axis_of(name, values):
     """The Axis with these ascending values."""
     log = _evenly_spaced_in_log(values)
     edges = np.exp(_edges(np.log(values))) if log else _edges(values)
-    if name == "frequency_ratio" and values[0] >= 0:
+    if name in ("frequency_ratio", "frequency_hz") and values[0] >= 0:
         edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
     return Axis(name, values, edges, log)
 
 
 def _edges(centres):
-    """Borders (n+1,) half-way between the centres (n,); the outer ones as far out as their inner neighbours."""
+    """Borders (n+1,) half-way between the centres (n,); the outer ones as far out as their inner neighbours. A single
+    cell is a tenth of its value wide, or 1."""
+    if len(centres) == 1:
+        half = abs(centres[0]) / 20 or 0.5
+        return np.array([centres[0] - half, centres[0] + half])
     inner = (centres[:-1] + centres[1:]) / 2
     return np.concatenate([[2 * centres[0] - inner[0]], inner, [2 * centres[-1] - inner[-1]]])
 

@@ -1,4 +1,4 @@
-"""The Peterka map: the class of z = p/q over Omega/omega and gap/A0 (the paper's Fig. 22).
+"""The Peterka map: the class of z = p/q over Omega/omega and gap/A0 (the paper's Fig. 22), or over any other axes.
 
 The dashed line is the edge of no impact of a hammer at rest in its steady state, gap/A0 = P: the amplitude P of the
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
@@ -42,7 +42,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     _draw_edge_of_no_impact(ax, file)
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file, ax=ax)
+    axes.write_title(figure, file, axes.operating_point(file), ax=ax)
     return ax
 
 
@@ -116,5 +116,7 @@ def _edge_entry(file):
 
 
 def _damping_ratio(file):
+    if (file.columns.name, file.rows.name) != ("frequency_ratio", "gap_ratio"):
+        return None  # the line is one of that plane
     value = file.number("damping_ratio")
     return value if value is not None and value >= 0 else None

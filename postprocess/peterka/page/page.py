@@ -29,6 +29,9 @@ AXES = {
 
 def page(file, every=1, asked=None):
     """(text of the page, sentences for the user) of an open PeterkaFile."""
+    if any(axis.name not in AXES for axis in (file.columns, file.rows)):
+        raise file.refusal(f"runs over {file.columns.name} and {file.rows.name}; a page shows maps over frequency_ratio and "
+                           "gap_ratio, and basins; draw.py draws this one")
     blobs, notes = [], []
     content = _header(file, every)
     content["labels"], packed = layers.labels(file, every)

@@ -90,5 +90,5 @@ def _axes(file):
     if file.kind in ("map", "basin"):
         return file.columns.name, file.rows.name
     if file.kind == "sweep":
-        return ("frequency_ratio",)
+        return (file.axis_name,)
     raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins and sweeps")

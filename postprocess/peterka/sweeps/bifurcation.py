@@ -31,12 +31,12 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     second = (second_label, 1000 * metres) if metres else None
     has_measured = any(point.displacement is not None for point in measured.points)
     panels = sweep_panels.panels(file, _handles(file), label, second, has_measured, ax)
-    size = max(1.0, min(2.5, (500 / len(file.frequency_ratio)) ** 0.5))
+    size = max(1.0, min(2.5, (500 / len(file.values)) ** 0.5))
     for gap, ax in panels.items():
         for branch in file.at_gap(gap):
             points, values = samples[branch.row]
             colour, width, zorder = DOTS[branch.direction]
-            ax.plot(file.frequency_ratio[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
+            ax.plot(file.values[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
         sweep_panels.draw_measured(ax, measured.at_gap(gap), lambda point: point.displacement)

@@ -57,6 +57,8 @@ def read_measurements(path, file):
     """The points of a CSV file that belong to this sweep, in its ratios."""
     if file.kind != "sweep":
         raise NotDrawable(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep")
+    if file.axis_name != "frequency_ratio":
+        raise NotDrawable(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequency_ratio")
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
     factors = _factors(path, file, table.names)

@@ -88,7 +88,7 @@ def _scattered(branch):
 
 
 def _draw_branch(ax, file, branch, bottom, top):
-    look, x = LOOKS[branch.direction], file.frequency_ratio
+    look, x = LOOKS[branch.direction], file.values
     y = np.where(branch.has_period, branch.force, np.nan)
     # a line ends where the force jumps
     cuts = np.flatnonzero(branch.jump) + (1 if branch.direction == "down" else 0)
@@ -110,7 +110,7 @@ def _jump_notes(file, gap):
     notes = []
     for branch in file.at_gap(gap):
         for before, after in branch.jumps()[:MOST_LABELLED]:
-            middle = (file.frequency_ratio[before] + file.frequency_ratio[after]) / 2
+            middle = (file.values[before] + file.values[after]) / 2
             highest = max(branch.force[before], branch.force[after])
             _add(notes, file, (middle, highest, sweep_panels.frequency_text(file, middle), LOOKS[branch.direction].colour))
     return notes
@@ -124,7 +124,7 @@ def _mark_strongest(ax, file, gap):
         if at is None:
             continue
         look, sign = (RESONANCE, "★") if branch.is_resonance(at) else (CUT_OFF, "■")
-        x, force = file.frequency_ratio[at], branch.force[at]
+        x, force = file.values[at], branch.force[at]
         ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
         newtons = f" = {units.amount(force * file.newtons, 'N')}" if file.newtons else ""
         text = f"{sign} {units.number(force)}{newtons} at {sweep_panels.frequency_text(file, x)}"
@@ -134,5 +134,5 @@ def _mark_strongest(ax, file, gap):
 
 def _add(notes, file, note):
     """Unless there is one already for the same place."""
-    if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.frequency_ratio) for other in notes):
+    if all(abs(note[0] - other[0]) > CLOSE * np.ptp(file.values) for other in notes):
         notes.append(note)

@@ -1,7 +1,7 @@
 """A sweep's file, checked before anything in it is believed: branches along the frequency, one for each gap and
 direction, each with the classes and peak forces of a map and with samples of its steady motions.
 
-Layout version 2, on [branch][frequency_ratio]: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
+Layout version 2, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
 impact_displacement [x/A0 at first touch]. What cannot be drawn raises NotDrawable.
 """
@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC, UNRESOLVED, check_labels
 
@@ -64,7 +65,7 @@ class Branch:
 
 
 class SweepFile(OpenedFile):
-    """A checked, open sweep: frequency_ratio (points,), branches, gaps."""
+    """A checked, open sweep: axis_name, values (points,), branches, gaps."""
 
     @cached_property
     def computed(self):
@@ -86,19 +87,37 @@ class SweepFile(OpenedFile):
         return points, values[points, columns]
 
     def check_content(self):
-        self.frequency_ratio = self._numbers("frequency_ratio")
-        if not (np.isfinite(self.frequency_ratio).all() and np.all(np.diff(self.frequency_ratio) > 0)):
-            raise self.refusal("has a coordinate frequency_ratio that does not ascend")
-        gaps = self._numbers("gap_ratio")
-        if not np.isfinite(gaps).all():
-            raise self.refusal("has a gap_ratio that is no number")
-        shape = (len(gaps), len(self.frequency_ratio))
+        names = axes_of_job(self.data.attribute("job"))
+        self.axis_name = names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio"
+        self.values = self._numbers(self.axis_name)
+        if not (np.isfinite(self.values).all() and np.all(np.diff(self.values) > 0)):
+            raise self.refusal(f"has a coordinate {self.axis_name} that does not ascend")
+        gaps = self._gaps()
+        shape = (len(gaps), len(self.values))
         if np.prod(shape) > MAX_POINTS:
             raise self.refusal(f"has {np.prod(shape)} points; at most {MAX_POINTS} can be drawn")
         self._check_samples(shape)
         directions = self._directions(len(gaps))
-        self.branches = [self._branch(row, float(gap), direction, shape)
+        self.branches = [self._branch(row, gap, direction, shape)
                          for row, (gap, direction) in enumerate(zip(gaps, directions))]
+
+    def _gaps(self):
+        """Of each branch: its own, or that of the whole file; None where the gap is the axis."""
+        if self.axis_name == "gap_ratio" or not self.data.has("gap_ratio"):
+            branches = self.data.dataset("direction", None, INTEGER).shape
+            if len(branches) != 1 or not 1 <= branches[0] <= MAX_POINTS:
+                raise self.refusal(f"has branches of shape {branches}")
+            return [self.number("gap_ratio")] * branches[0]
+        gaps = self._numbers("gap_ratio")
+        if not np.isfinite(gaps).all():
+            raise self.refusal("has a gap_ratio that is no number")
+        return [float(gap) for gap in gaps]
+
+    @property
+    def frequency_ratio(self):
+        """The points, of a sweep over the frequency; the same for all points of another where the file tells."""
+        shared = self.positive("frequency_ratio")
+        return self.values if self.axis_name == "frequency_ratio" or shared is None else np.full(len(self.values), shared)
 
     def _numbers(self, name):
         shape = self.data.dataset(name, None, REAL).shape

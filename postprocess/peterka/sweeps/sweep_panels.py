@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 
 from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.coordinates import label
 from ..look.fills import fill
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
@@ -50,7 +51,7 @@ def panels(file, handles, ylabel, second, has_measured, ax=None, log=False):
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
-        ax.set_xlim(file.frequency_ratio[0], file.frequency_ratio[-1])
+        ax.set_xlim(file.values[0], file.values[-1])
         ax.set_ylabel(ylabel)
         if log:
             axes.log_scale(ax, "y")
@@ -62,7 +63,7 @@ def panels(file, handles, ylabel, second, has_measured, ax=None, log=False):
         above = 1 + STRIP * len(file.at_gap(gap))
         ax.annotate(_gap_text(file, gap), (0, above), xycoords="axes fraction", xytext=(0, 16 if number == 0 else 3),
                     textcoords="offset points", va="bottom", fontsize=8, weight="bold")
-    all_axes[-1].set_xlabel(axes.LABELS["frequency_ratio"])
+    all_axes[-1].set_xlabel(label(file.axis_name))
     axes.write_title(figure, file, axes.so_far(file).rstrip("\n"), all_axes[0])
     return dict(zip(file.gaps, all_axes))
 
@@ -124,8 +125,13 @@ def _at_share(ax, share):
 
 
 def frequency_text(file, ratio):
-    hertz = file.positive("natural_frequency_hz")
+    hertz = _hertz(file)
     return f"{ratio:.4g}" + (f" ({ratio * hertz:.4g} Hz)" if hertz else "")
+
+
+def _hertz(file):
+    """Of an axis of frequency ratios; None of others."""
+    return file.positive("natural_frequency_hz") if file.axis_name == "frequency_ratio" else None
 
 
 def directions(file):
@@ -133,6 +139,8 @@ def directions(file):
 
 
 def _gap_text(file, gap):
+    if gap is None:
+        return ""
     metres = file.positive("cart_amplitude_m")
     return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
 
@@ -140,7 +148,7 @@ def _gap_text(file, gap):
 def _second_scales(ax, file, second, top, bottom):
     in_si = style.current().units == "si"
     if bottom if in_si else top:
-        axes.second_scale(ax, "x", axes.si_scale(file, "frequency_ratio"), 1 + STRIP * len(file.at_gap(file.gaps[0])))
+        axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])))
     axes.second_scale(ax, "y", second)
 
 
@@ -156,7 +164,7 @@ def _class_handles(file):
 
 def _show_classes(ax, file, gap):
     """A row of classes for each branch, the first one at the bottom, each with the mark of its direction."""
-    edges = _edges(file.frequency_ratio)
+    edges = _edges(file.values)
     for place, branch in enumerate(file.at_gap(gap)):
         strip = ax.inset_axes([0, 1 + STRIP * place, 1, STRIP])
         strip.set(xlim=ax.get_xlim(), ylim=(0, 1), xticks=[], yticks=[])

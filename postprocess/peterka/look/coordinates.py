@@ -1,0 +1,30 @@
+"""What axes are called: the words and units of everything over which a map or a sweep may run."""
+
+LABELS = {
+    "frequency_ratio": r"$\Omega/\omega$",
+    "gap_ratio": r"$\mathrm{gap}/A_0$",
+    "displacement_ratio": r"$x/A_0$",
+    "velocity_ratio": r"$\dot{x}/(A_0\omega)$",
+    "frequency_hz": "excitation frequency (Hz)",
+    "gap_m": "gap (m)",
+    "start_displacement_ratio": r"start $x/A_0$",
+    "start_velocity_ratio": r"start $\dot{x}/(A_0\omega)$",
+    "cart_amplitude_m": "cart amplitude $A_0$ (m)",
+    "hammer_mass_kg": "hammer mass $m$ (kg)",
+    "hammer_natural_frequency_hz": "natural frequency (Hz)",
+    "hammer_stiffness_n_per_m": "spring stiffness $k$ (N/m)",
+    "hammer_damping_ns_per_m": "spring damping $c$ (N s/m)",
+    "hammer_damping_ratio": r"damping ratio $\zeta$",
+    "hammer_cubic_stiffness_n_per_m3": "cubic stiffness $k_3$ (N/m³)",
+    "contact_stiffness_n_per_m": "stop stiffness $k_i$ (N/m)",
+    "contact_damping_ns_per_m": "stop damping $c_i$ (N s/m)",
+    "contact_coefficient": "coefficient of restitution $r$",
+    "contact_stiffness_n_per_m_pow_n": r"stop stiffness $K$ (N/m$^n$)",
+    "contact_exponent": "exponent $n$ of the stop",
+    "contact_dissipation_s_per_m": "dissipation $D$ of the stop (s/m)",
+}
+
+
+def label(name):
+    """A name that is none of these stands for itself, without anything that a picture would take for mathematics."""
+    return LABELS.get(name) or name.replace("$", "").replace("\\", "")

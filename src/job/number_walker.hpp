@@ -1,0 +1,22 @@
+// What a walker of the schema does that looks for numbers alone: nothing with all else. Derived ones have
+// number() and either().
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "job/key.hpp"
+
+namespace peterka::job {
+
+class NumberWalker {
+  public:
+    template <typename Choice>
+    bool choice(const Key&, Choice&) {
+        return true;
+    }
+    template <typename Complaint>
+    void rule(std::initializer_list<std::string_view>, Complaint) {}
+};
+
+}  // namespace peterka::job

@@ -1,0 +1,68 @@
+// The tables of a map: its axes over any two numbers that a cell may have for itself, and what all cells share.
+#pragma once
+
+#include "job/axis_quantity.hpp"
+#include "job/job.hpp"
+#include "job/key.hpp"
+#include "job/rules.hpp"
+#include "job/schema_plane.hpp"
+
+namespace peterka::job {
+
+template <typename Walker>
+void describe(Walker& table, Refine& refine) {
+    table.integer(
+        {"levels", "first every 2^levels-th cell, then only where needed; 0 computes every cell"},
+        refine.levels,
+        from_to<std::int64_t>(0, 6, "on a coarser grid than every 64th cell whole regions go unseen"));
+}
+
+// What of frequency and gap is no axis.
+template <typename Walker>
+void describe_shared_place(Walker& file, Job& job, bool frequency, bool gap, std::string_view why_none) {
+    if (!frequency && !gap) return file.refuse("operating_point", why_none);
+    const std::string_view keys = !gap         ? "frequency_ratio"
+                                  : !frequency ? "gap_ratio"
+                                               : "frequency_ratio and gap_ratio";
+    file.table({"operating_point", "frequency or gap that all cells share", keys}, [&](auto& table) {
+        constexpr auto why = "is given already, as an axis or in a list; remove this key";
+        if (frequency) {
+            describe_frequency(table, job.operating_point);
+        } else {
+            for (const Quantity& other : {frequency_ratio, frequency_hz}) table.refuse(other.name, why);
+        }
+        if (gap) {
+            describe_gap(table, job.operating_point);
+        } else {
+            for (const Quantity& other : {gap_ratio, gap_m}) table.refuse(other.name, why);
+        }
+    });
+    settle_place(job);
+}
+
+// The plane of a map and the start of its cells.
+template <typename Walker>
+void describe_plane(Walker& file, Job& job) {
+    file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
+        const int count = axes.choose_axes(job);
+        describe_axis(axes, job.columns, quantity(column_key(job)));
+        if (count > 1) describe_axis(axes, job.rows, quantity(row_key(job)));
+    });
+    take_first_values(job);
+    if (job.kind == Kind::map) {
+        describe_shared_place(file, job, !has_axis(job, is_frequency), !has_axis(job, is_gap),
+                              "belongs to a basin; a map covers the plane of its axes; remove this table");
+    }
+    describe_start(file, job);
+    file.rule({"axes", "operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });
+    file.rule({"axes", "operating_point", "hammer", "cart"}, [&] { return rule_of_rigid_stop(job); });
+}
+
+template <typename Walker>
+void describe_map(Walker& file, Job& job) {
+    describe_plane(file, job);
+    file.table({"refine", "cells that are filled from those around them instead of being computed"},
+               [&](auto& table) { describe(table, job.refine); });
+}
+
+}  // namespace peterka::job

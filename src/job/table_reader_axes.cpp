@@ -1,0 +1,148 @@
+// Which numbers the axes of a file run over.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "job/axis_quantity.hpp"
+#include "job/nearest.hpp"
+#include "job/rules.hpp"
+#include "job/schema_plane.hpp"
+#include "job/table_reader.hpp"
+
+namespace peterka::job {
+namespace {
+
+struct Given {
+    std::string key;  // "gap_ratio", "contact.damping_ns_per_m"
+    Location where;
+    bool is_table = false;
+};
+
+bool holds_tables_alone(const Table& table) {
+    return !table.entries.empty() && std::ranges::all_of(table.entries, [](const Entry& entry) {
+        return entry.value.as<Table>() != nullptr;
+    });
+}
+
+// In the order of the file.
+std::vector<Given> given_axes(const Table& axes) {
+    std::vector<Given> given;
+    const auto add = [&](std::string key, const Value& value) {
+        given.push_back({std::move(key), value.where, value.as<Table>() != nullptr});
+    };
+    for (const Entry& entry : axes.entries) {
+        const auto* inner = entry.value.as<Table>();
+        if (inner == nullptr || !holds_tables_alone(*inner)) {
+            add(entry.name, entry.value);
+            continue;
+        }
+        for (const Entry& each : inner->entries) add(entry.name + "." + each.name, each.value);
+    }
+    std::ranges::stable_sort(given, {}, &Given::where);
+    return given;
+}
+
+bool is_start_of_basin(std::string_view key) {
+    return key == displacement_ratio.name || key == velocity_ratio.name;
+}
+
+// What is wrong with an axis by itself, for a stop with this law; "" where nothing is.
+std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
+    if (is_start_of_basin(axis.key)) {
+        return kind == Kind::sweep
+                   ? fmt::format(
+                         "[axes.{0}] is an axis of a basin; a sweep starts at one place; give it under "
+                         "[start], or name the axis [axes.start.{0}]",
+                         axis.key)
+                   : fmt::format(
+                         "[axes.{0}] is an axis of a basin; a map starts every cell alike; give one value "
+                         "under [start], or name the axis [axes.start.{0}]",
+                         axis.key);
+    }
+    if (const AxisQuantity* quantity = find_quantity(axis.key)) {
+        const bool has_usual_plane = kind == Kind::study || kind == Kind::curves;
+        if (has_usual_plane && axis.key != frequency_ratio.name && axis.key != gap_ratio.name) {
+            return fmt::format(
+                "[axes.{}] is for maps and sweeps; studies and curves have the plane of frequency_ratio "
+                "and gap_ratio; remove this table",
+                axis.key);
+        }
+        if (!quantity->law || *quantity->law == law) return "";
+        return fmt::format("[axes.{}] {}", axis.key, reason_for_other_law(*quantity->law));
+    }
+    if (is_no_number(axis.key)) {
+        return fmt::format(
+            "[axes.{}] is over a key that is no number; an axis runs from one value to another; "
+            "choose one of its words under [{}] instead",
+            axis.key, axis.key.substr(0, axis.key.find('.')));
+    }
+    const auto keys = axis_keys(law);
+    const std::string_view meant = nearest(axis.key, keys);
+    return fmt::format("unknown table [axes.{}]; what is not understood would silently do nothing; {}",
+                       axis.key,
+                       meant.empty() ? fmt::format("[axes] takes {}", fmt::join(keys, ", "))
+                                     : fmt::format("did you mean [axes.{}]?", meant));
+}
+
+bool is_on_the_plane(std::string_view key) {
+    return is_frequency(key) || is_gap(key);
+}
+
+}  // namespace
+
+void TableReader::leave_to_axes(const Job&) {
+    const Value* axes = table_.find("axes");
+    if (axes == nullptr || axes->as<Table>() == nullptr) return;
+    for (const Given& axis : given_axes(*axes->as<Table>())) {
+        if (is_of_rig(axis.key) || axis.key.starts_with("start.")) left_to_axes_.push_back(axis.key);
+    }
+}
+
+int TableReader::choose_axes(Job& job) {
+    const std::size_t wanted = job.kind == Kind::sweep ? 1 : 2;
+    for (const Entry& entry : table_.entries) known_.emplace_back(entry.name);
+    std::vector<Given> axes;
+    for (const Given& axis : given_axes(table_)) {
+        std::string text = complaint(axis, job.kind, law_of(job.contact));
+        const auto same =
+            std::ranges::find_if(axes, [&](const Given& other) { return says_the_same(axis.key, other.key); });
+        if (text.empty() && same != axes.end()) {
+            text = fmt::format(
+                "[axes.{}] says the same as [axes.{}]; one follows from the other, so they can't run "
+                "apart; remove one of them",
+                axis.key, same->key);
+        } else if (text.empty() && axes.size() == wanted) {
+            text = fmt::format("[axes.{}] is one too many; a {} has {}; remove one of them", axis.key,
+                               name(job.kind), wanted == 1 ? "one axis" : "two axes, columns and rows");
+        }
+        if (text.empty()) {
+            axes.push_back(axis);
+        } else {
+            fault(axis.key, axis.where, text);
+        }
+    }
+    if (axes.empty() || (job.kind != Kind::map && job.kind != Kind::sweep))
+        return 2;  // the usual ones, or missing
+    // the usual ones in their usual order have no name of their own
+    job.columns.over = axes[0].key == frequency_ratio.name ? "" : axes[0].key;
+    if (wanted == 1) return 1;
+    if (axes.size() == 2) {
+        job.rows.over = axes[1].key == gap_ratio.name ? "" : axes[1].key;
+        return 2;
+    }
+    if (is_on_the_plane(axes[0].key)) {
+        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";
+        return 2;
+    }
+    fault("axes", where_,
+          fmt::format("[axes] has one axis, {}; a map has two, columns and rows; add another, such as "
+                      "[axes.frequency_ratio]",
+                      axes[0].key));
+    return 1;
+}
+
+}  // namespace peterka::job

@@ -1,0 +1,28 @@
+// Where a cell is, in words: frequency and gap, and what else the axes run over.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "job/job.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka {
+
+// "Omega/omega 2 (9 Hz), gap/A0 0.5 (0.445 mm), contact.damping_ns_per_m 1200 N s/m"
+[[nodiscard]] std::string place_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column);
+
+// One value of an axis, with its unit: "2 (9 Hz)" of a frequency ratio, "1200 N s/m".
+[[nodiscard]] std::string value_in_words(const scene::Scene& scene, std::string_view key, double value);
+
+// What comes before it: "Omega/omega", "contact.damping_ns_per_m".
+[[nodiscard]] std::string label_in_words(std::string_view key);
+
+// "excitation frequencies and gaps", "values of contact.stiffness_n_per_m and contact.damping_ns_per_m"
+[[nodiscard]] std::string plane_in_words(const job::Job& job);
+
+// "lowest frequency", "largest gap", "highest contact.damping_ns_per_m"
+[[nodiscard]] std::string end_in_words(std::string_view key, bool is_last);
+
+}  // namespace peterka

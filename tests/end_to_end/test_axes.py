@@ -1,0 +1,259 @@
+"""Maps over any two numbers that a cell may have for itself and sweeps along any one: each cell is that of a job with
+these numbers in its tables, at any number of ranks; resuming, refining, auditing, comparing and drawing know the axes."""
+
+import random
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import jobs
+import launch
+import numpy as np
+import pytest
+from map_contents import assert_same_map
+
+ROOT = Path(__file__).resolve().parents[2]
+PLACE = "[operating_point]\nfrequency_hz = {hertz}\ngap_m = {gap}\n"
+LABEL = ("regime", "impacts", "period")
+
+
+def axis(key, first, last, points, scale="linear"):
+    return f'\n[axes.{key}]\nfrom = {first}\nto = {last}\npoints = {points}\nscale = "{scale}"\n'
+
+
+def map_over(*axes, more=""):
+    return jobs.RIG.format(kind="map", title="any axes") + more + "".join(axes)
+
+
+STOPS = map_over(axis("contact.stiffness_n_per_m", 1e5, 1e8, 20, "log"), axis("contact.damping_ns_per_m", 10, 1e4, 18, "log"),
+                 more=PLACE.format(hertz=9.0, gap=0.0))
+LENGTHS = map_over(axis("gap_m", 0.0, 2e-3, 9), axis("cart.amplitude_m", 0.5e-3, 1.5e-3, 8),
+                   more="[operating_point]\nfrequency_hz = 8.1\n")
+HAMMERS = map_over(axis("hammer.mass_kg", 0.2, 0.5, 9), axis("hammer.stiffness_n_per_m", 150.0, 400.0, 8),
+                   more=PLACE.format(hertz=9.0, gap=0.5e-3))
+STARTS = map_over(axis("start.velocity_ratio", -3.0, 3.0, 9), axis("frequency_ratio", 1.5, 2.5, 8),
+                  more="[operating_point]\ngap_ratio = 1.6\n")
+MAPS = {"stops": STOPS, "lengths": LENGTHS, "hammers": HAMMERS, "starts": STARTS}
+
+
+@pytest.fixture(scope="module")
+def computed(tmp_path_factory):
+    """Name -> file, computed on 2 ranks."""
+    folder = tmp_path_factory.mktemp("axes")
+    for name, text in MAPS.items():
+        jobs.write(folder, text, f"{name}.toml")
+        finished = launch.run("run", f"{name}.toml", cwd=folder, ranks=2)
+        assert finished.returncode == 0, finished.stderr
+    return folder
+
+
+def axes_of(text):
+    """(coordinate, table, key) of columns and rows."""
+    for path in re.findall(r"\[axes\.(.*)\]", text):
+        table, _, key = path.rpartition(".")
+        yield path.replace(".", "_"), table or "operating_point", key
+
+
+SAME = {"frequency_ratio": "frequency_hz", "stiffness_n_per_m": "natural_frequency_hz"}
+
+
+def job_of_cell(text, values):
+    """A plain job of one cell over frequency and gap, as ratios, with the values of its cell in its tables."""
+    plain = text[:text.index("\n[axes.")]
+    numbers = {"frequency": None, "gap": None, "amplitude": 0.89e-3, "mass": 0.298, "stiffness": None, "natural": 4.5}
+    for key, value in re.findall(r"(frequency_hz|gap_m|gap_ratio) = (\S+)", plain):
+        numbers[key] = float(value)
+    plain = plain.split("[operating_point]")[0]
+    for (_, table, key), value in zip(axes_of(text), values):
+        if table in ("operating_point", "start"):
+            numbers[key] = value
+            continue
+        numbers[{"amplitude_m": "amplitude", "mass_kg": "mass"}.get(key, key)] = value
+        if (table, key) == ("hammer", "stiffness_n_per_m"):
+            plain = re.sub(r"natural_frequency_hz = .*", f"stiffness_n_per_m = {value!r}", plain)
+            numbers["stiffness"] = value
+        else:
+            head, tail = plain.split(f"[{table}]")
+            plain = f"{head}[{table}]" + re.sub(rf"\b{key} = .*", f"{key} = {value!r}", tail, count=1)
+    natural = (numbers["stiffness"] / numbers["mass"])**0.5 / (2 * np.pi) if numbers["stiffness"] else numbers["natural"]
+    frequency = numbers.get("frequency_ratio") or numbers["frequency_hz"] / natural
+    gap = numbers["gap_ratio"] if "gap_ratio" in numbers else numbers["gap_m"] / numbers["amplitude"]
+    start = f"[start]\nvelocity_ratio = {numbers.get('velocity_ratio', 0.0)!r}\n"
+    return (plain + start + axis("frequency_ratio", repr(float(frequency)), repr(float(frequency)), 1)
+            + axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1))
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_a_cell_is_that_of_a_job_with_its_numbers(computed, tmp_path, name):
+    text = MAPS[name]
+    (x_name, *_), (y_name, *_) = axes_of(text)
+    with h5py.File(computed / f"{name}.h5") as file:
+        shape = file["regime"].shape
+        assert shape == (len(file[y_name]), len(file[x_name]))
+        cells = random.Random(name).sample([(row, column) for row in range(shape[0]) for column in range(shape[1])], 6)
+        found = {(row, column): [*(file[field][row, column] for field in LABEL), file["peak_force_ratio"][row, column]]
+                 for row, column in cells}
+        values = {(row, column): (float(file[x_name][column]), float(file[y_name][row])) for row, column in cells}
+    for cell, expected in found.items():
+        jobs.write(tmp_path, job_of_cell(text, values[cell]), "cell.toml")
+        assert launch.run("run", "cell.toml", "--fresh", "--quiet", cwd=tmp_path).returncode == 0
+        with h5py.File(tmp_path / "cell.h5") as file:
+            alone = [*(file[field][0, 0] for field in LABEL), file["peak_force_ratio"][0, 0]]
+        assert alone[:3] == expected[:3], (cell, values[cell])
+        assert alone[3] == pytest.approx(expected[3], rel=1e-8, nan_ok=True), (cell, values[cell])
+
+
+@pytest.mark.parametrize("ranks", [None, 3, 7])
+def test_any_number_of_ranks_gives_the_same_bytes(computed, tmp_path, ranks):
+    jobs.write(tmp_path, STOPS)
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=ranks).returncode == 0
+    assert_same_map(tmp_path / "job.h5", computed / "stops.h5")
+
+
+def test_a_stopped_run_goes_on_to_the_same_bytes(tmp_path):
+    jobs.write(tmp_path, STOPS.replace("points = 20", "points = 128").replace("points = 18", "points = 96"))
+    stopped = launch.run("run", "job.toml", "--quiet", "--max-wall", 0.1, cwd=tmp_path)
+    assert stopped.returncode == 5, stopped.stderr
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=2).returncode == 0
+    assert launch.run("run", "job.toml", "--quiet", "--output", "whole.h5", cwd=tmp_path, ranks=2).returncode == 0
+    assert_same_map(tmp_path / "job.h5", tmp_path / "whole.h5")
+
+
+def test_the_file_opens_in_xarray_with_names_and_units(computed):
+    xarray = pytest.importorskip("xarray")
+    with xarray.open_dataset(computed / "stops.h5") as cells:
+        assert cells.regime.dims == ("contact_damping_ns_per_m", "contact_stiffness_n_per_m")
+        assert cells.contact_damping_ns_per_m.attrs["units"] == "N s/m"
+        assert cells.attrs["frequency_hz"] == 9.0 and cells.attrs["frequency_ratio"] == 2.0 and cells.attrs["gap_ratio"] == 0
+    with xarray.open_dataset(computed / "lengths.h5") as cells:
+        assert "cart_amplitude_m" not in cells.attrs and cells.attrs["hammer_mass_kg"] == 0.298
+
+
+def test_the_summary_tells_where_in_words_of_the_axes(computed):
+    shown = launch.run("run", "stops.toml", cwd=computed).stdout
+    assert "20 by 18 values of contact.stiffness_n_per_m and contact.damping_ns_per_m" in shown
+    assert re.search(r"at Omega/omega 2 \(9 Hz\), gap/A0 0 \(0 mm\), contact.stiffness_n_per_m \S+ N/m, "
+                     r"contact.damping_ns_per_m \S+ N s/m", shown), shown
+
+
+def test_check_tells_the_axes_and_that_rigs_cost_more(computed):
+    told = launch.run("check", "stops.toml", cwd=computed).stdout
+    assert "20 of contact_stiffness_n_per_m by 18 of contact_damping_ns_per_m" in told
+    assert "each cell has its own" in told
+
+
+def test_a_map_over_a_rig_is_refined_and_audited(tmp_path):
+    text = map_over(axis("contact.damping_ns_per_m", 100, 4000, 33, "log"), axis("frequency_ratio", 1.8, 2.4, 33),
+                    more="[operating_point]\ngap_ratio = 0.0\n") + "[refine]\nlevels = 2\n[audit]\ncells = 8\n"
+    jobs.write(tmp_path, text)
+    finished = launch.run("run", "job.toml", cwd=tmp_path, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    assert re.search(r"same regime and z +8 of 8", finished.stdout), finished.stdout
+    jobs.write(tmp_path, text.replace("levels = 2", "levels = 0"), "whole.toml")
+    assert launch.run("run", "whole.toml", "--quiet", cwd=tmp_path, ranks=2).returncode == 0
+    with h5py.File(tmp_path / "job.h5") as refined, h5py.File(tmp_path / "whole.h5") as whole:
+        filled = refined["computed"][()] == 0
+        assert filled.any()
+        same = np.all([refined[field][()] == whole[field][()] for field in LABEL], axis=0)
+        assert same[filled].mean() > 0.98
+        force = refined["peak_force_ratio"][()] / whole["peak_force_ratio"][()]
+        assert np.nanmax(np.abs(force[same & filled] - 1)) < 0.01
+
+
+def test_a_trace_follows_a_cell_of_such_a_map(computed, tmp_path):
+    jobs.write(tmp_path, jobs.trace_of(computed / "lengths.h5", "row = 6\ncolumn = 3\n"))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    assert "agrees in regime and z" in finished.stdout
+    jobs.write(tmp_path, jobs.trace_of(computed / "lengths.h5", "[operating_point]\nfrequency_ratio = 2\n"))
+    refused = launch.run("run", "job.toml", cwd=tmp_path)
+    assert refused.returncode == 2 and "is that of the map's own job" in refused.stderr
+
+
+SWEEPS = {
+    "amplitudes": (axis("cart.amplitude_m", 0.7e-3, 1.3e-3, 7), PLACE.format(hertz=8.1, gap=1.4e-3)),
+    "masses": (axis("hammer.mass_kg", 0.25, 0.35, 6), PLACE.format(hertz=8.1, gap=1.3e-3)),
+    "gaps": (axis("gap_ratio", 1.2, 2.0, 9), "[operating_point]\nfrequency_ratio = 1.8\n"),
+}
+
+
+@pytest.mark.parametrize("direction", ["up", "down"])
+@pytest.mark.parametrize("name", SWEEPS)
+def test_each_point_of_a_sweep_starts_where_the_one_before_ended(tmp_path, name, direction):
+    """Position and velocity in metres and seconds carry over: a job of the next point alone, started there, ends alike."""
+    along, place = SWEEPS[name]
+    key = re.search(r"\[axes\.(.*)\]", along)[1]
+    coordinate = key.replace(".", "_")
+    text = (jobs.RIG.format(kind="sweep", title=name) + place + f'[sweep]\ndirection = "{direction}"\nsamples = 64\n'
+            + "[start]\nvelocity_ratio = 2.5\n" + along)
+    jobs.write(tmp_path, text)
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "job.h5") as file:
+        values, labels = file[coordinate][()], np.array([file[field][0] for field in LABEL]).T
+        force = file["peak_force_ratio"][0]
+        x, v = file["stroboscopic_displacement"][0], file["stroboscopic_velocity"][0]
+        assert "gap_ratio" not in file or coordinate == "gap_ratio"
+    assert (labels[:, 0] == 1).any()
+    order = range(len(values)) if direction == "up" else range(len(values) - 1, -1, -1)
+    scales = [units_at(place, key, value) for value in values]
+    checked, before = 0, None
+    for point in order:
+        if before is not None and labels[before][2] == 1:  # one stroboscopic point: where it ended
+            length, rate, eta, gap = scales[point]
+            old_length, old_rate, old_eta, _ = scales[before]
+            start = x[before, 0] * old_length / length
+            speed = (v[before, 0] + old_eta) * old_length * old_rate / (length * rate)
+            if start < gap:  # no stop is in the way
+                assert settles_in(tmp_path, text, key, values[point], start, speed) == (
+                    tuple(labels[point]), pytest.approx(force[point], rel=1e-7, nan_ok=True)), point
+                checked += 1
+        before = point
+    assert checked > 1
+
+
+def units_at(place, key, value):
+    """A0 [m], omega [rad/s], eta and gap/A0."""
+    length = value if key == "cart.amplitude_m" else 0.89e-3
+    omega = 2 * np.pi * 4.5
+    hertz = re.search(r"frequency_hz = (\S+)", place)
+    eta = float(hertz[1]) * 2 * np.pi / omega if hertz else 1.8
+    gap = value if key == "gap_ratio" else float(re.search(r"gap_m = (\S+)", place)[1]) / length
+    return length, omega, eta, gap
+
+
+def settles_in(folder, text, key, value, start, speed):
+    text = re.sub(r"\[sweep\]\n.*\n.*\n", "", text).replace('kind = "sweep"', 'kind = "map"')
+    text = text.replace("velocity_ratio = 2.5", f"velocity_ratio = {speed!r}\ndisplacement_ratio = {start!r}")
+    text = re.sub(r"\[axes[^\[]*", axis(key, repr(float(value)), repr(float(value)), 1), text)
+    other = "[axes.hammer.damping_ns_per_m]\nfrom = 0.06\nto = 0.06\npoints = 1\n"
+    jobs.write(folder, text + other, "point.toml")
+    finished = launch.run("run", "point.toml", "--fresh", "--quiet", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(folder / "point.h5") as file:
+        return tuple(file[field][0, 0] for field in LABEL), file["peak_force_ratio"][0, 0]
+
+
+def drawn(folder, *arguments):
+    return subprocess.run([sys.executable, ROOT / "postprocess" / "draw.py", *map(str, arguments)], cwd=folder,
+                          capture_output=True, text=True, check=False)
+
+
+def test_maps_and_sweeps_over_any_axes_are_drawn_and_compared(computed, tmp_path):
+    for name in MAPS:
+        shown = drawn(tmp_path, computed / f"{name}.h5")
+        assert shown.returncode == 0, shown.stderr
+    assert {"stops_map.png", "lengths_map.png"} <= {path.name for path in (tmp_path / "pictures").iterdir()}
+    along, place = SWEEPS["gaps"]
+    jobs.write(tmp_path, jobs.RIG.format(kind="sweep", title="gaps") + place + along, "gaps.toml")
+    assert launch.run("run", "gaps.toml", "--quiet", cwd=tmp_path).returncode == 0
+    shown = drawn(tmp_path, "gaps.h5")
+    assert shown.returncode == 0, shown.stderr
+    compared = subprocess.run([sys.executable, ROOT / "postprocess" / "compare.py", computed / "stops.h5", computed / "stops.h5"],
+                              cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert compared.returncode == 0, compared.stderr
+    other = subprocess.run([sys.executable, ROOT / "postprocess" / "compare.py", computed / "stops.h5", computed / "starts.h5"],
+                           cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert other.returncode != 0 and "only cells at the same places" in other.stderr
