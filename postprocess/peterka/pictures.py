@@ -9,7 +9,8 @@ from functools import partial
 
 from .files.opened import OpenedFile
 from .maps import (
-    attractor_maps, audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map, quantity_map,
+    attractor_maps, audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map,
+    quantity_map,
 )
 from .maps.curves_file import CurvesFile
 from .maps.map_file import PeterkaFile

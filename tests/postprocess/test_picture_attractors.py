@@ -7,6 +7,7 @@ from matplotlib.colors import to_hex
 from peterka.files.opened import NotDrawable
 from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
+from peterka.pictures import pictures_of
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, Drawn, colour_named, orbit, write_map
 from sealing import SealedFile
 
@@ -47,7 +48,7 @@ def seen(file, figure, folder):
 
 
 def shade(share):
-    return to_hex(colormaps[attractor_maps.COLOURS](float(share))).upper()
+    return to_hex(colormaps["viridis"](float(share))).upper()
 
 
 def test_numbers_have_shades_that_darken(tmp_path):
@@ -72,7 +73,7 @@ def test_the_likeliest_attractor_has_the_colour_of_its_class(tmp_path):
     ("share_chaotic", [[0, 0, 0], [0.5, 0]])])
 def test_shares_are_those_of_the_cells(tmp_path, name, shares):
     with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
-        colours, _ = seen(file, attractor_maps.pictures(file)[name](file), tmp_path)
+        colours, _ = seen(file, pictures_of(file)[name](file), tmp_path)
     assert colours[0] == [shade(share) for share in shares[0]]
     assert colours[1][:2] == [shade(share) for share in shares[1]]
 
@@ -99,4 +100,4 @@ def test_a_share_that_is_none_is_refused(tmp_path):
     shares = np.zeros((4, 2, 3))
     shares[0] = 1.5
     with PeterkaFile(write_attractors(tmp_path / "a.h5", shares)) as file, pytest.raises(NotDrawable, match="no share"):
-        attractor_maps.pictures(file)
+        attractor_maps.commonest(file)

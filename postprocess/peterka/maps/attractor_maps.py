@@ -4,59 +4,46 @@ Numbers of attractors grow darker, shares and kicks lighter, so that all of them
 colours of the Peterka map. Blocks of a reduced map show their mean share, and the kick of the most fragile cell.
 """
 
-from dataclasses import dataclass
-from functools import partial
-
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
+from ..look.picture import picture
+from .field_map import scale_colours
+from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, class_picture, with_edges
 
 WIDTH = 3.7  # in
-COLOURS = "viridis"
 NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
 NUMBER_COLOURS = ["#FFFFFF", "#F2F2F2", "#9ECAE1", "#4292C6", "#08519C", "#041E42"]
 MOST_CLASSES = 6  # of z, each of which has a picture of its own
 LEAST_SHARE = 0.005  # of the plane; rarer ones have none
+LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period", "basin_share"]
 
 
-@dataclass(frozen=True)
-class Shares:
-    """A share of each cell's starts: names of datasets, how to get it from their arrays, and words for it."""
-
-    names: tuple[str, ...]
-    of: callable
-    label: str
+SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.label.replace(' ', '_')}": entry
+          for entry in CLASSES if entry.orbit or entry.label in ("no impact", "chaotic")}
+LACKING_COLOUR = "#F7C6D0"
 
 
-def pictures(file):
-    """{name: function that takes the file and returns a Figure, or None} of a map with [starts]."""
-    found = {"attractors": draw_number, "attractors_largest": draw_largest,
-             "attractors_impact": partial(_draw_shares, shares=_impacting())}
-    for entry in _commonest(file):
-        name = f"share_{entry.orbit[0]}_{entry.orbit[1]}" if entry.orbit else f"share_{entry.label.replace(' ', '_')}"
-        found[name] = partial(_draw_shares, shares=_reaching(entry))
-    if file.has_kicks:
-        found["kick"] = draw_kick
-    return found
-
-
-def draw_number(file):
-    """In how many attractors the starts of a cell end."""
+@picture(PeterkaFile)
+def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
+    """On how many attractors the starts of a cell end."""
     def label(regime, attractors):
         return np.where(regime == NOT_COMPUTED, 0, np.clip(attractors, 1, len(NUMBERS) - 1))
 
     reduced, counts = class_picture(file, ["regime", "attractors"], label, len(NUMBERS))
     handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
                for n in np.flatnonzero(counts)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "attractors of a cell (share of the map)")])
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "attractors of a cell (share of the map)")], ax=ax)
     axes.show_classes(ax, reduced, NUMBER_COLOURS, 0)
     return _finished(figure, ax, file)
 
 
-def draw_largest(file):
+@picture(PeterkaFile)
+def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The class of the attractor on which most starts end."""
     names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
     reduced, counts = class_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)), len(CLASSES))
@@ -66,15 +53,17 @@ def draw_largest(file):
         entry = axes.legend_patch(text, CLASSES[n].colour, n == INDEX["not computed yet"])
         (orbits if CLASSES[n].orbit or n == INDEX["other p/q"] else others).append(entry)
     legends = [(orbits, 3, "where most starts end (share of the map)"), (others, 2, None)]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends)
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     named = {n: (entry.label, entry.colour) for n, entry in enumerate(CLASSES)
              if counts[n] and (entry.orbit or n == INDEX["no impact"])}
-    axes.name_areas(ax, reduced, named)
-    return _finished(figure, ax, file)
+    _finished(figure, ax, file)
+    axes.name_areas(ax, reduced, named)  # into the plane as it is labelled
+    return ax
 
 
-def draw_kick(file):
+@picture(PeterkaFile)
+def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """The critical kick of the periodic attractor with the largest share; None where no cell has one."""
     def values(regime, kick):
         first = np.argmax(np.isfinite(kick), axis=0)
@@ -84,22 +73,52 @@ def draw_kick(file):
     if not np.isfinite(reduced.image).any():
         return None
     top = float(np.nanpercentile(reduced.image, 99.9))
-    return _draw_scale(file, reduced, "critical kick of the likeliest orbit (m/s)", top, "no orbit, or no kick found")
+    return _draw_scale(file, ax, reduced, "critical kick of the likeliest orbit (m/s)", top, "no orbit, or no kick found")
 
 
-def _draw_shares(file, shares):
-    names = ["regime", *shares.names]
-    reduced = _reduced(file, names, lambda regime, *of: np.where(regime == NOT_COMPUTED, np.nan, shares.of(*of)), None)
-    return _draw_scale(file, reduced, shares.label, 1, None)
+@picture(PeterkaFile)
+def draw_impacting(file: PeterkaFile, ax: Axes | None = None) -> Axes:
+    """The share of starts that end with impacts."""
+    def share(regime, of, shares):
+        impacting = np.where(np.isin(of, [PERIODIC, CHAOTIC]), shares, 0).sum(axis=0)
+        return np.where(regime == NOT_COMPUTED, np.nan, impacting)
+
+    reduced = _reduced(file, ["regime", "attractor_regime", "basin_share"], share, None)
+    return _draw_scale(file, ax, reduced, "share of starts that end with impacts", 1, None)
 
 
-def _draw_scale(file, reduced, label, top, lacking):
+@picture(PeterkaFile)
+def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1") -> Axes:
+    """The share of starts that end in one of SHARES."""
+    entry = SHARES[name]
+
+    def share(regime, *slots):
+        reached = np.where(classify(*slots[:3]) == INDEX[entry.label], slots[3], 0).sum(axis=0)
+        return np.where(regime == NOT_COMPUTED, np.nan, reached)
+
+    reduced = _reduced(file, LABELS, share, None)
+    text = f"$z = {entry.label}$" if entry.orbit else entry.label
+    return _draw_scale(file, ax, reduced, f"share of starts that end in {text}", 1, None)
+
+
+def commonest(file):
+    """Names of SHARES: the classes with most starts of the plane."""
+    total, cells = np.zeros(len(CLASSES)), 0
+    for _, band in file.bands(LABELS):
+        classes = classify(*(band[name] for name in LABELS[1:4]))
+        total += np.bincount(classes.ravel(), weights=band["basin_share"].ravel(), minlength=len(CLASSES))
+        cells += int(np.sum(band["regime"] != NOT_COMPUTED))
+    names = sorted(SHARES, key=lambda name: -total[INDEX[SHARES[name].label]])
+    return [name for name in names[:MOST_CLASSES] if total[INDEX[SHARES[name].label]] > LEAST_SHARE * max(cells, 1)]
+
+
+def _draw_scale(file, ax, reduced, label, top, lacking):
     computed, counts = class_picture(file, ["regime"], lambda regime: (regime == NOT_COMPUTED).astype(np.uint8), 2)
-    handles = [axes.legend_patch(lacking, "#F7C6D0")] if lacking and counts[0] else []
+    handles = [axes.legend_patch(lacking, LACKING_COLOUR)] if lacking and counts[0] else []
     handles += [axes.legend_patch("not computed yet", None, hatched=True)] if counts[1] else []
-    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True)
-    axes.show_classes(ax, computed, ["#F7C6D0", "#FFFFFF"], 1)
-    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=COLOURS,
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
+    axes.show_classes(ax, computed, [LACKING_COLOUR, "#FFFFFF"], 1)
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")
     bar.outline.set_linewidth(0.6)
@@ -110,37 +129,8 @@ def _draw_scale(file, reduced, label, top, lacking):
 def _finished(figure, ax, file):
     axes.label_axes(ax, file)
     axes.notice_incomplete(ax, file)
-    axes.write_title(figure, file)
-    return figure
-
-
-def _impacting():
-    return Shares(("attractor_regime", "basin_share"),
-                  lambda regime, share: np.where(np.isin(regime, [PERIODIC, CHAOTIC]), share, 0).sum(axis=0),
-                  "share of starts that end with impacts")
-
-
-def _reaching(entry):
-    index = INDEX[entry.label]
-
-    def of(regime, impacts, period, share):
-        return np.where(classify(regime, impacts, period) == index, share, 0).sum(axis=0)
-
-    text = f"$z = {entry.label}$" if entry.orbit else entry.label
-    return Shares(("attractor_regime", "attractor_impacts", "attractor_period", "basin_share"), of,
-                  f"share of starts that end in {text}")
-
-
-def _commonest(file):
-    """The classes with most starts of the plane."""
-    total, cells = np.zeros(len(CLASSES)), 0
-    names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period", "basin_share"]
-    for _, band in file.bands(names):
-        classes = classify(*(band[name] for name in names[1:4]))
-        total += np.bincount(classes.ravel(), weights=band["basin_share"].ravel(), minlength=len(CLASSES))
-        cells += int(np.sum(band["regime"] != NOT_COMPUTED))
-    shown = [n for n in np.argsort(-total, kind="stable") if CLASSES[n].orbit or n in (INDEX["no impact"], INDEX["chaotic"])]
-    return [CLASSES[n] for n in shown[:MOST_CLASSES] if total[n] > LEAST_SHARE * max(cells, 1)]
+    axes.write_title(figure, file, ax=ax)
+    return ax
 
 
 def _reduced(file, names, values, least):
