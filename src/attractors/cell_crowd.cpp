@@ -7,7 +7,8 @@ namespace peterka::attractors {
 CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take)
     : setting_(scene, known),
       take_(std::move(take)),
-      pool_(scene, known, [this](const auto& search) { keep(search); }, regime::CellPool::Findings::handed_on) {}
+      pool_(
+          scene, known, [this](const auto& search) { keep(search); }, regime::CellPool::Findings::handed_on) {}
 
 void CellCrowd::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     auto open = std::make_unique<Open>(CellSearch(setting_, row, column));

@@ -52,7 +52,8 @@ class CellCrowd {
     Setting setting_;
     Take take_;
     std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
-    std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>> searches_;  // cell and place, by number
+    std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>>
+        searches_;  // cell and place, by number
     std::int64_t next_search_ = 0;
     std::deque<Waiting> waiting_;
     regime::CellPool pool_;

@@ -81,8 +81,8 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
 
 SolvedCell CellSearch::result() const {
     SolvedCell solved = solved_;
-    solved.cell.cycles = static_cast<std::int32_t>(
-        std::min<std::int64_t>(cycles_, std::numeric_limits<std::int32_t>::max()));
+    solved.cell.cycles =
+        static_cast<std::int32_t>(std::min<std::int64_t>(cycles_, std::numeric_limits<std::int32_t>::max()));
     return solved;
 }
 

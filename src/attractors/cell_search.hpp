@@ -65,8 +65,8 @@ class CellSearch {
     std::int64_t cycles_ = 0;  // of all searches
     Tally tally_;
     std::vector<Known> known_;
-    std::vector<std::size_t> proving_;                             // of known_
-    std::vector<std::vector<regime::Neighbourhood>> proved_;       // the same, where searches leave them
+    std::vector<std::size_t> proving_;                        // of known_
+    std::vector<std::vector<regime::Neighbourhood>> proved_;  // the same, where searches leave them
     regime::AttractorTable table_;
     std::vector<Tally::Entry> kept_;
     std::optional<Kicks> kicks_;

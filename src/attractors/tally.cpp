@@ -38,15 +38,13 @@ void Tally::add(const regime::CellResult& result, std::span<const regime::FoundA
 
 std::vector<Tally::Entry> Tally::in_order() const {
     std::vector<Entry> ordered = entries_;
-    std::ranges::stable_sort(ordered,
-                             [](const Entry& a, const Entry& b) { return order_of(a) < order_of(b); });
+    std::ranges::stable_sort(ordered, [](const Entry& a, const Entry& b) { return order_of(a) < order_of(b); });
     return ordered;
 }
 
 std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellResult& result) {
-    const auto entry = std::ranges::find_if(entries, [&](const Tally::Entry& each) {
-        return regime::same_attractor(each.result, result);
-    });
+    const auto entry = std::ranges::find_if(
+        entries, [&](const Tally::Entry& each) { return regime::same_attractor(each.result, result); });
     return entry == entries.end() ? -1 : static_cast<std::int32_t>(entry - entries.begin());
 }
 

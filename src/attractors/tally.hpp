@@ -18,7 +18,7 @@ namespace peterka::attractors {
 class Tally {
   public:
     struct Entry {
-        regime::CellResult result;                   // of the first start
+        regime::CellResult result;                    // of the first start
         std::optional<regime::FoundAttractor> orbit;  // the same, with the map on which it is one
         std::int64_t starts = 0;
     };

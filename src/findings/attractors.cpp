@@ -38,10 +38,8 @@ bool has_attractor(const quantities::StoredCell& cell) {
 
 std::int32_t row_of(std::span<const Attractor> table, const quantities::StoredCell& cell) {
     if (!has_attractor(cell)) return no_attractor;
-    const auto row =
-        std::ranges::find_if(table, [&](const Attractor& known) {
-            return regime::same_attractor(known.cell, cell);
-        });
+    const auto row = std::ranges::find_if(
+        table, [&](const Attractor& known) { return regime::same_attractor(known.cell, cell); });
     return row == table.end() ? no_attractor : static_cast<std::int32_t>(row - table.begin());
 }
 

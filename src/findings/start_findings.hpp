@@ -16,13 +16,13 @@ struct StartCounts {
     static constexpr std::size_t told_apart = 8;           // numbers of attractors; the last one: or more
     std::array<std::int64_t, told_apart + 1> by_number{};  // cells with so many attractors
     std::int64_t cells = 0;
-    std::int64_t mixed = 0;        // cells in which some starts end with impacts and some without
-    std::int64_t never_hit = 0;    // cells in which no start ends with impacts
-    std::int64_t minority = 0;     // cells in which [start] ends on another attractor than most starts
-    std::int64_t not_kept = 0;     // cells in which it ends on none of those that are kept
-    std::int64_t left_over = 0;    // cells with more attractors than are kept
-    std::int64_t with_kick = 0;    // cells whose largest periodic attractor has a critical kick
-    double smallest_kick = 0;      // of these [m/s]; 0 where there are none
+    std::int64_t mixed = 0;      // cells in which some starts end with impacts and some without
+    std::int64_t never_hit = 0;  // cells in which no start ends with impacts
+    std::int64_t minority = 0;   // cells in which [start] ends on another attractor than most starts
+    std::int64_t not_kept = 0;   // cells in which it ends on none of those that are kept
+    std::int64_t left_over = 0;  // cells with more attractors than are kept
+    std::int64_t with_kick = 0;  // cells whose largest periodic attractor has a critical kick
+    double smallest_kick = 0;    // of these [m/s]; 0 where there are none
 
     void add(const StartCounts& other);
 };
@@ -46,8 +46,8 @@ struct StartFindings {
     std::map<AttractorPair, std::int64_t> pairs;  // cells
 };
 
-// Adds the cells of one tile; attractors slot after slot, as many of each cell as are kept. Cells not computed yet
-// count nowhere.
+// Adds the cells of one tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
+// yet count nowhere.
 void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
                     std::span<const attractors::CellAttractor> attractors);
 

@@ -96,7 +96,8 @@ std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
 
 std::string rule_of_interval(std::string_view name, const std::vector<double>& interval) {
     if (interval.size() != 2) {
-        return fmt::format("{} has {}; it says from where to where starts lie; give two values, [from, to]", name,
+        return fmt::format("{} has {}; it says from where to where starts lie; give two values, [from, to]",
+                           name,
                            interval.size() == 1 ? "one value" : fmt::format("{} values", interval.size()));
     }
     if (interval[0] < interval[1]) return {};

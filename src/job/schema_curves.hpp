@@ -26,7 +26,8 @@ void describe_curves(Walker& file, Job& job) {
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
     file.refuse("operating_point",
                 "belongs to a basin; curves cross the plane of their axes; remove this table");
-    file.refuse("starts", "is for maps; curves belong to orbits, whatever starts lead there; remove this table");
+    file.refuse("starts",
+                "is for maps; curves belong to orbits, whatever starts lead there; remove this table");
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; curves compare nothing; remove this table");

@@ -26,8 +26,8 @@ struct Share {
 [[nodiscard]] Share share_of(std::int64_t tiles, MPI_Comm communicator);
 
 // Collective. Runs `task` on every rank; if it throws on any, all ranks throw the failure of the lowest of
-// them, so that none waits for ever; Stopped, too. A task that is itself collective must fail on all ranks or before its
-// first exchange.
+// them, so that none waits for ever; Stopped, too. A task that is itself collective must fail on all ranks or
+// before its first exchange.
 void together(MPI_Comm communicator, const std::function<void()>& task);
 
 // Collective. The same with a task for rank 0 alone; the others wait for its end.

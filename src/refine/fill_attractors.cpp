@@ -35,16 +35,16 @@ class SameLabel {
             for (std::size_t j = 0; j < around.columns().size; ++j) {
                 const auto& here = around.attractors_at(i, j);
                 const auto is_one = [&](const CellAttractor& each) { return is_like(each, like); };
-                const bool complete = here.size() == of_each &&
-                                      around.at(i, j).attractors == static_cast<std::int32_t>(of_each);
+                const bool complete =
+                    here.size() == of_each && around.at(i, j).attractors == static_cast<std::int32_t>(of_each);
                 if (!complete || std::ranges::count_if(here, is_one) != 1) return std::nullopt;
                 found.attractors_[i][j] = &*std::ranges::find_if(here, is_one);
             }
         }
         return found;
     }
-    [[nodiscard]] std::optional<double> interpolated(const Surroundings& around,
-                                                     double CellAttractor::*number, double rough) const {
+    [[nodiscard]] std::optional<double> interpolated(const Surroundings& around, double CellAttractor::*number,
+                                                     double rough) const {
         const auto value_at = [&](auto i, auto j) { return attractors_[i][j]->*number; };
         return refine::interpolated(around, values_around(around, value_at), rough);
     }

@@ -11,11 +11,11 @@
 #include <span>
 #include <vector>
 
+#include "attractors/solved_cell.hpp"
 #include "job/job.hpp"
 #include "parallel/tiles.hpp"
 #include "refine/fill.hpp"
 #include "refine/lattice.hpp"
-#include "attractors/solved_cell.hpp"
 
 namespace peterka::refine {
 
@@ -54,7 +54,7 @@ class Region {
 
     parallel::Extent grid_;
     std::vector<Number> numbers_;
-    std::int64_t starts_;  // of each cell, besides [start]
+    std::int64_t starts_;            // of each cell, besides [start]
     std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
     std::size_t levels_to_do_;
     std::vector<parallel::Place> to_compute_;

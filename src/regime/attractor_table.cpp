@@ -72,7 +72,8 @@ AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<c
         const std::int64_t count = std::min({affordable, most_places, std::int64_t{result.period}});
         const scene::Oscillator<double> scene = with_cubic(rig, candidate.found.cubic);
         CycleDesk desk;
-        add(scene, candidate.found, complete(find_places(desk, scene, candidate.found, count), desk).neighbourhoods);
+        add(scene, candidate.found,
+            complete(find_places(desk, scene, candidate.found, count), desk).neighbourhoods);
     }
 }
 

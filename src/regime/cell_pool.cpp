@@ -136,8 +136,10 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (const auto result = solve_at_once(scene_.job(), place)) {
         return take_({number, *result, stopwatch.seconds(), {}});
     }
-    add([&](CycleDesk& desk,
-            auto* found) { return solve_cell(desk, scene_.job(), place, {&known_, found}); },
+    add(
+        [&](CycleDesk& desk, auto* found) {
+            return solve_cell(desk, scene_.job(), place, {&known_, found});
+        },
         number);
 }
 

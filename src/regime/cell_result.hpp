@@ -82,7 +82,7 @@ struct CellResult {
     double peak_force_q95 = unknown;
     std::int32_t window_cycles = 0;
     // Where the cell has more starts than one (attractors/).
-    std::int32_t attractors = 0;       // on which these end
+    std::int32_t attractors = 0;        // on which these end
     std::int32_t start_attractor = -1;  // on which of those that are kept this cell ends; -1: on none
     // On request: the last forcing cycle in which the stop pressed, counted from the start; 0 if it never did.
     std::int32_t last_impact = goes_on;

@@ -1,5 +1,5 @@
-// Which results are of one attractor: periodic ones are told apart by z = p/q and by the orbit's point at forcing
-// phase 0, the other regimes are one attractor each.
+// Which results are of one attractor: periodic ones are told apart by z = p/q and by the orbit's point at
+// forcing phase 0, the other regimes are one attractor each.
 #pragma once
 
 #include "regime/cell_result.hpp"

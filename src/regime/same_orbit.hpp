@@ -8,8 +8,8 @@ namespace peterka::regime {
 
 // Relative: orbits that coexist lie much farther apart, and the points of one are known much better.
 inline constexpr double same_point = 1e-6;
-// An orbit with a weak cubic spring and the same one without it, which different engines carry, differ by a little
-// more than the change in force that is allowed.
+// An orbit with a weak cubic spring and the same one without it, which different engines carry, differ by a
+// little more than the change in force that is allowed.
 inline constexpr double same_point_with_and_without = 1e-2;
 
 // Whether two coordinates of points are the same.

@@ -38,7 +38,7 @@ class OutputMapFile : public testing::TestWithParam<job::Kind> {
         for (auto i = std::ssize(tiles) - 1; i >= 0; --i) {
             if (i % ranks_ != rank_) continue;
             const parallel::Tile tile = tiling_.tile(tiles[static_cast<std::size_t>(i)]);
-            map.write_tile(tile, examples::made_up_cells(tile, orbits_), 0.5);
+            map.write_tile(tile, examples::solved(examples::made_up_cells(tile, orbits_)), 0.5);
         }
     }
 
@@ -55,7 +55,8 @@ class OutputMapFile : public testing::TestWithParam<job::Kind> {
         if (rank_ != 0) return;
         MapFile map = create(name, MPI_COMM_SELF);
         for (std::int64_t i = 0; i < tiling_.count(); ++i) {
-            map.write_tile(tiling_.tile(i), examples::made_up_cells(tiling_.tile(i), orbits_), 7.0);
+            const parallel::Tile tile = tiling_.tile(i);
+            map.write_tile(tile, examples::solved(examples::made_up_cells(tile, orbits_)), 7.0);
         }
         map.finish(map.statistics(), omitted, {});
         map.close();

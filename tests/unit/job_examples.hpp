@@ -42,7 +42,8 @@ inline Job map() {
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
     job.refine = {.levels = 2};
-    job.starts = {.count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
+    job.starts = {
+        .count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
     job.limits = {.failed_cells = 7};
     return job;
 }

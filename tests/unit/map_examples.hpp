@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "attractors/solved_cell.hpp"
 #include "job/job.hpp"
 #include "map_file/provenance.hpp"
 #include "parallel/tiles.hpp"
@@ -110,6 +111,13 @@ inline std::vector<regime::CellResult> made_up_cells(const parallel::Tile& tile,
         }
     }
     return cells;
+}
+
+// The same as a map is given them.
+inline std::vector<attractors::SolvedCell> solved(const std::vector<regime::CellResult>& cells) {
+    std::vector<attractors::SolvedCell> solved;
+    for (const regime::CellResult& cell : cells) solved.push_back({cell, {}});
+    return solved;
 }
 
 }  // namespace peterka::map_file::examples

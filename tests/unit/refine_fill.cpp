@@ -14,6 +14,7 @@
 namespace peterka::refine {
 namespace {
 
+using attractors::CellAttractor;
 using regime::CellResult;
 using regime::Regime;
 
@@ -25,27 +26,36 @@ class Around {
         : rows_(stencil_of({33, 4}, row)), columns_(stencil_of({33, 4}, column)), stride_(stride) {
         for (std::size_t i = 0; i < rows_.size; ++i) {
             for (std::size_t j = 0; j < columns_.size; ++j) {
-                cells_.push_back(cell_at(static_cast<double>(rows_.positions[i]),
-                                         static_cast<double>(columns_.positions[j])));
+                cells_.push_back({cell_at(static_cast<double>(rows_.positions[i]),
+                                          static_cast<double>(columns_.positions[j])),
+                                  {}});
             }
         }
     }
 
     [[nodiscard]] std::size_t size() const { return cells_.size(); }
-    CellResult& operator[](std::size_t i) { return cells_[i]; }  // row by row
+    CellResult& operator[](std::size_t i) { return cells_[i].cell; }  // row by row
+    void set_attractors(std::size_t i, const std::vector<CellAttractor>& attractors) {
+        cells_[i].attractors = attractors;
+        cells_[i].cell.attractors = static_cast<std::int32_t>(attractors.size());
+    }
     [[nodiscard]] std::optional<CellResult> filled(const job::Job& job = {}) const {
+        const auto solved = filled_with_attractors(job);
+        return solved ? std::optional(solved->cell) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<attractors::SolvedCell> filled_with_attractors(const job::Job& job) const {
         Surroundings around(rows_, columns_, stride_);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             around.set(i / columns_.size, i % columns_.size, cells_[i]);
         }
-        return refine::filled(around, interpolated_numbers(job));
+        return refine::filled(around, interpolated_numbers(job), job.starts.count);
     }
 
   private:
     Stencil rows_;
     Stencil columns_;
     std::int64_t stride_;
-    std::vector<CellResult> cells_;
+    std::vector<attractors::SolvedCell> cells_;
 };
 
 CellResult periodic(double force) {
@@ -177,6 +187,63 @@ TEST(RefineFill, OnALineOfTheLatticeItsNeighboursOnBothSidesCount) {
     EXPECT_TRUE(around.filled());
     around[0].impacts = 3;
     EXPECT_FALSE(around.filled());
+}
+
+// z = 2/4, the regime of `periodic`, with a share that grows along the rows, and no impact.
+std::vector<CellAttractor> two_attractors(double row) {
+    CellAttractor orbit{Regime::periodic, 2, 4, 40 + row, 0.4 + row / 320};
+    CellAttractor free{Regime::no_impact, 0, 1, 0, 1 - orbit.share};
+    return orbit.share > free.share ? std::vector{orbit, free} : std::vector{free, orbit};
+}
+
+Around with_attractors() {
+    Around around(smooth, 14, 22);
+    const Stencil rows = stencil_of({33, 4}, 14);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        around.set_attractors(
+            i, two_attractors(static_cast<double>(rows.positions[i / (around.size() / rows.size)])));
+    }
+    return around;
+}
+
+job::Job with_starts(std::int64_t count) {
+    job::Job job;
+    job.starts.count = count;
+    return job;
+}
+
+TEST(RefineFill, AttractorsTooAreInterpolatedLabelByLabel) {
+    const auto solved = with_attractors().filled_with_attractors(with_starts(64));
+    ASSERT_TRUE(solved);
+    ASSERT_EQ(solved->attractors.size(), 2U);
+    EXPECT_EQ(solved->cell.attractors, 2);
+    EXPECT_EQ(solved->cell.start_attractor, 1);
+    EXPECT_EQ(solved->attractors[0].regime, Regime::no_impact);
+    EXPECT_NEAR(solved->attractors[0].share, 0.6 - 14.0 / 320, 1e-12);
+    EXPECT_EQ(solved->attractors[1].period, 4);
+    EXPECT_NEAR(solved->attractors[1].share, 0.4 + 14.0 / 320, 1e-12);
+    EXPECT_NEAR(solved->attractors[1].peak_force, 54, 1e-12);
+}
+
+TEST(RefineFill, NotWhereAttractorsDifferAnywhereAround) {
+    const std::vector<std::function<void(std::vector<CellAttractor>&)>> changes{
+        [](auto& attractors) { attractors.pop_back(); },
+        [](auto& attractors) {
+            attractors.push_back({Regime::chaotic, 0, 0, 1, 0.1});
+        },
+        [](auto& attractors) { attractors[0].impacts = 7; },
+        [](auto& attractors) { attractors[1] = attractors[0]; },
+        [](auto& attractors) { attractors[0].share += 0.2; },
+    };
+    for (std::size_t which = 0; which < changes.size(); ++which) {
+        for (std::size_t place = 0; place < 16; ++place) {
+            Around around = with_attractors();
+            std::vector<CellAttractor> changed = two_attractors(12);
+            changes[which](changed);
+            around.set_attractors(place, changed);
+            EXPECT_FALSE(around.filled_with_attractors(with_starts(64))) << which << " at " << place;
+        }
+    }
 }
 
 }  // namespace

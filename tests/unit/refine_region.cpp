@@ -57,12 +57,14 @@ std::vector<CellResult> refine_all(const job::Job& job, const CellAt& cell_at, c
                                    std::size_t& computed) {
     Region region(job, rectangle);
     for (auto places = region.next(); !places.empty(); places = region.next()) {
-        std::vector<CellResult> results;
-        for (const parallel::Place& place : places) results.push_back(cell_at(place.row, place.column));
+        std::vector<attractors::SolvedCell> results;
+        for (const parallel::Place& place : places) results.push_back({cell_at(place.row, place.column), {}});
         region.put(results);
         computed += places.size();
     }
-    return region.cells(rectangle);
+    std::vector<CellResult> cells;
+    for (const attractors::SolvedCell& solved : region.cells(rectangle)) cells.push_back(solved.cell);
+    return cells;
 }
 
 parallel::Tile whole(const job::Job& job) {
