@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "attractors/cell_search.hpp"
@@ -35,6 +36,8 @@ class CellCrowd {
 
   private:
     struct Open {
+        explicit Open(CellSearch of_cell) : search(std::move(of_cell)) {}
+
         CellSearch search;
         std::vector<Ended> ended = {};  // of the searches that run
         std::size_t running = 0;
@@ -45,7 +48,7 @@ class CellCrowd {
         std::int64_t number;
     };
 
-    void begin_next(std::int64_t cell, Open& open);
+    void begin_next(std::int64_t number, Open& cell);
     void keep(const regime::CellPool::Solved& search);
     void fill_pool();
 

@@ -36,7 +36,7 @@ job::Job of_starts(job::Job job) {
 
 Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
                              std::vector<regime::Neighbourhood>* places) {
-    regime::Places proved = co_await regime::find_places(desk, std::move(scene), std::move(found), 1);
+    regime::Places proved = co_await regime::find_places(desk, scene, found, 1);
     *places = std::move(proved.neighbourhoods);
     co_return CellResult{.cycles = static_cast<std::int32_t>(proved.cycles)};
 }

@@ -47,12 +47,12 @@ void write_facts(const hdf5::OpenMap& map, const RunFacts& facts) {
 
 }  // namespace
 
-MapFile::MapFile(hdf5::Checked check, const job::Job& job, const ScalesOfCell& scales, MPI_Comm communicator,
+MapFile::MapFile(hdf5::Checked check, const job::Job& job, ScalesOfCell scales, MPI_Comm communicator,
                  Access access)
     : check_(std::move(check)),
       job_(job),
       audit_rows_(audit_rows(job)),
-      scales_(scales),
+      scales_(std::move(scales)),
       communicator_(communicator),
       rank_(parallel::rank_in(communicator)),
       file_(check_, communicator, access),

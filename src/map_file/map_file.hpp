@@ -103,7 +103,7 @@ class MapFile {
     void close();
 
   private:
-    MapFile(hdf5::Checked check, const job::Job& job, const ScalesOfCell& scales, MPI_Comm communicator,
+    MapFile(hdf5::Checked check, const job::Job& job, ScalesOfCell scales, MPI_Comm communicator,
             Access access);
     void seal();
     [[nodiscard]] hdf5::OpenMap open_map() const { return {check_, file_.id(), disk_}; }

@@ -58,7 +58,7 @@ class FollowedTrajectory {
     }
     // The next cycle of those ordered; where it failed the trajectory ends before it.
     [[nodiscard]] Passage advance(const StroboscopicMap& map) {
-        const Passage cycle = map.passage(ahead_.front());
+        Passage cycle = map.passage(ahead_.front());
         ahead_ = ahead_.subspan(1);
         if (!cycle.ok) return cycle;
         state_ = cycle.end;

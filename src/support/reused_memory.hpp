@@ -59,6 +59,7 @@ class ReusedMemory {
 
 // For a class whose objects come and go: class Thing : public Reused {...}, or a coroutine's promise.
 struct Reused {
+    // NOLINTNEXTLINE(misc-new-delete-overloads): the sized operator delete below is its match.
     [[nodiscard]] static void* operator new(std::size_t bytes) { return ReusedMemory::take(bytes); }
     static void operator delete(void* block, std::size_t bytes) noexcept {
         ReusedMemory::give_back(block, bytes);
