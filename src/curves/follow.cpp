@@ -189,8 +189,8 @@ std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const Place& place, 
                                             std::int64_t period, const Place& window) {
     const auto orbit = orbit_from(rig, place, state, period);
     if (!orbit) return std::nullopt;
-    const auto found = solve(rig, {*orbit, place}, window,
-                             {Condition::on_line(place, {1, 0}), Condition::on_line(place, {0, 1})});
+    auto found = solve(rig, {*orbit, place}, window,
+                       {Condition::on_line(place, {1, 0}), Condition::on_line(place, {0, 1})});
     if (!found || find_fault(rig, *found).kind != Fault::Kind::none) return std::nullopt;
     if (!monodromy(rig, found->orbit, found->place, {}).is_stable()) return std::nullopt;
     return found;

@@ -116,7 +116,7 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
         std::vector<Event> turned = orbit->events;
         for (std::size_t turn = 0; turn < count; ++turn) {
             if (std::ranges::equal(turned, point.orbit.events, {}, &Event::kind, &Event::kind)) return point;
-            std::ranges::rotate(turned, turned.begin() + 1);
+            std::rotate(turned.begin(), turned.begin() + 1, turned.end());
         }
     }
     return OrbitPoint{*orbit, point.place};

@@ -56,7 +56,7 @@ void complete(Table& document, const Table& rig) {
         Value& own = document.entry(name, brought->where).value;
         auto* table = std::get_if<Table>(&own.content);
         const bool is_new = table != nullptr && table->entries.empty() && own.where == brought->where;
-        const Table* more = brought->as<Table>();
+        const auto* more = brought->as<Table>();
         if (is_new) {
             own = *brought;
         } else if (table != nullptr && more != nullptr) {

@@ -17,7 +17,7 @@ using findings::AttractorLabel;
 using findings::StartCounts;
 using findings::StartFindings;
 
-std::string label_in_words(const AttractorLabel& label) {
+std::string attractor_in_words(const AttractorLabel& label) {
     using enum regime::Regime;
     switch (label.regime) {
         case no_impact:
@@ -56,8 +56,8 @@ std::string commonest_pairs(const StartFindings& findings) {
     std::string text = "  commonest pairs: ";
     for (std::size_t i = 0; i < std::min(shown, pairs.size()); ++i) {
         const auto& [pair, cells] = pairs[i];
-        text += fmt::format("{}{} with {} {}", i == 0 ? "" : ", ", label_in_words(pair.upper),
-                            label_in_words(pair.lower), readable_share(cells, findings.counts.cells));
+        text += fmt::format("{}{} with {} {}", i == 0 ? "" : ", ", attractor_in_words(pair.upper),
+                            attractor_in_words(pair.lower), readable_share(cells, findings.counts.cells));
     }
     return text + (pairs.size() > shown ? fmt::format(" and {} more\n", pairs.size() - shown) : "\n");
 }
