@@ -38,7 +38,7 @@ namespace {
 std::int64_t cells_in_hand_bytes(const job::Job& job) {
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
     if (job.kind == job::Kind::sweep || !regime::may_use_batch(rig, job.solver)) return 0;
-    return job.kind == job::Kind::basin ? 4'000'000 : 17'000'000;
+    return job.kind == job::Kind::basin ? 4'000'000 : 26'000'000;
 }
 
 // What a rank needs [bytes]: what this process has so far, that is program, MPI and HDF5; what opening the file

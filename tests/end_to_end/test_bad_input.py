@@ -58,7 +58,7 @@ def test_empty_job(tmp_path):
 @pytest.mark.parametrize("good, bad, words", [
     ("mass_kg = 0.298", "mass_kg = -0.298", ["job.toml:6:", "mass_kg"]),
     ("from = 0.5", "from = 5.5", ["from"]),
-    ("points = 40", "points = 1", ["points"]),
+    ("points = 40", "points = 0", ["points"]),
     ("mass_kg = 0.298", "mass_kg = nan", ["mass_kg"]),
     ("mass_kg", "mas_kg", ["mas_kg", "mass_kg"]),
 ])
@@ -70,7 +70,7 @@ def test_faults_of_a_job(tmp_path, good, bad, words, ranks):
 
 
 def test_all_faults_are_told_at_once(tmp_path):
-    jobs.write(tmp_path, jobs.small_map().replace("0.298", "-0.298").replace("points = 40", "points = 1"))
+    jobs.write(tmp_path, jobs.small_map().replace("0.298", "-0.298").replace("points = 40", "points = 0"))
     refused(tmp_path, "job.toml", code=2, saying=["mass_kg", "points"])
 
 
