@@ -31,9 +31,10 @@ void say(const std::string& message) {
 
 // Open MPI guards a file pointer that all ranks share, which no run needs, by a semaphore that has the name of
 // the file without its folder: runs into files of one name wait for each other, and one killed in between
-// leaves all later ones waiting for ever. A choice of the user's own is kept.
+// leaves all later ones waiting for ever. Its next choice, a file beside ours, waits for ever on a full disk.
+// What is left has files only where it is used. A choice of the user's own is kept.
 void do_without_shared_file_pointers() {
-    ::setenv("OMPI_MCA_sharedfp", "^sm", 0);
+    ::setenv("OMPI_MCA_sharedfp", "^sm,lockedfile", 0);
 }
 
 constexpr int speaking_tag = 3;
