@@ -90,7 +90,7 @@ def measured(tmp_path, lines):
 def test_a_field_beyond_the_readers_limit(tmp_path, draw):
     points = measured(tmp_path, f'1.5,20,0,"{"x" * 200_000}"\n')
     outcome = draw(write_sweep(tmp_path / "s.h5"), "--measured", points)
-    assert outcome.code == 2 and outcome.stderr.count("\n") == 1 and "no list of measured points" in outcome.stderr
+    assert outcome.code == 2 and outcome.stderr.count("\n") == 1 and "no list of points" in outcome.stderr
 
 
 def test_of_many_labels_some_are_written(tmp_path, draw):

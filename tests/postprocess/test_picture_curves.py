@@ -4,18 +4,18 @@ import numpy as np
 import pytest
 from curves_samples import LINES, write_curves
 from peterka.files.opened import NotDrawable
-from peterka.look import axes
+from peterka.look import axes, style
 from peterka.maps import curves_map
 from peterka.maps.curves_file import CurvesFile
 from peterka.pictures import open_file, pictures_of
 
 
 def drawn(path, picture, tmp_path):
-    with CurvesFile(path) as file:
+    with CurvesFile(path) as file, style.using():
         ax = picture(file)
-    if ax is None:
-        return None
-    axes.save(axes.figure_of(ax), tmp_path / "a.png")
+        if ax is None:
+            return None
+        axes.save(axes.figure_of(ax), tmp_path / "a.png")
     return axes.figure_of(ax)
 
 
