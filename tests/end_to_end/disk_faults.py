@@ -19,7 +19,9 @@ NAME = "job.h5"
 
 KINDS = {
     "map": jobs.small_map(18, 3) + "[audit]\ncells = 2\n",
+    "map with starts": jobs.small_map(5, 3) + "[starts]\ncount = 4\nattractors = 2\n[output]\nfields = [\"critical_kick\"]\n",
     "basin": jobs.small_basin(5),
+    "curves": jobs.small_curves(8),
     "sweep": jobs.small_sweep(3, "up", "[1.5]"),
     "trace": jobs.trace(2.0, settings="cycles = 2"),
     "study": jobs.small_label_study(2),

@@ -15,6 +15,7 @@ KINDS = {
     "sweep": jobs.small_sweep(points=8),
     "trace": jobs.trace(2.0),
     "study": jobs.small_label_study(points=3),
+    "curves": jobs.small_curves(points=8),
 }
 ANONYMOUS = ["--set", "output.anonymous=true"]
 

@@ -26,6 +26,8 @@ AT_ONCE = 4  # most of a start is waiting
 HUNT_CROSSLEY = 'law = "hunt_crossley"\nstiffness_n_per_m_pow_n = 5.5e8\ndissipation_s_per_m = 0.3\n'
 LINEAR = jobs.small_map(columns=2, rows=2)
 TINY = LINEAR.replace("[cart]", "cubic_stiffness_n_per_m3 = 238.23\n[cart]")
+OTHER_AXES = (jobs.RIG.format(kind="map", title="stops") + "[operating_point]\nfrequency_ratio = 2.0\ngap_ratio = 0.5\n"
+              + jobs.axis("contact.stiffness_n_per_m", 1e5, 1e8, 2) + jobs.axis("hammer.mass_kg", 0.2, 0.5, 2))
 
 
 def with_engine(name, job=TINY):
@@ -42,6 +44,9 @@ JOBS = {
     "rigid stop": jobs.with_rigid_stop(TINY) + "[audit]\ncells = 1\n",
     "rigid stop, arkode": with_engine("arkode", jobs.with_rigid_stop(TINY)),
     "nonlinear stop": TINY.replace(jobs.KELVIN_VOIGT, HUNT_CROSSLEY) + "[audit]\ncells = 1\n",
+    "map, starts": TINY + "[starts]\ncount = 2\n[output]\nfields = [\"critical_kick\"]\n[audit]\ncells = 1\n",
+    "map, other axes": OTHER_AXES,
+    "curves": jobs.small_curves(points=3),
     "basin": jobs.small_basin(points=2) + "[audit]\ncells = 1\n",
     "sweep": jobs.small_sweep(points=2),
     "trace": jobs.trace(2.0, settings="cycles = 1"),

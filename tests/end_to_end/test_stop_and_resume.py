@@ -242,6 +242,8 @@ SLOW = {
     "sweep": jobs.small_sweep(points=41),
     "trace": jobs.trace(0.5),
     "study": jobs.small_precision_study(),
+    "curves": jobs.small_curves(),
+    "map with starts": jobs.small_map(columns=32, rows=32) + "[starts]\ncount = 16\n",
 }
 
 
