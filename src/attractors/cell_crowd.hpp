@@ -30,7 +30,7 @@ class CellCrowd {
     CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take);
 
     [[nodiscard]] bool has_room() const { return waiting_.empty() && pool_.has_room(); }
-    [[nodiscard]] bool empty() const { return cells_.empty(); }
+    [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
     void step();
 
@@ -53,6 +53,7 @@ class CellCrowd {
     void fill_pool();
 
     Setting setting_;
+    bool has_starts_;
     Take take_;
     std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
     std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>>
