@@ -15,9 +15,13 @@ def name_of(rig):
 
 EDGES = [{**PAPER, "eta": 4.2, "gap": 0.8, "wide": 0.3, "high": 0.4, "points": 40},  # the 1.1 % of z = 1/3
          {**PAPER, "eta": 0.7, "gap": 0.4, "wide": 0.6, "high": 2.0, "points": 40}]
+# The edge between two basins: 3/4 without the cubic and 1/2 with it, at a growth of e^5.8.
+TURNED = {"zeta": 0.023817553484208366, "ki": 6610334.049366145, "ci": 616.8654715608207, "cubic": 238.23,
+          "eta": 3.439564262566399, "gap": -0.2177550723715049, "wide": 0.0137931034482758, "high": 0.017241379310344827,
+          "points": 2}
 
 
-@pytest.mark.parametrize("rig", EDGES + random_rigs(3, 5), ids=name_of)
+@pytest.mark.parametrize("rig", [*EDGES, TURNED, *random_rigs(3, 5)], ids=name_of)
 def test_leaving_the_cubic_out_changes_no_force_by_more_than_is_allowed(tmp_path, rig):
     tried, broken = kept_claims.cubic_left_out(tmp_path, rig)
     assert tried > 0 and broken == 0
