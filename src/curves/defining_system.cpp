@@ -56,6 +56,17 @@ void add_condition(const Rig& rig, const OrbitPoint& point, const Unknowns& unkn
         case Condition::Kind::slow:
             result.values[row] = point.orbit.events[condition.event].velocity;
             result.jacobian(row, unknowns.velocity(condition.event)) = 1;
+            return;
+        case Condition::Kind::inflection: {
+            const double eta = point.place.frequency;
+            const Event& event = point.orbit.events[condition.event];
+            const double sine = std::sin(eta * event.time);
+            const double cosine = std::cos(eta * event.time);
+            result.values[row] = eta * eta * sine - point.place.gap;
+            result.jacobian(row, unknowns.time(condition.event)) = eta * eta * eta * cosine;
+            result.jacobian(row, unknowns.frequency()) = 2 * eta * sine + eta * eta * event.time * cosine;
+            result.jacobian(row, unknowns.gap()) = -1;
+        }
     }
 }
 
@@ -73,6 +84,9 @@ Condition Condition::at_multiplier(int sign, Side side) {
 }
 Condition Condition::at_rest(std::size_t event) {
     return {.kind = Kind::slow, .event = event};
+}
+Condition Condition::without_acceleration(std::size_t event) {
+    return {.kind = Kind::inflection, .event = event};
 }
 
 Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<Condition>& conditions) {

@@ -20,6 +20,7 @@ struct Condition {
         line,         // the place lies on a line
         bifurcation,  // a multiplier is `sign`, on a side of the grazing
         slow,         // an event has velocity 0
+        inflection,   // delta'' is 0 where it grazes, too
     };
     Kind kind = Kind::line;
     Place through = {};  // line: a point of it,
@@ -31,6 +32,7 @@ struct Condition {
     static Condition on_line(const Place& through, const Place& normal);
     static Condition at_multiplier(int sign, Side side = Side::without_impact);
     static Condition at_rest(std::size_t event);
+    static Condition without_acceleration(std::size_t event);
 };
 
 // Values of all equations and conditions, and their derivatives by the unknowns.

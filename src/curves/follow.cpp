@@ -156,7 +156,7 @@ class Follower {
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(stepper_.rig(), here.point);
-        if (changed && has_same_events(changed->orbit, here.point.orbit))
+        if (changed && is_same_motion(changed->orbit, here.point.orbit))
             return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(stepper_.rig(), *changed, window_, stepper_.conditions()) : std::nullopt;

@@ -11,11 +11,6 @@ namespace peterka::curves {
 
 namespace {
 
-double length_of_leg(const Orbit& orbit, std::size_t i, const Place& place) {
-    const bool last = i + 1 == orbit.events.size();
-    return orbit.after(i).time - orbit.events[i].time + (last ? duration_of(orbit.period, place) : 0);
-}
-
 // What an event and its leg bring to the product.
 struct Factor {
     Jacobian<double> before;  // all factors up to the event
@@ -34,10 +29,11 @@ double Monodromy::multiplier() const {
 }
 
 Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side side) {
+    const double duration = duration_of(orbit.period, place);
     Monodromy product{Jacobian<double>::Identity(), 1};
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
         const Event& event = orbit.events[i];
-        const double length = length_of_leg(orbit, i, place);
+        const double length = orbit.length_of_leg(i, duration);
         const bool counts = side == Side::with_impact;
         const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
         const Jacobian<double> jump = rig.saltation(event, place, counts, strikes ? event.velocity : 1)
@@ -54,6 +50,7 @@ Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side
 Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, int sign, Side side) {
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
+    const double duration = duration_of(orbit.period, place);
     const bool counts = side == Side::with_impact;
     const double speed = std::max(orbit.largest_speed(), place.frequency);
     const auto strikes = [&](std::size_t i) {
@@ -74,12 +71,12 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         const Event& event = orbit.events[i];
         Factor factor{up_to_here,
                       rig.saltation(event, place, counts, speed),
-                      rig.flow(event.presses, length_of_leg(orbit, i, place)),
+                      rig.flow(event.presses, orbit.length_of_leg(i, duration)),
                       {}};
         up_to_here = (factor.flow * factor.change.value * factor.before).eval();
         factor.through = up_to_here;
         factors.push_back(factor);
-        determinant *= std::exp(-2 * rig.damping(event.presses) * length_of_leg(orbit, i, place));
+        determinant *= std::exp(-2 * rig.damping(event.presses) * orbit.length_of_leg(i, duration));
         if (event.kind == EventKind::touch) determinant *= rig.determinant_of_touch();
     }
     const double speeds = speeds_without(count);
@@ -89,6 +86,7 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
     const double last_longer =
         -turn / (place.frequency * place.frequency);  // of the last leg, by the frequency
     Jacobian<double> after = Jacobian<double>::Identity();
+    double size = 1;
     for (std::size_t i = count; i-- > 0;) {
         const Event& event = orbit.events[i];
         const Factor& factor = factors[i];
@@ -100,6 +98,7 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         result.gradient[unknowns.time(i)] -= longer;
         result.gradient[unknowns.time((i + 1) % count)] += longer;
         if (i + 1 == count) result.gradient[unknowns.frequency()] += longer * last_longer;
+        size = std::max(size, after.norm() * factor.flow.norm() * (factor.change.value * factor.before).norm());
         after = (after * factor.flow).eval();
         const auto trace_of = [&](const Jacobian<double>& change) {
             return -sign * (after * change * factor.before).trace();
@@ -113,6 +112,8 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         }
         after = (after * factor.change.value).eval();
     }
+    result.value /= size;
+    result.gradient /= size;
     return result;
 }
 

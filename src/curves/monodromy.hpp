@@ -26,7 +26,9 @@ struct Monodromy {
 
 // 0 where a multiplier is sign, and its derivatives by the unknowns (unknowns.hpp): det(M - sign I), times the
 // speed of each impact on a rigid stop over the largest one or the cart's, without which it has no limit at a
-// grazing.
+// grazing; and over the size of the factors that M is made of. They reach 1e4 where weak impacts follow each
+// other, and cancel in M, so that the last digit of each of them moves det(M - sign I) by as many times its
+// own.
 struct Bifurcation {
     double value = 0;
     Eigen::VectorXd gradient;

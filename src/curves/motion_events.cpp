@@ -55,6 +55,21 @@ class Walk {
         return found;
     }
 
+    [[nodiscard]] std::optional<Event> first_after(const Event& from, double within) const {
+        State<double> x = rig_.departure(from);
+        Phase phase = from.presses ? Phase::contact : (x[0] > 0 ? Phase::unloaded : Phase::flight);
+        double time = from.time;
+        std::vector<Event> met;
+        while (met.empty()) {
+            const Leg<double> leg(from.presses ? contact_ : flight_, x, scene_.frequency * time);
+            const Next next = next_event(phase, leg, from.time + within - time);
+            if (next.outcome != Outcome::crossing) return std::nullopt;
+            time += next.moment.time;
+            enter(next, time, phase, x, met);
+        }
+        return met.front();
+    }
+
   private:
     struct Next {
         Outcome outcome = Outcome::none;
@@ -107,6 +122,10 @@ std::optional<Orbit> orbit_from(const Rig& rig, const Place& place, const State<
     auto events = Walk(rig, place).events(start, period);
     if (!events || events->empty()) return std::nullopt;
     return Orbit{period, std::move(*events)};
+}
+
+std::optional<Event> first_event_after(const Rig& rig, const Place& place, const Event& from, double within) {
+    return Walk(rig, place).first_after(from, within);
 }
 
 }  // namespace peterka::curves

@@ -1,4 +1,4 @@
-// The events of the true motion from a state on, and what is wrong with an orbit as a motion of the hammer.
+// The events of the true motion from a state on.
 #pragma once
 
 #include <optional>
@@ -16,5 +16,10 @@ inline constexpr std::size_t most_events = 96;  // of an orbit that is followed
 // the hammer at the end of a chatter.
 [[nodiscard]] std::optional<Orbit> orbit_from(const Rig& rig, const Place& place, const State<double>& start,
                                               std::int64_t period);
+
+// What the motion meets first within so long a time after an event: in contact a release; in flight a touch,
+// or, before the hammer has left the stop that has let go, a resume.
+[[nodiscard]] std::optional<Event> first_event_after(const Rig& rig, const Place& place, const Event& from,
+                                                     double within);
 
 }  // namespace peterka::curves

@@ -46,6 +46,10 @@ struct Orbit {
     std::vector<Event> events;  // in their order, over one period
 
     [[nodiscard]] const Event& after(std::size_t i) const { return events[(i + 1) % events.size()]; }
+    // Of the leg that begins with an event, where the orbit lasts so long [tau].
+    [[nodiscard]] double length_of_leg(std::size_t i, double duration) const {
+        return after(i).time - events[i].time + (i + 1 == events.size() ? duration : 0);
+    }
     [[nodiscard]] std::int64_t impacts() const {
         return std::ranges::count(events, EventKind::touch, &Event::kind);
     }

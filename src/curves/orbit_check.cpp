@@ -5,6 +5,9 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
+
+#include "curves/motion_events.hpp"
 
 namespace peterka::curves {
 
@@ -80,6 +83,32 @@ void each_maximum(const LegInTime& leg, const Quantity& slope,
     }
 }
 
+// At its ends a leg meets by rounding what it begins and ends with.
+double margin_of(const LegInTime& leg) {
+    return 1e-6 * (leg.to - leg.from);
+}
+
+// What the motion meets before the leg ends.
+std::optional<Event> first_in(const LegInTime& leg) {
+    return first_event_after(*leg.rig, leg.point->place, leg.point->orbit.events[leg.event],
+                             leg.to - leg.from - margin_of(leg));
+}
+
+// When a flight that goes on beyond the stop reaches furthest.
+double top_after(const LegInTime& leg, const Event& touch) {
+    const auto velocity = [](double, const State<double>& x) { return x[1]; };
+    double before = touch.time;
+    double step = 1e-3 * (leg.to - leg.from);
+    const double falling = -leg.rig->slope(false, leg.point->place, before, {0, touch.velocity})[1];
+    if (falling > 0) step = std::min(step, touch.velocity / falling / 2);
+    for (double now = before + step; now < leg.to; now = before + step) {
+        if (leg.at(now)[1] <= 0) return zero_between(leg, before, now, velocity);
+        before = now;
+        step *= 1.5;
+    }
+    return leg.to;
+}
+
 // A flight may rise above the stop while it has not left it yet, and at its very ends by rounding.
 Fault fault_of_flight(const LegInTime& leg) {
     constexpr double depth = 1e-9;  // [A0] that is no impact, for a grazing curve runs along it
@@ -87,7 +116,7 @@ Fault fault_of_flight(const LegInTime& leg) {
     double highest = depth;
     bool has_left = leg.start[0] <= 0;
     double looked_until = leg.from;
-    const double margin = 1e-6 * (leg.to - leg.from);
+    const double margin = margin_of(leg);
     const auto velocity = [](double, const State<double>& x) { return x[1]; };
     const auto leaves_before = [&](double until) {
         for (double time = looked_until; !has_left && time < until;) {
@@ -103,26 +132,19 @@ Fault fault_of_flight(const LegInTime& leg) {
         highest = x[0];
         fault = {Fault::Kind::pierces, leg.event, time};
     });
-    if (fault.kind != Fault::Kind::none || leg.rig->is_rigid()) return fault;
-    // the force may not rise through 0 before the hammer has left
-    const double tiny = 1e-9 * (1 + leg.rig->force({0, leg.point->orbit.largest_speed()}));
-    const auto force_slope = [&](double time, const State<double>& x) { return leg.force(time, x)[1]; };
-    each_maximum(leg, force_slope, [&](double time, const State<double>& x) {
-        if (x[0] > 0 && leg.rig->force(x) > tiny && leg.to - time > margin) {
-            fault = {Fault::Kind::pattern, leg.event, time};
-        }
-    });
+    if (fault.kind != Fault::Kind::none) return fault;
+    // what is too short to be seen so
+    const auto met = first_in(leg);
+    if (!met) return fault;
+    if (met->kind == EventKind::resume) return {Fault::Kind::pattern, leg.event, met->time};
+    const double top = top_after(leg, *met);
+    if (leg.at(top)[0] > depth) fault = {Fault::Kind::pierces, leg.event, top};
     return fault;
 }
 
 Fault fault_of_contact(const LegInTime& leg) {
-    Fault fault;
-    const double tiny = 1e-9 * (1 + leg.rig->force({0, leg.point->orbit.largest_speed()}));
-    const auto falling = [&](double time, const State<double>& x) { return -leg.force(time, x)[1]; };
-    each_maximum(leg, falling, [&](double time, const State<double>& x) {
-        if (leg.rig->force(x) < -tiny) fault = {Fault::Kind::pattern, leg.event, time};
-    });
-    return fault;
+    const auto met = first_in(leg);
+    return met ? Fault{Fault::Kind::pattern, leg.event, met->time} : Fault{};
 }
 
 bool has_lost_its_speed(const Event& event) {

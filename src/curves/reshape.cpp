@@ -70,6 +70,13 @@ bool has_same_events(const Orbit& a, const Orbit& b) {
     return a.period == b.period && std::ranges::equal(a.events, b.events, {}, &Event::kind, &Event::kind);
 }
 
+bool is_same_motion(const Orbit& a, const Orbit& b) {
+    const double rounding = 1e-6 * a.largest_speed();
+    return has_same_events(a, b) && std::ranges::equal(a.events, b.events, [&](const Event& x, const Event& y) {
+               return std::abs(x.velocity - y.velocity) <= rounding;
+           });
+}
+
 OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced) {
     OrbitPoint result = point;
     const auto place = result.orbit.events.begin() + static_cast<std::ptrdiff_t>(pierced.event) + 1;
@@ -113,10 +120,10 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
     // the same ones may begin with another
     const std::size_t count = orbit->events.size();
     if (count == point.orbit.events.size()) {
-        std::vector<Event> turned = orbit->events;
+        Orbit turned = *orbit;
         for (std::size_t turn = 0; turn < count; ++turn) {
-            if (std::ranges::equal(turned, point.orbit.events, {}, &Event::kind, &Event::kind)) return point;
-            std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+            if (is_same_motion(turned, point.orbit)) return point;
+            std::rotate(turned.events.begin(), turned.events.begin() + 1, turned.events.end());
         }
     }
     return OrbitPoint{*orbit, point.place};

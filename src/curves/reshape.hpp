@@ -12,6 +12,8 @@ namespace peterka::curves {
 [[nodiscard]] OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share);
 
 [[nodiscard]] bool has_same_events(const Orbit& a, const Orbit& b);
+// The same events, with the same velocities but for rounding.
+[[nodiscard]] bool is_same_motion(const Orbit& a, const Orbit& b);
 
 // With a grazing where a flight reaches furthest.
 [[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced);

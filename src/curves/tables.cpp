@@ -15,7 +15,8 @@ using map_file::Table;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kind_names[] = {"fold", "period_doubling", "grazing"};
-constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing", "cusp"};
+constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing", "cusp",
+                                         "inflection"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
 
 // Columns that are filled row by row.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "curves/inflection.hpp"
 #include "curves/reshape.hpp"
 
 namespace peterka::curves {
@@ -87,6 +88,15 @@ class HalfCurve {
     // A step ends the curve at the border, or where another impact grazes. What it has met may be too much at
     // once for so long a step.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
+        if (kind_ == CurveKind::grazing && grazing_turns_over(rig_, here.point, there.point)) {
+            const auto guess = with_brief_grazing(there.point);
+            const auto last =
+                guess ? solve_with(*guess, Condition::without_acceleration(guess->orbit.grazing())) : guess;
+            if (!last || !window_.holds(last->place)) return Step::unclear;
+            add_special(SpecialKind::inflection, *last);
+            end = CurveEnd::special;
+            return Step::ends;
+        }
         const bool leaves = !window_.holds(there.point.place);
         const Fault fault = find_fault(rig_, there.point);
         const bool breaks = fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow;
@@ -148,8 +158,8 @@ class HalfCurve {
     }
 
     void look_for_specials(const Stepper::Here& here, const Stepper::Here& there) {
-        if (!has_same_events(here.point.orbit, there.point.orbit)) return;
-        if (kind_ == CurveKind::fold) look_for_cusp(here, there);
+        const bool same_events = has_same_events(here.point.orbit, there.point.orbit);
+        if (kind_ == CurveKind::fold && same_events) look_for_cusp(here, there);
         if (kind_ != CurveKind::grazing) return;
         for (const MultiplierTest& test : multiplier_tests) {
             if (test.side == Side::with_impact && rig_.is_rigid()) continue;
@@ -159,8 +169,9 @@ class HalfCurve {
             const double before = value(here.point);
             const double after = value(there.point);
             if ((before > 0) == (after > 0)) continue;
-            const auto found = solve_with(between(here.point, there.point, before / (before - after)),
-                                          Condition::at_multiplier(test.sign, test.side));
+            const auto found = solve_with(
+                same_events ? between(here.point, there.point, before / (before - after)) : there.point,
+                Condition::at_multiplier(test.sign, test.side));
             if (found)
                 add_special(test.sign > 0 ? SpecialKind::fold_grazing : SpecialKind::flip_grazing, *found);
         }
@@ -210,7 +221,7 @@ class HalfCurve {
     bool change_events(Stepper::Here& here) {
         const Place ahead = Stepper::along(here.tangent);
         const auto changed = with_true_events(rig_, here.point);
-        if (changed && has_same_events(changed->orbit, here.point.orbit))
+        if (changed && is_same_motion(changed->orbit, here.point.orbit))
             return true;  // by less than rounding tells
         const auto settled =
             changed ? solve(rig_, *changed, window_.size(), stepper_.conditions()) : std::nullopt;

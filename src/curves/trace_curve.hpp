@@ -14,6 +14,8 @@ enum class SpecialKind : std::int8_t {
     flip_grazing = 1,    // the same with -1
     double_grazing = 2,  // two at once
     cusp = 3,            // two folds meet
+    inflection = 4,      // where the hammer grazes its acceleration is 0, too: a touch from one side of the
+                         // surface becomes one from the other
 };
 
 struct CurvePoint {

@@ -14,7 +14,8 @@ namespace peterka::curves {
 namespace {
 
 constexpr std::array kind_words{"fold", "period doubling", "grazing"};
-constexpr std::array special_words{"fold with grazing", "period doubling with grazing", "two grazings", "cusp"};
+constexpr std::array special_words{"fold with grazing", "period doubling with grazing", "two grazings", "cusp",
+                                   "grazing without acceleration"};
 
 std::string table_of_curves(const Findings& found) {
     struct Row {
@@ -37,7 +38,7 @@ std::string table_of_curves(const Findings& found) {
 }
 
 std::string specials_text(const Findings& found) {
-    std::array<int, 4> counts{};
+    std::array<int, special_words.size()> counts{};
     for (const Curve& curve : found.curves) {
         for (const Special& special : curve.specials) ++counts[static_cast<std::size_t>(special.kind)];
     }

@@ -71,6 +71,14 @@ def test_the_summary_explains_the_edges(curves):
     assert "within one cell of a curve" in curves[1].stdout
 
 
+def test_each_end_of_a_curve_has_a_reason(tmp_path):
+    path, _ = compute(tmp_path, jobs.small_curves(points=128))
+    with h5py.File(path) as file:
+        lost = [f"{p}/{q}, kind {kind}" for kind, p, q, *ends in zip(*(file[f"curve_{name}"][()] for name in (
+            "kind", "impacts", "period", "begin", "end"))) if 3 in ends]
+        assert len(file["curve"]) > 60 and not lost
+
+
 def test_a_complete_file_is_left_as_it_is(curves):
     again = launch.run("run", "job.toml", cwd=curves[0].parent)
     assert again.returncode == 0 and "nothing is computed" in again.stdout

@@ -10,7 +10,7 @@ from ..files.checked_hdf5 import INTEGER, REAL
 from .map_file import PeterkaFile
 
 KINDS = ("fold", "period_doubling", "grazing")
-SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp")
+SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
 MAX_POINTS = 10_000_000
 
 

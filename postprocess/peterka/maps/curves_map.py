@@ -20,7 +20,8 @@ LOOKS = {
 WORDS = {"fold": "fold: the orbit is born or ends", "period_doubling": "period doubling",
          "grazing": "grazing: an impact is gained or lost"}
 LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "period doubling with grazing"),
-           "double_grazing": ("G", "two grazings"), "cusp": ("C", "cusp: two folds meet")}
+           "double_grazing": ("G", "two grazings"), "cusp": ("C", "cusp: two folds meet"),
+           "inflection": ("I", "grazing without acceleration")}
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
 MOST_NAMES = 24
 APART = 0.06  # of the picture, between two names or letters
