@@ -116,6 +116,15 @@ std::vector<std::string_view> axis_keys(ContactLaw law) {
     return keys;
 }
 
+const std::vector<AxisQuantity>& axis_quantities() {
+    return quantities().numbers;
+}
+
+std::string key_in_tables(std::string_view key) {
+    if (is_frequency(key) || is_gap(key)) return fmt::format("operating_point.{}", key);
+    return is_of_basin(key) ? fmt::format("start.{}", key) : std::string(key);
+}
+
 bool is_no_number(std::string_view key) {
     return std::ranges::find(quantities().others, key) != quantities().others.end();
 }

@@ -32,9 +32,16 @@ struct AxisQuantity {
 [[nodiscard]] std::vector<std::string_view> axis_keys(ContactLaw law);
 [[nodiscard]] bool is_no_number(std::string_view key);
 
+// All of them, with those of basins and of any law.
+[[nodiscard]] const std::vector<AxisQuantity>& axis_quantities();
+
 // Any of them; nullptr where there is none with this key.
 [[nodiscard]] const AxisQuantity* find_quantity(std::string_view key);
 [[nodiscard]] const AxisQuantity& quantity(std::string_view key);  // there is one
+
+// The table and key that have the value of such an axis in other jobs: "operating_point.gap_ratio" of
+// "gap_ratio".
+[[nodiscard]] std::string key_in_tables(std::string_view key);
 
 // Names in the file: of the axes, or of a sweep's branches.
 [[nodiscard]] AxisNames axis_names(const Job& job);

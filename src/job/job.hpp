@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -192,12 +193,18 @@ struct Study {
     friend bool operator==(const Study&, const Study&) = default;
 };
 
+// The cell of a map or basin file that a trace follows, or whose rig and place a basin has.
+struct CellOfMap {
+    std::string map;        // the file; empty: the job's own rig
+    std::int64_t row = -1;  // of the cell, from 0; -1: the cell nearest to `values`
+    std::int64_t column = -1;
+    std::map<std::string, double> values = {};  // by the table and key that an axis of that file runs over
+    friend bool operator==(const CellOfMap&, const CellOfMap&) = default;
+};
+
 // One cell in time. A cart at rest (frequency_ratio = 0) has no cycles: time is counted in the hammer's own
 // period.
 struct Trace {
-    std::string map;        // file of a map or basin, one of whose cells is followed; empty: this job's own rig
-    std::int64_t row = -1;  // of the cell, from 0; -1: the cell nearest to the values given
-    std::int64_t column = -1;
     TraceBegin from = TraceBegin::steady_state;
     std::int64_t cycles = 4;  // forcing cycles shown
     double duration_s = 0;    // shown instead, with a cart at rest
@@ -227,12 +234,13 @@ struct Job {
     Solver solver;
     Output output;
     Audit audit;
-    Refine refine;  // map only
-    Starts starts;  // map only
-    Sweep sweep;    // sweep only
-    Study study;    // study only
-    Trace trace;    // trace only
-    Curves curves;  // curves only
+    Refine refine;   // map only
+    Starts starts;   // map only
+    Sweep sweep;     // sweep only
+    Study study;     // study only
+    Trace trace;     // trace only
+    CellOfMap cell;  // trace and basin
+    Curves curves;   // curves only
     Limits limits;
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;

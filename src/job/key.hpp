@@ -14,6 +14,7 @@ struct Key {
     std::string_view meaning;       // with its unit in brackets
     std::string_view example = {};  // a value, for a key that must be given; a key without one has a default
     bool is_identity = true;        // whether two runs that differ here are different jobs
+    bool is_written = true;         // false: it names what is written instead
 
     [[nodiscard]] bool is_required() const { return !example.empty(); }
 };

@@ -180,18 +180,23 @@ std::string rule_of_trace(const Job& job) {
         samples, most_samples);
 }
 
-std::string rule_of_traced_cell(const Trace& trace) {
-    if (harmless(trace.map, trace.map.size()) != trace.map) {
-        return "trace.map has a line break or control character; it is the name of a file, which messages "
-               "show; "
-               "rename that file";
+std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table) {
+    if (harmless(cell.map, cell.map.size()) != cell.map) {
+        return fmt::format(
+            "{}.map has a line break or control character; it is the name of a file, which messages show; "
+            "rename that file",
+            table);
     }
-    if (trace.map.empty() && (trace.row >= 0 || trace.column >= 0)) {
-        return "trace.row and trace.column name a cell of a map file; trace.map names no file; add map = "
-               "\"FILE.h5\", or remove them";
+    if (cell.map.empty() && (cell.row >= 0 || cell.column >= 0)) {
+        return fmt::format(
+            "{0}.row and {0}.column name a cell of a map file; {0}.map names no file; add map = \"FILE.h5\", "
+            "or "
+            "remove them",
+            table);
     }
-    if ((trace.row >= 0) == (trace.column >= 0)) return {};
-    return "trace.row and trace.column name a cell together; one of them is missing; give both, or neither";
+    if ((cell.row >= 0) == (cell.column >= 0)) return {};
+    return fmt::format(
+        "{0}.row and {0}.column name a cell together; one of them is missing; give both, or neither", table);
 }
 
 std::string rule_of_curves(const Job& job) {

@@ -36,7 +36,8 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_study(const Contact& contact);
 // Of a trace with a rig of its own: what fits to a cart at rest and to one that vibrates, and how long it is.
 [[nodiscard]] std::string rule_of_trace(const Job& job);
-[[nodiscard]] std::string rule_of_traced_cell(const Trace& trace);
+// Of the cell of a map file that [trace] or [basin] names.
+[[nodiscard]] std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table);
 // Of curves: the stops and springs whose orbits have a closed form.
 [[nodiscard]] std::string rule_of_curves(const Job& job);
 [[nodiscard]] std::string rule_of_title(std::string_view title);

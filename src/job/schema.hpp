@@ -10,6 +10,7 @@
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/schema_cell_of_map.hpp"
 #include "job/schema_curves.hpp"
 #include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
@@ -37,9 +38,13 @@ void describe_rig(Walker& file, Job& job) {
 
 template <typename Walker>
 void describe_trace(Walker& file, Job& job) {
-    file.table({"trace", "which cell is followed, and what is shown of it"},
-               [&](auto& table) { describe(table, job.trace); });
-    if (!job.trace.map.empty()) {
+    file.table({"trace", "which cell is followed, and what is shown of it"}, [&](auto& table) {
+        describe_cell_of_map(
+            table, job.cell,
+            {"map", "file of a map or basin with the cell to follow, \"\" for the rig of this job"}, "trace");
+        describe(table, job.trace);
+    });
+    if (!job.cell.map.empty()) {
         describe_trace_of_map(file, job);
     } else {
         describe_rig(file, job);
@@ -65,11 +70,12 @@ void describe(Walker& file, Job& job) {
 
     if (kind_is_known && job.kind == Kind::trace) return describe_trace(file, job);
     if (kind_is_known && (job.kind == Kind::map || job.kind == Kind::sweep)) file.leave_to_axes(job);
-    describe_rig(file, job);
+    if (kind_is_known && job.kind == Kind::basin) describe_basin_of_map(file, job);
+    if (job.cell.map.empty()) describe_rig(file, job);
 
     if (!kind_is_known) {
-        file.skip(
-            {"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves"});
+        file.skip({"axes", "start", "operating_point", "refine", "starts", "sweep", "study", "trace", "curves",
+                   "basin"});
     }
     if (kind_is_known && job.kind == Kind::map) {
         describe_map(file, job);
@@ -97,6 +103,10 @@ void describe(Walker& file, Job& job) {
     if (kind_is_known) {
         file.refuse("trace",
                     "belongs to kind = \"trace\"; this job follows no single cell in time; remove this table");
+    }
+    if (kind_is_known && job.kind != Kind::basin) {
+        file.refuse("basin",
+                    "belongs to kind = \"basin\", whose rig and place may be a map's; remove this table");
     }
     if (kind_is_known && job.kind != Kind::curves) {
         file.refuse("curves", "belongs to kind = \"curves\"; this job traces none; remove this table");

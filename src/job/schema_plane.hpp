@@ -98,13 +98,16 @@ void describe_gap(Walker& table, OperatingPoint& place) {
 
 template <typename Walker>
 void describe_basin(Walker& file, Job& job) {
-    file.table(
-        {"operating_point", "place in the plane at which the basin is drawn", "frequency_ratio and gap_ratio"},
-        [&](auto& table) {
-            describe_frequency(table, job.operating_point);
-            describe_gap(table, job.operating_point);
-        });
-    settle_place(job);
+    const bool has_own_rig = job.cell.map.empty();
+    if (has_own_rig) {
+        file.table({"operating_point", "place in the plane at which the basin is drawn",
+                    "frequency_ratio and gap_ratio"},
+                   [&](auto& table) {
+                       describe_frequency(table, job.operating_point);
+                       describe_gap(table, job.operating_point);
+                   });
+        settle_place(job);
+    }
     file.table({"axes", "plane of starts", "[axes.displacement_ratio] and [axes.velocity_ratio]"},
                [&](auto& axes) {
                    describe_axis(axes, job.columns, quantity(column_key(job)));
@@ -120,6 +123,7 @@ void describe_basin(Walker& file, Job& job) {
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
     file.refuse("refine",
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");
+    if (!has_own_rig) return;  // these rules are asked once it is known
     file.rule({"operating_point"}, [&] { return rule_of_place(job); });
     file.rule({"axes"}, [&] {
         return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,

@@ -2,15 +2,13 @@
 //
 // A trace of its own brings its rig, its operating point and its start. A trace of a cell of a map file takes
 // all of them from the job in that file; which cell is told by its indices, or by the values nearest to it.
-// Values that are not given stay NaN until the file is read (program/traced_cell.hpp).
 #pragma once
-
-#include <limits>
 
 #include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"
 #include "job/rules.hpp"
+#include "job/schema_cell_of_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_settings.hpp"
 
@@ -18,13 +16,6 @@ namespace peterka::job {
 
 template <typename Walker>
 void describe(Walker& table, Trace& trace) {
-    constexpr auto index = from_to<std::int64_t>(-1, std::numeric_limits<std::int32_t>::max(),
-                                                 "cells are counted from 0; -1 leaves the cell to its values");
-    table.text({"map", "file of a map or basin with the cell to follow, \"\" for the rig of this job"},
-               trace.map);
-    table.integer({"row", "row of the cell in that file, from 0; -1: nearest to the values given"}, trace.row,
-                  index);
-    table.integer({"column", "column of the cell in that file, from 0; -1: the same"}, trace.column, index);
     table.choice({"from", "where the trace begins: start (transient included) or steady_state"}, trace.from);
     table.integer(
         {"cycles", "forcing cycles shown"}, trace.cycles,
@@ -41,7 +32,6 @@ void describe(Walker& table, Trace& trace) {
     table.number(
         {"spectrum_to_hz", "largest frequency of the spectra [Hz]"}, trace.spectrum_to_hz,
         from_to(1e-3, 1e6, "a spectrum has a largest frequency, and no stop is known beyond a megahertz"));
-    table.rule({"map", "row", "column"}, [&] { return rule_of_traced_cell(trace); });
 }
 
 inline constexpr Quantity trace_frequency_ratio{
@@ -53,24 +43,16 @@ inline constexpr Quantity trace_frequency_ratio{
 // The rig and the cell of a map file.
 template <typename Walker>
 void describe_trace_of_map(Walker& file, Job& job) {
-    constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-    job.operating_point = {not_given, not_given};
-    job.start = {not_given, not_given};
     file.refuse("rig",
                 "is that of the job in the file that trace.map names; a cell is followed as it was computed; "
                 "remove this key");
-    for (const auto* name : {"hammer", "cart", "contact", "solver", "steady_state"}) {
+    for (const auto* name : {"solver", "steady_state"}) {
         file.refuse(
             name,
             "is that of the job in the file that trace.map names; a cell is followed as it was computed; "
             "remove this table");
     }
-    file.table({"operating_point", "values of the cell in the plane of a map"}, [&](auto& table) {
-        table.number({trace_frequency_ratio.name, trace_frequency_ratio.meaning},
-                     job.operating_point.frequency_ratio, trace_frequency_ratio.range);
-        table.number({gap_ratio.name, gap_ratio.meaning}, job.operating_point.gap_ratio, gap_ratio.range);
-    });
-    describe_start(file, job);
+    describe_values_of_cell(file, job.cell, {"operating_point", "start", "hammer", "cart", "contact"});
     file.rule({"trace"}, [&] {
         Job driven = job;  // a map's cart vibrates; its place isn't known before the file is read
         driven.operating_point = {1, 0};
@@ -103,6 +85,7 @@ void refuse_other_tables_in_trace(Walker& file) {
     file.refuse("starts", "is for maps; a trace follows one start; remove this table");
     file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
     file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
+    file.refuse("basin", "belongs to kind = \"basin\"; a trace has trace.map; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; a trace compares nothing; remove this table");
     file.refuse("curves", "belongs to kind = \"curves\"; a trace follows one cell; remove this table");
     file.refuse("sweep", "belongs to kind = \"sweep\"; a trace follows one cell; remove this table");

@@ -90,7 +90,7 @@ class TableWriter {
           has_header_(path_.empty()) {}
 
     [[nodiscard]] bool is_written(const Key& key) const {
-        return style_ == Style::for_people || key.is_identity;
+        return key.is_written && (style_ == Style::for_people || key.is_identity);
     }
     template <typename Number>
     void list(const Key& key, const std::vector<Number>& values) {

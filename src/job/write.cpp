@@ -26,9 +26,10 @@ std::string resolved_text(const Job& job, const Origins& origins) {
 void take_from(const std::string& map_file, const Job& job, Origins& origins) {
     for (const auto& [key, origin] : origins_of(parse_document(resolved_text(job), map_file), {map_file})) {
         const std::string_view table = std::string_view(key).substr(0, key.find('.'));
-        for (const auto* taken :
-             {"hammer", "cart", "contact", "operating_point", "start", "solver", "steady_state"}) {
-            if (table == taken) origins[key] = map_file;
+        const bool is_rig = table == "hammer" || table == "cart" || table == "contact";
+        const bool is_setting = table == "start" || table == "solver" || table == "steady_state";
+        if (is_rig || table == "operating_point" || (is_setting && job.kind == Kind::trace)) {
+            origins[key] = map_file;
         }
     }
 }

@@ -18,54 +18,58 @@ namespace peterka::map_file {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+const std::string key_of_traces = "trace.map";
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why,
+                         const std::string& key = key_of_traces) {
     throw Failure(ExitCode::bad_job,
-                  fmt::format("trace.map = \"{}\" {}; give a file that peterka made of a map or basin",
+                  fmt::format("{} = \"{}\" {}; give a file that peterka made of a map or basin", key,
                               path.string(), why));
 }
 
-hdf5::FileId open_to_read(const hdf5::Checked& check) {
+hdf5::FileId open_to_read(const hdf5::Checked& check, const std::string& key) {
     const std::filesystem::path& path = check.path();
     std::error_code unknown;
     if (!std::filesystem::exists(path, unknown))
-        refuse(path, "does not exist (looked for from the current folder)");
-    if (!std::filesystem::is_regular_file(path, unknown)) refuse(path, "is not a regular file");
-    if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "is not an HDF5 file, or may not be read");
+        refuse(path, "does not exist (looked for from the current folder)", key);
+    if (!std::filesystem::is_regular_file(path, unknown)) refuse(path, "is not a regular file", key);
+    if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "is not an HDF5 file, or may not be read", key);
     const hdf5::PropertiesId access = file_access(check);
     hdf5::FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
-    if (file.id() < 0) refuse(path, "is damaged: " + hdf5::hdf5_reason());
+    if (file.id() < 0) refuse(path, "is damaged: " + hdf5::hdf5_reason(), key);
     return file;
 }
 
-job::Job job_in(const std::filesystem::path& path, const hdf5::FileId& file) {
+job::Job job_in(const std::filesystem::path& path, const hdf5::FileId& file, const std::string& key) {
     const auto version = hdf5::read_integer(file.id(), attribute::layout);
     const auto text = hdf5::read_text(file.id(), attribute::job);
-    if (!version || !text) refuse(path, "was not made by peterka: it has no layout version or no job");
+    if (!version || !text) refuse(path, "was not made by peterka: it has no layout version or no job", key);
     if (*version != layout_version) {
         refuse(path,
-               fmt::format("has layout version {}, this program reads version {}", *version, layout_version));
+               fmt::format("has layout version {}, this program reads version {}", *version, layout_version),
+               key);
     }
     try {
         return job::read_job_text(*text, path.string());
     } catch (const job::JobFaults&) {
-        refuse(path, "holds a job that this version can't read");
+        refuse(path, "holds a job that this version can't read", key);
     }
 }
 
 }  // namespace
 
-job::Job read_map_job(const std::filesystem::path& path) {
+job::Job read_map_job(const std::filesystem::path& path, const std::string& key) {
     const hdf5::Checked check(path);
-    const hdf5::FileId file = open_to_read(check);
-    job::Job job = job_in(path, file);
+    const hdf5::FileId file = open_to_read(check, key);
+    job::Job job = job_in(path, file, key);
     if (job.kind == job::Kind::map || job.kind == job::Kind::basin) return job;
-    refuse(path, fmt::format("is of kind \"{}\", which has no plane of cells", job::name(job.kind)));
+    refuse(path, fmt::format("is of kind \"{}\", which has no plane of cells", job::name(job.kind)), key);
 }
 
 MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, std::int64_t row,
                       std::int64_t column) {
     const hdf5::Checked check(path);
-    const hdf5::FileId file = open_to_read(check);
+    const hdf5::FileId file = open_to_read(check, key_of_traces);
     if (const auto fault = layout_fault(check, file.id(), job)) refuse(path, "is damaged: " + *fault);
     const hdf5::DiskFile disk(path);
     const TileStore tiles({check, file.id(), disk}, job);

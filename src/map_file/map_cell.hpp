@@ -22,8 +22,8 @@ struct MapCell {
     quantities::StoredCell stored{};  // in the units of the file
 };
 
-// The job that a map or basin file stores.
-[[nodiscard]] job::Job read_map_job(const std::filesystem::path& path);
+// The job that a map or basin file stores. `key` is that of the job that names the file.
+[[nodiscard]] job::Job read_map_job(const std::filesystem::path& path, const std::string& key);
 
 // A cell of that job's plane.
 [[nodiscard]] MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, std::int64_t row,

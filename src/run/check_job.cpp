@@ -131,6 +131,13 @@ std::string rigs_text(const job::Job& job) {
            "with one rig\n";
 }
 
+// Of a basin that has the rig and the place of a cell of a map.
+std::string cell_text(const TracedCell& traced) {
+    if (!traced.rig) return "";
+    return fmt::format("#   rig      that of row {}, column {} of {}\n", traced.rig->cell.row,
+                       traced.rig->cell.column, traced.rig->file.string());
+}
+
 // Of the plane, the branches or the one cell of a job.
 std::string starts_text(const job::Job& job) {
     const std::string inside = starts_inside(scene::Scene(job));
@@ -179,7 +186,7 @@ std::string check_job(const Request& request) {
     auto [read, origins] = job::read_job_with_origins(request.job_file, request.overrides);
     const TracedCell traced = find_traced_cell(read);
     const job::Job& job = traced.job;
-    if (traced.map) job::take_from(traced.map->file.string(), job, origins);
+    if (traced.rig) job::take_from(traced.rig->file.string(), job, origins);
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
     if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
@@ -190,14 +197,14 @@ std::string check_job(const Request& request) {
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   cells    {}: {} of {} by {} of {}\n"
-               "{}{}{}{}{}"
+               "{}{}{}{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
                "#   file     {}, {} ({})\n\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
-               axes.columns, readable_count(job.row_count()), axes.rows, refine_text(job), branches_text(job),
-               rigs_text(job), starts_text(job), starts_price(job), readable_count(tiling.count()),
-               tiling.largest_tile().rows, tiling.largest_tile().columns,
+               axes.columns, readable_count(job.row_count()), axes.rows, cell_text(traced), refine_text(job),
+               branches_text(job), rigs_text(job), starts_text(job), starts_price(job),
+               readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
                readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job) +
                               starts_bytes(job)),
                file.string(), readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +

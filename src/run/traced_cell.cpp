@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "job/axis.hpp"
+#include "job/axis_key.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/cell_numbers.hpp"
 #include "job/names.hpp"
@@ -25,10 +25,15 @@ using parallel::Place;
     throw Failure(ExitCode::bad_job, text);
 }
 
-std::int64_t checked_index(const char* name, std::int64_t index, const Axis& axis) {
+// [trace] or [basin], where the job names the cell.
+std::string_view table_of(const job::Job& job) {
+    return job::name(job.kind);
+}
+
+std::int64_t checked_index(const std::string& name, std::int64_t index, const Axis& axis) {
     if (index < axis.points) return index;
-    refuse(fmt::format("trace.{} = {} is out of range; the map has {} of them, counted from 0; give 0 to {}",
-                       name, index, axis.points, axis.points - 1));
+    refuse(fmt::format("{} = {} is out of range; the map has {} of them, counted from 0; give 0 to {}", name,
+                       index, axis.points, axis.points - 1));
 }
 
 // The point of an axis that is nearest to a value, in the logarithm where the axis is logarithmic.
@@ -45,107 +50,106 @@ std::int64_t nearest(const Axis& axis, std::string_view name, double value) {
                        name, value, axis.from, axis.to));
 }
 
-// The two values that name a cell of this plane; NaN where the job gives none.
-struct Values {
-    double column;
-    double row;
+// The keys in this job's tables that name a cell by its place on the axes of the map.
+struct Keys {
+    std::string column;
+    std::string row;
 };
 
-// A table of this job names a value of an axis as the map's own job would give it.
-double value_of(const job::Job& job, std::string_view key) {
-    if (key == "frequency_ratio") return job.operating_point.frequency_ratio;
-    if (key == "gap_ratio") return job.operating_point.gap_ratio;
-    if (key.ends_with("displacement_ratio")) return job.start.displacement_ratio;
-    if (key.ends_with("velocity_ratio")) return job.start.velocity_ratio;
-    return std::numeric_limits<double>::quiet_NaN();
+Keys keys_of_axes(const job::Job& map) {
+    return {job::key_in_tables(column_key(map)), job::key_in_tables(row_key(map))};
 }
 
-bool is_named_by_value(std::string_view key) {
-    return key == "frequency_ratio" || key == "gap_ratio" || key.ends_with("displacement_ratio") ||
-           key.ends_with("velocity_ratio");
-}
-
-// "operating_point.gap_ratio"
-std::string name_of(std::string_view key) {
-    if (key.starts_with("start.")) return std::string(key);
-    const bool is_start = key == "displacement_ratio" || key == "velocity_ratio";
-    return fmt::format("{}.{}", is_start ? "start" : "operating_point", key);
-}
-
-// A value that is given for no axis is one that all cells of the map share.
-void refuse_other_values(const job::Job& job, const job::Job& map) {
-    const auto is_axis = [&](std::string_view key) {
-        return name_of(column_key(map)) == key || name_of(row_key(map)) == key;
-    };
-    for (const auto* key : {"operating_point.frequency_ratio", "operating_point.gap_ratio",
-                            "start.displacement_ratio", "start.velocity_ratio"}) {
-        const std::string_view name(key);
-        const std::string_view table = name.substr(0, name.find('.'));
-        if (is_axis(name) || std::isnan(value_of(job, name.substr(name.find('.') + 1)))) continue;
-        const bool table_has_axis =
-            name_of(column_key(map)).starts_with(table) || name_of(row_key(map)).starts_with(table);
-        if (table_has_axis) {
-            refuse(fmt::format("{} is that of the {}'s own job, the same for all its cells; remove this key",
-                               name, job::name(map.kind)));
+// A value that stands on no axis is one that all cells of the map share, or says what an axis says.
+void refuse_other_values(const job::CellOfMap& cell, const job::Job& map) {
+    const Keys axes = keys_of_axes(map);
+    for (const auto& [key, value] : cell.values) {
+        if (key == axes.column || key == axes.row) continue;
+        constexpr std::string_view place = "operating_point.";
+        const std::string_view quantity =
+            std::string_view(key).substr(key.starts_with(place) ? place.size() : 0);
+        for (const std::string_view axis : {column_key(map), row_key(map)}) {
+            if (!job::says_the_same(quantity, axis)) continue;
+            refuse(fmt::format("{} says what the {}'s axis says as {}; give that key instead", key,
+                               job::name(map.kind), job::key_in_tables(axis)));
         }
-        refuse(fmt::format("[{}] is that of the {}'s own job, the same for all its cells; remove this table",
-                           table, job::name(map.kind)));
+        refuse(
+            fmt::format("{} is that of the {}'s own job, the same for all its cells; its axes run over {} "
+                        "and {}; remove this key",
+                        key, job::name(map.kind), column_key(map), row_key(map)));
     }
 }
 
 Place cell_of(const job::Job& job, const job::Job& map) {
-    refuse_other_values(job, map);
-    const std::string columns = name_of(column_key(map));
-    const std::string rows = name_of(row_key(map));
-    const Values values{value_of(job, column_key(map)), value_of(job, row_key(map))};
-    if (job.trace.row >= 0) {
-        if (!std::isnan(values.column) || !std::isnan(values.row)) {
-            refuse(fmt::format(
-                "trace.row and trace.column name a cell, and [{}] names one, too; remove one of them",
-                std::isnan(values.column) ? rows.substr(0, rows.find('.'))
-                                          : columns.substr(0, columns.find('.'))));
+    const job::CellOfMap& cell = job.cell;
+    refuse_other_values(cell, map);
+    const auto [column, row] = keys_of_axes(map);
+    if (cell.row >= 0) {
+        if (!cell.values.empty()) {
+            refuse(fmt::format("{0}.row and {0}.column name a cell, and {1} names one, too; remove one of them",
+                               table_of(job), cell.values.begin()->first));
         }
-        return {checked_index("row", job.trace.row, map.rows),
-                checked_index("column", job.trace.column, map.columns)};
+        return {checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
+                checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
     }
-    if (!is_named_by_value(column_key(map)) || !is_named_by_value(row_key(map))) {
-        refuse(fmt::format(
-            "no cell of the {} is named; its axes run over {} and {}; give trace.row and trace.column",
-            job::name(map.kind), column_key(map), row_key(map)));
+    if (!cell.values.contains(column) || !cell.values.contains(row)) {
+        refuse(fmt::format("no cell of the {0} is named; give {3}.row and {3}.column, or {1} and {2}",
+                           job::name(map.kind), column, row, table_of(job)));
     }
-    if (std::isnan(values.column) || std::isnan(values.row)) {
-        refuse(fmt::format("no cell of the {} is named; give trace.row and trace.column, or {} and {}",
-                           job::name(map.kind), columns, rows));
-    }
-    return {nearest(map.rows, rows, values.row), nearest(map.columns, columns, values.column)};
+    return {nearest(map.rows, row, cell.values.at(row)), nearest(map.columns, column, cell.values.at(column))};
 }
 
-job::Job job_of_cell(const job::Job& job, const job::Job& map, const Place& cell) {
-    job::Job own = map;
-    own.kind = job::Kind::trace;
-    own.title = job.title.empty() ? map.title : job.title;
-    own.trace = job.trace;
-    own.output.anonymous = job.output.anonymous;
-    own.trace.map.clear();
-    own.trace.row = own.trace.column = -1;
-    own.columns = own.rows = {};
-    const job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
+// With the rig and the place of a cell of the map, as a job by itself.
+job::Job with_rig_of(const job::Job& job, const job::CellNumbers& numbers) {
+    job::Job own = job;
+    own.cell = {};
     own.hammer = numbers.hammer;
     own.cart = numbers.cart;
     own.contact = numbers.contact;
     own.operating_point = numbers.place;
+    return own;
+}
+
+// A cell is followed as it was computed.
+job::Job trace_of_cell(const job::Job& job, const job::Job& map, const Place& cell) {
+    const job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
+    job::Job own = with_rig_of(map, numbers);
+    own.kind = job::Kind::trace;
+    own.title = job.title.empty() ? map.title : job.title;
+    own.trace = job.trace;
+    own.output.anonymous = job.output.anonymous;
+    own.columns = own.rows = {};
     own.start = numbers.start;
     // the rules of a trace hold for it, and whatever belongs to a plane alone is left behind
-    return job::read_job_text(job::resolved_text(own), job.trace.map);
+    return job::read_job_text(job::resolved_text(own), job.cell.map);
+}
+
+// All else is the basin's own.
+job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Place& cell) {
+    const job::Job own = with_rig_of(job, job::numbers_at(map, cell.row, cell.column));
+    return job::read_job_text(
+        job::resolved_text(own),
+        fmt::format("this basin with the rig of row {}, column {} of {}", cell.row, cell.column, job.cell.map));
 }
 
 }  // namespace
 
 TracedCell find_traced_cell(const job::Job& job) {
-    if (job.kind != job::Kind::trace || job.trace.map.empty()) return {job, std::nullopt};
-    const job::Job map = map_file::read_map_job(job.trace.map);
+    if (job.cell.map.empty()) return {job, std::nullopt, std::nullopt};
+    const std::string key = fmt::format("{}.map", table_of(job));
+    const job::Job map = map_file::read_map_job(job.cell.map, key);
+    const bool is_basin = job.kind == job::Kind::basin;
+    if (is_basin && map.kind != job::Kind::map) {
+        refuse(
+            fmt::format("{} = \"{}\" is itself a basin; its rig and place are in the job of that file; give "
+                        "the file of a map",
+                        key, job.cell.map));
+    }
     const Place cell = cell_of(job, map);
-    return {job_of_cell(job, map, cell), map_file::read_map_cell(job.trace.map, map, cell.row, cell.column)};
+    const CellInMap rig{job.cell.map, cell};
+    if (is_basin) return {basin_of_cell(job, map, cell), rig, std::nullopt};
+    return {trace_of_cell(job, map, cell), rig,
+            map_file::read_map_cell(job.cell.map, map, cell.row, cell.column)};
 }
 
 }  // namespace peterka

@@ -172,6 +172,52 @@ def test_a_trace_follows_a_cell_of_such_a_map(computed, tmp_path):
     assert refused.returncode == 2 and "is that of the map's own job" in refused.stderr
 
 
+NAMED = {  # map: (table and key of columns and rows)
+    "stops": (("contact", "stiffness_n_per_m"), ("contact", "damping_ns_per_m")),
+    "lengths": (("operating_point", "gap_m"), ("cart", "amplitude_m")),
+    "hammers": (("hammer", "mass_kg"), ("hammer", "stiffness_n_per_m")),
+    "starts": (("start", "velocity_ratio"), ("operating_point", "frequency_ratio")),
+}
+
+
+def tables(*named):
+    """[table] key = value for each, each table once."""
+    found = {}
+    for (table, key), value in named:
+        found.setdefault(table, []).append(f"{key} = {float(value)!r}\n")
+    return "".join(f"[{table}]\n" + "".join(lines) for table, lines in found.items())
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_a_trace_names_its_cell_by_values_on_these_axes(computed, tmp_path, name):
+    columns, rows = NAMED[name]
+    with h5py.File(computed / f"{name}.h5") as file:
+        (x, _), (y, _) = [(file[key][()], key) for key, *_ in axes_of(MAPS[name])]
+    row, column = 2, len(x) - 2
+    between = np.sqrt(x[column] * x[column - 1]) if name == "stops" else (x[column] + x[column - 1]) / 2
+    near = between + (x[column] - between) * 0.1  # a cell reaches half a step out, in the logarithm where the axis has it
+    jobs.write(tmp_path, jobs.trace_of(computed / f"{name}.h5", tables((columns, near), (rows, y[row]))))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    assert f"row {row} (" in finished.stdout and f"column {column} (" in finished.stdout, finished.stdout
+    assert "agrees in regime and z" in finished.stdout
+
+
+@pytest.mark.parametrize("name, settings, message", [
+    ("stops", "[contact]\nstiffness_n_per_m = 1e6\n", "give trace.row and trace.column, or contact.stiffness_n_per_m and contact."),
+    ("stops", "[hammer]\nmass_kg = 1\n", "hammer.mass_kg is that of the map's own job, the same for all its cells; its axes run"),
+    ("stops", "[contact]\nlaw = \"restitution\"\n", "contact.law is that of the job in the map's file"),
+    ("stops", "[contact]\nstifness_n_per_m = 1e6\n", "did you mean stiffness_n_per_m?"),
+    ("hammers", "[hammer]\nnatural_frequency_hz = 4\n", "says what the map's axis says as hammer.stiffness_n_per_m; give that"),
+    ("lengths", "[operating_point]\ngap_ratio = 1\n", "says what the map's axis says as operating_point.gap_m; give that"),
+    ("stops", "[contact]\nstiffness_n_per_m = 1e9\ndamping_ns_per_m = 100\n", "lies outside of the map"),
+])
+def test_a_cell_that_such_a_map_has_not_is_refused(computed, tmp_path, name, settings, message):
+    jobs.write(tmp_path, jobs.trace_of(computed / f"{name}.h5", settings))
+    refused = launch.run("run", "job.toml", cwd=tmp_path)
+    assert refused.returncode == 2 and message in " ".join(refused.stderr.split()), refused.stderr
+
+
 SWEEPS = {
     "amplitudes": (axis("cart.amplitude_m", 0.7e-3, 1.3e-3, 7), PLACE.format(hertz=8.1, gap=1.4e-3)),
     "masses": (axis("hammer.mass_kg", 0.25, 0.35, 6), PLACE.format(hertz=8.1, gap=1.3e-3)),

@@ -175,7 +175,7 @@ def test_a_bad_map_file_is_refused(tmp_path, small_map_file, make, message):
     ("", "no cell of the map is named"),
     ("[operating_point]\nfrequency_ratio = 9\ngap_ratio = 1", "lies outside of the map"),
     ("row = 0\ncolumn = 0\n[operating_point]\nfrequency_ratio = 2\ngap_ratio = 1", "names one, too"),
-    ("row = 0\ncolumn = 0\n[start]\nvelocity_ratio = 1", "[start] is that of the map's own job"),
+    ("row = 0\ncolumn = 0\n[start]\nvelocity_ratio = 1", "start.velocity_ratio is that of the map's own job"),
 ])
 def test_a_cell_that_is_not_there_is_refused(tmp_path, small_map_file, settings, message):
     assert message in refused(tmp_path, jobs.trace_of(small_map_file, settings))

@@ -37,7 +37,7 @@ std::optional<Job> sound_job(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const auto job = sound_job({reinterpret_cast<const char*>(bytes), size});
-    if (!job || !job->trace.map.empty()) return 0;  // what a map's job will tell isn't known yet
+    if (!job || !job->cell.map.empty()) return 0;  // what a map's job will tell isn't known yet
     const std::string resolved = resolved_text(*job);
     if (read_job_text(resolved, "resolved") != *job || resolved_text(*job) != resolved) std::abort();
     return 0;

@@ -206,18 +206,18 @@ TEST(JobKeys, ATraceOfACartAtRestLastsForATime) {
     EXPECT_EQ(job.trace.duration_s, 0.25);
 }
 
-// What names the cell is read; what is not given is NaN until the file is looked at.
+// What names the cell is read, in tables that other jobs have for a rig.
 TEST(JobKeys, ATraceOfAMapHasNoRigOfItsOwn) {
     const std::string head = "schema = 1\nkind = \"trace\"\n[trace]\nmap = \"a.h5\"\n";
     const Job by_index = read_job_text(head + "row = 3\ncolumn = 4\n", "by index");
-    EXPECT_EQ(by_index.trace.map, "a.h5");
-    EXPECT_EQ(by_index.trace.row, 3);
-    EXPECT_EQ(by_index.trace.column, 4);
-    EXPECT_TRUE(std::isnan(by_index.operating_point.gap_ratio));
+    EXPECT_EQ(by_index.cell.map, "a.h5");
+    EXPECT_EQ(by_index.cell.row, 3);
+    EXPECT_EQ(by_index.cell.column, 4);
+    EXPECT_TRUE(by_index.cell.values.empty());
     const Job by_value =
         read_job_text(head + "[operating_point]\nfrequency_ratio = 2\ngap_ratio = 0.5\n", "by value");
-    EXPECT_EQ(by_value.operating_point, (OperatingPoint{2, 0.5}));
-    EXPECT_TRUE(std::isnan(by_value.start.velocity_ratio));
+    EXPECT_EQ(by_value.cell.values, (std::map<std::string, double>{{"operating_point.frequency_ratio", 2},
+                                                                   {"operating_point.gap_ratio", 0.5}}));
 }
 
 TEST(JobKeys, AStudyOfPrecisionHasRegularCellsByDefault) {
