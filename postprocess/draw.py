@@ -37,6 +37,8 @@ from peterka.files.opened import NotDrawable  # noqa: E402
 from peterka.look import axes  # noqa: E402
 from peterka.look.figures import figure_of  # noqa: E402
 from peterka.look.style import using  # noqa: E402
+from peterka.measurements import map_residuals  # noqa: E402
+from peterka.measurements.points import Measurements, read_measurements  # noqa: E402
 from peterka.pictures import open_file, picture_name, pictures_of  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
@@ -46,7 +48,6 @@ from peterka.program.picture_options import (  # noqa: E402
     add_style_arguments, check_style, style_of, zoomed,
 )
 from peterka.sweeps import residuals  # noqa: E402
-from peterka.sweeps.measured import Measurements, read_measurements  # noqa: E402
 
 
 def main():
@@ -76,7 +77,7 @@ def read_arguments():
     parser.add_argument("--export", metavar="csv,vtk,mat", type=read_formats, default=[],
                         help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
-                        help="points to draw over a sweep; peterka/sweeps/measured.py names the columns")
+                        help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
     arguments = parser.parse_args()
     check_style(parser, arguments)
     stems = [path.stem for path in arguments.files]
@@ -125,8 +126,9 @@ def chosen(file, pictures, names):
 
 
 def tell_residuals(file, points):
-    found = residuals.residuals(file, points)
-    for line in residuals.table(file, found) if found else []:
+    kind = map_residuals if file.kind == "map" else residuals
+    found = kind.residuals(file, points)
+    for line in kind.table(file, found) if found else []:
         tell(line)
 
 

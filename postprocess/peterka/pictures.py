@@ -14,10 +14,10 @@ from .maps import (
 )
 from .maps.curves_file import CurvesFile
 from .maps.map_file import PeterkaFile
+from .measurements.points import NOTHING_MEASURED
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
-from .sweeps.measured import NOTHING_MEASURED
 from .sweeps.sweep_file import SweepFile
 from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
@@ -40,9 +40,9 @@ class Row:
 
 PLANES = ("map", "basin")
 PICTURES = [
-    Row("map", ("map",), peterka_map.draw),
-    Row("force_1_1", ("map",), force_map.draw_single_impact),
-    Row("force_all", ("map",), force_map.draw_all_impacts),
+    Row("map", ("map",), peterka_map.draw, takes=("measured",)),
+    Row("force_1_1", ("map",), force_map.draw_single_impact, takes=("measured",)),
+    Row("force_all", ("map",), force_map.draw_all_impacts, takes=("measured",)),
     Row("basin", ("basin",), basin_map.draw_attractors),
     Row("basin_impact", ("basin",), basin_map.draw_impact),
     *(Row(name, PLANES, partial(quantity_map.draw, name=name), lambda file, name=name: name in file.quantities)
@@ -92,7 +92,7 @@ def picture_name(file, name):
 
 def pictures_of(file, cycles=300, measured=NOTHING_MEASURED):
     """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
-    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep."""
+    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map."""
     options = {"cycles": cycles, "measured": measured}
     return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
             for row in PICTURES if file.kind in row.kinds and row.has(file)}

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from peterka.files.harmless import harmless
-from peterka.sweeps.measured import MOST_LABELS
+from peterka.measurements.points import MOST_LABELS
 from picture_samples import write_map
 from sealing import SealedFile
 from study_samples import write_labels

@@ -11,7 +11,7 @@ from peterka.pictures import open_file, pictures_of
 from peterka.scaling import efficiency
 from peterka.scaling.dealing import Machine
 from peterka.scaling.run_record import read_record
-from peterka.sweeps.measured import Measurements, Point
+from peterka.measurements.points import Measurements, Point
 from picture_samples import (
     ALL_CLASSES, CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, orbit, write_audit, write_basin, write_map,
 )

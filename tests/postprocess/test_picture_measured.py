@@ -1,11 +1,17 @@
 """Measured points from a CSV file: units, gaps, rigs, and one clear line for what is wrong with it."""
 
+import matplotlib.collections
+import matplotlib.text
+import numpy as np
+import peterka
 import pytest
 from conftest import POSTPROCESS
-from peterka.sweeps.measured import read_measurements
+from peterka.measurements.points import read_measurements
+from peterka.maps.map_file import PeterkaFile
 from peterka.sweeps.residuals import residuals
 from peterka.sweeps.sweep_file import SweepFile
-from picture_samples import write_map
+from picture_texts import faults_of_layout
+from picture_samples import write_basin, write_map
 from sweep_samples import WEIGHT, write_sweep
 
 
@@ -78,10 +84,96 @@ def test_a_file_that_is_no_text_or_not_there(tmp_path, draw):
     assert "UTF-8" in draw(sweep, "--measured", tmp_path / "points.csv").stderr
 
 
-def test_a_map_takes_no_points(tmp_path, draw):
-    (tmp_path / "points.csv").write_text("frequency_hz,gap_mm\n9,0\n")
+SERIES = ("frequency_hz;gap_mm;force_n;force_error_n;gap_error_mm;series;label\n9,0;0,89;100,5;2,5;0,1;rising;\n"
+          "13,5;0,89;90;;;rising;\n9,0;1,78;70;5;;falling;odd one\n")
+
+
+def points_of_map(tmp_path, text):
+    path = tmp_path / "points.csv"
+    path.write_text(text)
+    with PeterkaFile(write_map(tmp_path / "m.h5")) as file:
+        return read_measurements(path, file)
+
+
+def test_points_lie_over_a_map(tmp_path):
+    found = points_of_map(tmp_path, SERIES)
+    data = peterka.open(tmp_path / "m.h5")
+    ax = peterka.draw(data, "map", measured=found)
+    legend = [text.get_text() for text in ax.figure.findobj(matplotlib.text.Text) if text.get_text() in ("rising", "falling")]
+    assert sorted(legend) == ["falling", "rising"]
+    places = {line.get_marker(): np.column_stack([line.get_xdata(), line.get_ydata()]) for line in ax.lines}
+    assert places["D"] == pytest.approx(np.array([[2.0, 1.0], [3.0, 1.0]])) and places["o"] == pytest.approx(np.array([[2.0, 2.0]]))
+    assert "odd one" in [text.get_text() for text in ax.texts]
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        assert ax.get_xlim() == tuple(file.columns.edges[[0, -1]]) and ax.get_ylim() == tuple(file.rows.edges[[0, -1]])
+    bars = [collection for collection in ax.collections if isinstance(collection, matplotlib.collections.LineCollection)]
+    (ends,) = [bar.get_segments()[0] for bar in bars if len(bar.get_segments()) == 2]
+    assert ends[:, 1] == pytest.approx([1.0 - 0.1 / 0.89, 1.0 + 0.1 / 0.89]) and ends[:, 0] == pytest.approx([2.0, 2.0])
+
+
+def test_over_a_map_of_forces_a_mark_has_the_colour_of_its_force(tmp_path):
+    found = points_of_map(tmp_path, f"frequency_ratio,gap_ratio,force_ratio\n1,0,10\n2,0,{10 + 1 / 10}\n")
+    ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
+    mesh = ax.collections[-1] if hasattr(ax.collections[-1], "to_rgba") else ax.collections[0]
+    colours = [line.get_markerfacecolor() for line in ax.lines if line.get_marker() == "D" and len(line.get_xdata()) == 1]
+    assert [tuple(colour) for colour in colours] == [tuple(mesh.to_rgba(force)) for force in (10, 10.1)]
+
+
+def test_no_note_is_written_over_a_mark(tmp_path, monkeypatch):
+    """Marks where the note of the largest force and a label would stand."""
+    found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,force_ratio,label\n3.4,0.8,10,a label\n2,0.8,10,\n2.4,0.8,9,\n1.4,1.6,9,\n")
+    ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
+    figure = ax.figure
+    assert faults_of_layout(figure, monkeypatch) == []
+    places = [ax.transData.transform((point.frequency, point.gap)) for point in found.points]
+    inside = [(text.get_text(), tuple(place)) for text in ax.texts for place in places
+              if matplotlib.text.Text.get_window_extent(text, figure.canvas.get_renderer()).contains(*place)]
+    assert len(ax.texts) >= 2 and inside == []
+
+
+def test_residuals_of_a_map_are_to_the_cell_of_a_point(tmp_path, draw):
+    points_of_map(tmp_path, SERIES + "99;0;9;;;rising;\n")
+    outcome = draw(tmp_path / "m.h5", "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "map")
+    assert outcome.code == 0, outcome.stderr
+    assert "1 points outside the map are left out" in outcome.stdout
+    rows = [line.split() for line in outcome.stdout.splitlines()]
+    # the sample's forces are 10 + row + column/10; 9 Hz, 0.89 mm is row 1, column 1: 11.1 weights
+    force = 11.1 * WEIGHT
+    assert ["9", "0.89", "100.5", f"{force:.4g}", "1/1", f"{100 * (100.5 / force - 1):+.1f}", "%", f"({abs(100.5 - force) / 2.5:.1f}",
+            "s.e.)", "rising"] in rows
+    assert ["9", "1.78", "70", "0", "no", "impact", "falling,", "odd", "one"] in rows
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("frequency_hz,force_n\n9,100\n", ":2 has no gap, and a map has all of them"),
+    ("frequency_hz,gap_mm,force_error_n\n9,0,-1\n", ":2 has a standard error of force below 0"),
+    ("frequency_hz,gap_mm,force_error_n,force_error_ratio\n9,0,1,1\n", "force_error_ratio and force_error_n"),
+    ("frequency_hz,gap_mm,series\n" + "".join(f"9,0,series {n}\n" for n in range(25)), "has 25 series; 24 can be told apart"),
+])
+def test_what_a_map_cannot_show_is_said(tmp_path, draw, text, reason):
+    (tmp_path / "points.csv").write_text(text)
     outcome = draw(write_map(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")
-    assert outcome.code == 2 and "drawn over a sweep" in outcome.stderr
+    assert outcome.code == 2 and reason in outcome.stderr and outcome.stderr.count("\n") == 1
+
+
+def test_a_basin_takes_no_points(tmp_path, draw):
+    (tmp_path / "points.csv").write_text("frequency_hz,gap_mm\n9,0\n")
+    outcome = draw(write_basin(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv")
+    assert outcome.code == 2 and "drawn over a sweep or a map" in outcome.stderr
+
+
+def test_forty_points_name_their_series_once(tmp_path):
+    """By a column of its own, or by the label that they all have; bars where there are errors."""
+    lines = "".join(f"{1 + n / 40},{20 + n},0,{name},1\n" for n in range(20) for name in ("up", "down"))
+    for column in ("series", "label"):
+        found = points(tmp_path, f"frequency_ratio,force_ratio,gap_ratio,{column},force_error_ratio\n" + lines)
+        with peterka.open(tmp_path / "a.h5") as data:
+            axes = peterka.draw(data, "response", measured=found)
+        words = [text.get_text() for text in axes[0].figure.findobj(matplotlib.text.Text)]
+        assert words.count("up") == 1 and words.count("down") == 1
+        bars = [bar for bar in axes[0].collections if isinstance(bar, matplotlib.collections.LineCollection)]
+        heights = sorted(np.ptp(segment[:, 1]) for bar in bars for segment in bar.get_segments())
+        assert heights[-40:] == pytest.approx([2.0] * 40)
 
 
 def test_a_unit_needs_the_rig(tmp_path, draw):

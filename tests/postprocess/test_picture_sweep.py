@@ -7,9 +7,10 @@ from peterka.files.opened import NotDrawable
 from peterka.look.classes import CLASSES
 from peterka.look.figures import figure_of
 from peterka.sweeps import bifurcation, response
-from peterka.sweeps.measured import Measurements, Point
+from peterka.measurements import marks
+from peterka.measurements.points import Measurements, Point
 from peterka.sweeps.sweep_file import SweepFile
-from peterka.sweeps.sweep_panels import LOOKS, MEASURED
+from peterka.sweeps.sweep_panels import LOOKS
 from sealing import SealedFile
 from sweep_samples import WEIGHT, write_sweep
 
@@ -97,7 +98,7 @@ def test_lines_and_marks_have_the_colours_of_no_class(sight, distance):
             assert difference(sight(colour), sight(entry.colour)) > distance, (colour, entry.label)
     first, second = (LOOKS[name].colour for name in ("up", "down"))
     assert difference(sight(first), sight(second)) > distance
-    assert MEASURED["markerfacecolor"] == "white"
+    assert set(marks.FACES) <= {"white", "black", "#AAAAAA"}
 
 
 def test_without_rig_there_are_ratios_alone(tmp_path):

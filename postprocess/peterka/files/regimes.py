@@ -2,6 +2,7 @@
 
 import numpy as np
 
+NAMES = ("no impact", "periodic", "chaotic", "sustained contact", "unresolved", "failed")
 NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED = 0, 1, 2, 3, 4, 5, -128
 
 

@@ -1,16 +1,19 @@
-"""A note beside a point of a map, where it has room: inside the axes, and over no other text."""
+"""A note beside a point of a map, where it has room: inside the axes, over no other text and over no mark that is to be
+seen."""
 
 from itertools import product
 
 import numpy as np
 from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
 
 from .axes import outline
 
 AWAY = 8  # pt
 AIR = 2  # pixels
 FRAME = 0.5  # of the size of letters
+SEEN = "a mark to be seen"  # the gid of such lines
 PLACES = (0.03, 0.27, 0.5, 0.73, 0.97)  # in the axes, where there is no room beside the point
 
 
@@ -19,7 +22,7 @@ def write_beside(ax, x, y, text):
     across, up = ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
     right, above = (1 if across < 0.5 else -1), (1 if up < 0.5 else -1)
     sides = [(right, above), (right, -above), (-right, above), (-right, -above)]
-    taken = [_box(other) for other in ax.texts]
+    taken = [*(_box(other) for other in ax.texts), *_marks(ax)]
     note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points",
                        path_effects=outline(2.4), zorder=7)
     for right, above in sides:
@@ -48,6 +51,13 @@ def _has_room(note, ax, taken):
     within = inside.x0 + AIR <= box.x0 and box.x1 <= inside.x1 - AIR and inside.y0 + AIR <= box.y0 and (
         box.y1 <= inside.y1 - AIR)
     return within and not any(box.overlaps(other) for other in taken)
+
+
+def _marks(ax):
+    """Boxes of the marks that are to be seen."""
+    half = 0.75 / 72 * ax.get_figure().dpi
+    return [Bbox([place - half * line.get_markersize(), place + half * line.get_markersize()])
+            for line in ax.lines if line.get_gid() == SEEN for place in ax.transData.transform(line.get_xydata())]
 
 
 def _box(text):

@@ -16,6 +16,8 @@ from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.fills import Fill, grey
 from ..look.notes import write_beside
+from ..measurements import marks
+from ..measurements.points import NOTHING_MEASURED
 from .reduce import class_picture, field_picture
 
 WIDTH = 3.7  # in
@@ -58,14 +60,14 @@ def has_impacts(regime, *_):
     return (regime == PERIODIC) | (regime == CHAOTIC)
 
 
-def draw(file, field, ax=None):
-    """The map of a Field; None where no cell has a value."""
+def draw(file, field, ax=None, measured=NOTHING_MEASURED):
+    """The map of a Field, and of a force what was measured of it; None where no cell has a value."""
     values, peak, lacking = field_picture(file, field.dataset, field.carries)
     if peak is None:
         return None
     classes, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     carried = [entry.orbit == (1, 1) if not field.apart else entry.label not in field.apart for entry in CLASSES]
-    legend = _legend_entries(counts, carried, field.apart, lacking)
+    legend = _legend_entries(counts, carried, field.apart, lacking) + marks.handles(measured.points)
     figure, ax, bar_ax = axes.stack(WIDTH, values.image, [(legend, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, _colours_beneath(carried, field.apart), INDEX["not computed yet"])
     scale = _in_units(field.scale(peak.value))
@@ -76,6 +78,8 @@ def draw(file, field, ax=None):
     _draw_bar(figure, bar_ax, mesh, scale, (shown.min() < norm.vmin, peak.value * scale.factor > norm.vmax))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)
+    if measured.points:
+        marks.draw_over_map(ax, file, measured.points, lambda force: mesh.to_rgba(force * scale.factor))
     if file.kind == "map":  # in a basin all starts of an orbit share the largest value
         _mark(ax, peak, scale.text(peak.value))
     return ax

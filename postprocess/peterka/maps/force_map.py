@@ -9,25 +9,26 @@ from matplotlib.axes import Axes
 from ..files.regimes import PERIODIC
 from ..look import style, units
 from ..look.picture import picture
+from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import field_map
 from .field_map import Field, Scale
 from .map_file import PeterkaFile
 
 
 @picture(PeterkaFile)
-def draw_single_impact(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
+def draw_single_impact(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
     """Force where one impact comes in each forcing cycle; None where no cell has one."""
     carries = lambda regime, p, q: (regime == PERIODIC) & (p == 1) & (q == 1)  # noqa: E731
-    return _draw(file, ax, carries, "$z = 1/1$", ())
+    return _draw(file, ax, carries, "$z = 1/1$", (), measured)
 
 
 @picture(PeterkaFile)
-def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
+def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
     """Force of every proved orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
-    return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS)
+    return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS, measured)
 
 
-def _draw(file, ax, carries, what, apart):
+def _draw(file, ax, carries, what, apart, measured):
     newtons = file.newtons if style.current().units != "ratio" else None
 
     def text(force):
@@ -43,4 +44,4 @@ def _draw(file, ax, carries, what, apart):
         alone = f", {what}" if style.current().units == "si" else ""
         return Scale(label, 1, text, (f"peak force ({unit}){alone}", newtons * factor))
 
-    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale), ax)
+    return field_map.draw(file, Field("peak_force_ratio", carries, apart, scale), ax, measured)

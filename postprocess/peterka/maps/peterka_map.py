@@ -15,6 +15,8 @@ from matplotlib.lines import Line2D
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.picture import picture
+from ..measurements import marks
+from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile
 from .reduce import class_picture
 
@@ -27,12 +29,12 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 
 
 @picture(PeterkaFile)
-def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """The map of a map file with the share of each class in its legend."""
+def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes:
+    """The map of a map file with the share of each class in its legend, and points that were measured."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     orbits, regimes = _legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
-    others = regimes + chatter_entry + _edge_entry(file)
+    others = regimes + chatter_entry + _edge_entry(file) + marks.handles(measured.points)
     legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
@@ -43,6 +45,8 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax=ax)
+    if measured.points:
+        marks.draw_over_map(ax, file, measured.points)
     return ax
 
 

@@ -5,8 +5,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look.picture import picture
+from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import sweep_panels
-from .measured import NOTHING_MEASURED, Measurements
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -29,8 +29,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     label, second_label = WHERE[name]
     metres = file.positive("cart_amplitude_m")
     second = (second_label, 1000 * metres) if metres else None
-    has_measured = any(point.displacement is not None for point in measured.points)
-    panels = sweep_panels.panels(file, _handles(file), label, second, has_measured, ax)
+    handles = [*_handles(file), *sweep_panels.measured_handles(measured, "displacement")]
+    panels = sweep_panels.panels(file, handles, label, second, ax)
     size = max(1.0, min(2.5, (500 / len(file.values)) ** 0.5))
     for gap, ax in panels.items():
         for branch in file.at_gap(gap):
@@ -39,7 +39,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
             ax.plot(file.values[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
-        sweep_panels.draw_measured(ax, measured.at_gap(gap), lambda point: point.displacement)
+        sweep_panels.draw_measured(ax, measured, gap, "displacement")
     return list(panels.values())
 
 

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .measured import Point
+from ..measurements import tables
+from ..measurements.points import Point
 from .sweep_file import Branch
 
 
@@ -32,14 +33,13 @@ def table(file, found):
     """Lines; in Hz and N where the file tells the rig."""
     hertz, newtons = file.positive("natural_frequency_hz"), file.newtons
     units = "Hz" if hertz else "Omega/omega", "N" if newtons else "F/(m g)"
-    rows = [(f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")]
+    heads = (f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")
+    rows = []
     for one in found:
-        share = "" if one.share is None else f"{100 * one.share:+.1f} %"
         rows.append((f"{one.point.frequency * (hertz or 1):.5g}", f"{one.branch.gap_ratio:.4g}",
-                     *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.branch.direction, share,
-                     one.point.label))
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return ["  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}".rstrip() for row in rows]
+                     *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.branch.direction,
+                     tables.share(one.point, one.force), tables.name_of(one.point)))
+    return tables.lines(heads, rows)
 
 
 def _nearest(file, point):

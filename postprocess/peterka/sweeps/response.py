@@ -10,8 +10,8 @@ from matplotlib.lines import Line2D
 
 from ..look import style, units
 from ..look.picture import picture
+from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import sweep_panels
-from .measured import NOTHING_MEASURED, Measurements
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -27,19 +27,18 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
     second = _second_scale(file)
-    has_measured = any(point.force is not None for point in measured.points)
-    panels = sweep_panels.panels(file, _handles(file), r"peak force $F/(m\,g)$", second, has_measured, ax,
-                                 log=style.current().log)
+    handles = [*_handles(file), *sweep_panels.measured_handles(measured, "force")]
+    panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
         top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
-                  + [point.force for point in points if point.force is not None])
+                  + [point.force + point.errors.get("force", 0.0) for point in points if point.force is not None])
         bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
         for branch in file.at_gap(gap):
             _draw_branch(ax, file, branch, bottom, top)
         notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
         sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
-        sweep_panels.draw_measured(ax, points, lambda point: point.force)
+        sweep_panels.draw_measured(ax, measured, gap, "force")
     return list(panels.values())
 
 

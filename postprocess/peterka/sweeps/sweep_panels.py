@@ -8,12 +8,12 @@ of measured points, are those of no class.
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.lines import Line2D
 
 from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.coordinates import label
 from ..look.fills import fill
+from ..measurements import marks
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
@@ -38,16 +38,12 @@ LOOKS = {
     "down": Look("frequency falling", "#0099AA", (0, (3.5, 1.8)), "v", 1.1, 2.2),
     "independent": Look("each from the start", "#003355", "-", "o", 1.3, 2.0),
 }
-MEASURED = {"marker": "D", "markersize": 5, "markerfacecolor": "white", "markeredgecolor": "black",
-            "markeredgewidth": 0.9, "linestyle": "none"}
 
 
-def panels(file, handles, ylabel, second, has_measured, ax=None, log=False):
+def panels(file, handles, ylabel, second, ax=None, log=False):
     """A figure with an Axes for each gap, the classes of its branches and its gap above it.
 
     `second` is the (label, factor) of a second scale at the right, or None; `log`: whether heights are logarithmic. Returns {gap: Axes}."""
-    if has_measured:
-        handles = [*handles, Line2D([], [], label="measured", **MEASURED)]
     figure, all_axes = axes.diagram(WIDTH, HEAD + PANEL * len(file.gaps), [*handles, *_class_handles(file)],
                                     panels=len(file.gaps), columns=4, ax=ax)
     for number, (gap, ax) in enumerate(zip(file.gaps, all_axes)):
@@ -68,26 +64,23 @@ def panels(file, handles, ylabel, second, has_measured, ax=None, log=False):
     return dict(zip(file.gaps, all_axes))
 
 
-def draw_measured(ax, points, value):
-    """`value` gives the height of a point, None for one that stands only for a frequency."""
+def measured_handles(measured, quantity):
+    """Entries of the legend: each series once that has points with this quantity."""
+    return marks.handles([point for point in measured.points if getattr(point, quantity) is not None])
+
+
+def draw_measured(ax, measured, gap, quantity):
+    """`quantity` is the height of a point; points of a frequency alone are marks across the panel."""
     low, high = ax.get_xlim()
-    points = [point for point in points if low <= point.frequency <= high]
-    marked = [point for point in points if value(point) is not None]
-    if marked:  # matplotlib can't lay out an empty line
-        ax.plot([point.frequency for point in marked], [value(point) for point in marked], zorder=6, clip_on=False,
-                **MEASURED)
+    points = [point for point in measured.at_gap(gap) if low <= point.frequency <= high]
+    marked = [point for point in points if getattr(point, quantity) is not None]
+    everyone = [point for point in measured.points if getattr(point, quantity) is not None]
+    marks.draw(ax, marked, ("frequency", quantity), everyone)
+    ax.set_xlim(low, high)
     for point in marked:
         if point.label:
-            note(ax, point.frequency, value(point), point.label, -8)
-    alone = [point for point in points if point.force is None and point.displacement is None]
-    places = np.array([(point.frequency, np.nan) for point in alone]).reshape(-1, 2)
-    ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(alone)), color="#555555", linewidth=0.7,
-                       linestyle=(0, (1, 2)), transform=ax.get_xaxis_transform(), zorder=1))
-    for point in alone:
-        if point.label:
-            ax.annotate(point.label, (point.frequency, 0.03), xycoords=("data", "axes fraction"), rotation=90,
-                        xytext=(-1, 0), textcoords="offset points", ha="right", va="bottom", fontsize=6.5,
-                        path_effects=axes.outline(2), zorder=7)
+            note(ax, point.frequency, getattr(point, quantity), point.label, -8)
+    marks.vertical_marks(ax, [point for point in points if point.force is None and point.displacement is None])
 
 
 def note(ax, frequency, height, text, above):

@@ -1,0 +1,45 @@
+"""How far measured forces are from a map: each from the cell in which its point lies, as a table."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..files.regimes import NAMES, NOT_COMPUTED, PERIODIC
+from . import tables
+from .points import Point
+
+
+@dataclass(frozen=True)
+class CellResidual:
+    """`force` of the cell [F/(m g)], NaN where it has none, and its `motion` in words."""
+
+    point: Point
+    force: float
+    motion: str
+
+
+def residuals(file, points):
+    """[CellResidual] of the points with a force, in their order."""
+    return [_of_cell(file, point) for point in points if point.force is not None]
+
+
+def table(file, found):
+    """Lines; in Hz, mm and N where the file tells the rig."""
+    hertz, metres, newtons = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m"), file.newtons
+    units = "Hz" if hertz else "Omega/omega", "mm" if metres else "gap/A0", "N" if newtons else "F/(m g)"
+    heads = (f"frequency [{units[0]}]", f"gap [{units[1]}]", f"measured [{units[2]}]", f"computed [{units[2]}]", "motion", "off by",
+             "label")
+    return tables.lines(heads, [
+        (f"{one.point.frequency * (hertz or 1):.5g}", f"{one.point.gap * (1000 * metres if metres else 1):.4g}",
+         *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.motion,
+         tables.share(one.point, one.force), tables.name_of(one.point)) for one in found])
+
+
+def _of_cell(file, point):
+    places = {"frequency_ratio": point.frequency, "gap_ratio": point.gap}
+    row, column = (int(np.clip(np.searchsorted(axis.edges, places[axis.name], side="right") - 1, 0, len(axis.values) - 1))
+                   for axis in (file.rows, file.columns))
+    band = file.band(["regime", "impacts", "period", "peak_force_ratio"], row, row + 1)
+    regime, p, q = (int(band[name][0, column]) for name in ("regime", "impacts", "period"))
+    motion = f"{p}/{q}" if regime == PERIODIC else "not computed yet" if regime == NOT_COMPUTED else NAMES[regime]
+    return CellResidual(point, float(band["peak_force_ratio"][0, column]), motion)

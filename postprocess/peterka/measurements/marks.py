@@ -1,0 +1,67 @@
+"""How measured points look over pictures: a mark for each series, told apart without colour, with bars for standard errors.
+Over a map of forces a mark has the colour of the force that was measured."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..look import axes
+from ..look.notes import SEEN, write_beside
+
+SHAPES, FACES = "Dos^vP<>", ("white", "black", "#AAAAAA")  # 24 pairs
+EDGE = {"markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.9, "linestyle": "none"}
+BARS = {"ecolor": "black", "elinewidth": 0.9, "capsize": 2, "fmt": "none"}
+NAMELESS = "measured"
+
+
+def handles(points):
+    """Entries of a legend: each series once."""
+    return [Line2D([], [], label=name or NAMELESS, **look) for name, look in looks(points).items()]
+
+
+def looks(points):
+    """{series: properties of its mark}, in the order in which they come."""
+    names = list(dict.fromkeys(point.series for point in points))
+    return {name: EDGE | {"marker": SHAPES[number % len(SHAPES)], "markerfacecolor": FACES[number // len(SHAPES)]}
+            for number, name in enumerate(names)}
+
+
+def draw(ax, points, quantities, everyone=None, zorder=6.0):
+    """Marks of `points` at two of their quantities, across and up; `everyone`: of whose series the looks are."""
+    for name, look in looks(everyone or points).items():
+        own = [point for point in points if point.series == name]
+        if not own:  # matplotlib can't lay out an empty line
+            continue
+        x, y = ([getattr(point, quantity) for point in own] for quantity in quantities)
+        errors = [[point.errors.get(quantity, 0.0) for point in own] for quantity in quantities]
+        if np.any(errors):
+            ax.errorbar(x, y, xerr=errors[0] if any(errors[0]) else None, yerr=errors[1] if any(errors[1]) else None,
+                        zorder=zorder - 0.1, **BARS)
+        ax.plot(x, y, zorder=zorder, clip_on=False, gid=SEEN, **look)
+
+
+def draw_over_map(ax, file, points, colour_of=None):
+    """Marks over the plane of a map, labels beside them; `colour_of`: a colour for each force [F/(m g)]."""
+    quantities = [{"frequency_ratio": "frequency", "gap_ratio": "gap"}[axis.name] for axis in (file.columns, file.rows)]
+    limits = ax.get_xlim(), ax.get_ylim()
+    draw(ax, points, quantities)
+    shapes = looks(points)
+    for point in points:
+        place = [getattr(point, quantity) for quantity in quantities]
+        if colour_of is not None and point.force is not None:
+            ax.plot(*place, zorder=6.2, clip_on=False, **shapes[point.series] | {"markerfacecolor": colour_of(point.force)})
+    ax.set(xlim=limits[0], ylim=limits[1])
+    for point in points:
+        if point.label:
+            write_beside(ax, *(getattr(point, quantity) for quantity in quantities), point.label)
+
+
+def vertical_marks(ax, points):
+    """Of points that stand for a frequency alone."""
+    places = np.array([(point.frequency, np.nan) for point in points]).reshape(-1, 2)
+    ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(points)), color="#555555", linewidth=0.7,
+                       linestyle=(0, (1, 2)), transform=ax.get_xaxis_transform(), zorder=1))
+    for point in points:
+        if point.label:
+            ax.annotate(point.label, (point.frequency, 0.03), xycoords=("data", "axes fraction"), rotation=90,
+                        xytext=(-1, 0), textcoords="offset points", ha="right", va="bottom", fontsize=6.5,
+                        path_effects=axes.outline(2), zorder=7)

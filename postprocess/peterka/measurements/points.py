@@ -1,0 +1,185 @@
+"""Points that somebody measured, from a CSV file, for drawing over a sweep or a map.
+
+One point a line, named columns in any order, each in SI-like units or as the ratio of the pictures:
+
+    frequency_hz or frequency_ratio          always
+    force_n or force_ratio                   peak force, F or F/(m g)
+    displacement_mm or displacement_ratio    hammer, x or x/A0
+    gap_mm or gap_ratio                      needed over a map, and where the sweep has several gaps
+    frequency_error_hz, force_error_n, displacement_error_mm, gap_error_mm, or ..._error_ratio
+                                             standard errors, drawn as bars
+    natural_frequency_hz                     of the rig; points of other rigs are left out
+    series                                   named once, in the legend
+    label                                    written beside the point; one that several points have is a series
+
+Columns are parted by commas, or by semicolons or tabs, and then numbers may have decimal commas. A cell may be empty.
+A point with a frequency alone is a mark on the frequency axis of a sweep. Lines that begin with # are comments.
+"""
+
+from collections import Counter
+from dataclasses import dataclass, field, replace
+
+from ..files.checked_hdf5 import NotDrawable
+from ..files.csv_table import read_csv_table
+from ..files.harmless import harmless
+
+QUANTITIES = ("frequency", "force", "displacement", "gap")
+UNITS = {"frequency": "hz", "force": "n", "displacement": "mm", "gap": "mm"}
+PAIRS = {name: (f"{name}_ratio", f"{name}_{UNITS[name]}") for name in QUANTITIES}
+ERRORS = {name: (f"{name}_error_ratio", f"{name}_error_{UNITS[name]}") for name in QUANTITIES}
+COLUMNS = (*(name for pair in (*PAIRS.values(), *ERRORS.values()) for name in pair), "natural_frequency_hz", "series", "label")
+MAX_BYTES, MAX_LABEL = 2**24, 60
+MOST_LABELS = 200  # of all points
+MOST_SERIES = 24  # so many marks can be told apart
+SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
+PLANE = {"frequency_ratio", "gap_ratio"}  # of the maps that take points
+
+
+@dataclass(frozen=True)
+class Point:
+    """Ratios of the pictures; None where the point has no such number. `gap` is one of the sweep's gaps, or None; over a
+    map any gap. `errors` {quantity: standard error}."""
+
+    frequency: float
+    force: float | None
+    displacement: float | None
+    gap: float | None
+    label: str
+    series: str = ""
+    errors: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Measurements:
+    points: list[Point]
+    left_out: list[str]  # sentences
+
+    def at_gap(self, gap):
+        return [point for point in self.points if point.gap is None or point.gap == gap]
+
+
+NOTHING_MEASURED = Measurements([], [])
+
+
+def read_measurements(path, file):
+    """The points of a CSV file that belong to this sweep or map, in its ratios."""
+    _check_axes(file)
+    table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
+    _check_names(table)
+    factors = _factors(path, file, table.names)
+    points, other_rigs, other_gaps, outside = [], 0, [], 0
+    for line, cells in table.rows:
+        numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
+        point = _point(table, line, cells, numbers, factors)
+        if _is_of_another_rig(numbers.get("natural_frequency_hz"), file):
+            other_rigs += 1
+        elif file.kind == "map":
+            inside = _lies_inside(table, line, point, file)
+            points += [point] * inside
+            outside += not inside
+        else:
+            gap = _gap(table, line, point.gap, file)
+            if gap is False:
+                other_gaps.append(f"{point.gap:.4g}")
+            else:
+                points.append(replace(point, gap=gap))
+    left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
+    left_out += [f"{path}: {outside} points outside the map are left out"] * (outside > 0)
+    if other_gaps:
+        left_out.append(f"{path}: {len(other_gaps)} points at gap/A0 {', '.join(dict.fromkeys(other_gaps))} are left out;"
+                        " the sweep has no such gap")
+    return _with_few_names(path, Measurements(_with_series(points), left_out))
+
+
+def _check_axes(file):
+    if file.kind == "sweep":
+        if file.axis_name != "frequency_ratio":
+            raise NotDrawable(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequency_ratio")
+    elif file.kind != "map":
+        raise NotDrawable(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
+    elif {file.rows.name, file.columns.name} != PLANE:
+        raise NotDrawable(f"{file.path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
+                          "frequency_ratio and gap_ratio")
+
+
+def _check_names(table):
+    both = [pair for pair in (*PAIRS.values(), *ERRORS.values()) if set(pair) <= set(table.names)]
+    if both:
+        raise table.refusal(f"has {' and '.join(both[0])}; each quantity has one column")
+    if not set(PAIRS["frequency"]) & set(table.names):
+        raise table.refusal("has no column frequency_hz or frequency_ratio; every point needs a frequency")
+
+
+def _factors(path, file, names):
+    """Of each quantity: how many of its SI-like units are a ratio of 1."""
+    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
+    factors = {"frequency": hertz, "force": file.newtons, "displacement": metres and 1000 * metres, "gap": metres and 1000 * metres}
+    for quantity, factor in factors.items():
+        for name in (PAIRS[quantity][1], ERRORS[quantity][1]):
+            if name in names and factor is None:
+                raise NotDrawable(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in that unit")
+    return factors
+
+
+def _point(table, line, cells, numbers, factors):
+    """With any gap."""
+    ratios = {name: _ratio(numbers, PAIRS[name], factors[name]) for name in QUANTITIES}
+    errors = {name: _ratio(numbers, ERRORS[name], factors[name]) for name in QUANTITIES}
+    if ratios["frequency"] is None or not ratios["frequency"] > 0:
+        raise table.refusal("has no frequency above 0; every point needs one", line)
+    for name, error in errors.items():
+        if error is not None and error < 0:
+            raise table.refusal(f"has a standard error of {name} below 0", line)
+    text = {name: harmless((cells.get(name) or "").strip(), MAX_LABEL) for name in ("label", "series")}
+    return Point(ratios["frequency"], ratios["force"], ratios["displacement"], ratios["gap"], text["label"], text["series"],
+                 {name: error for name, error in errors.items() if error and ratios[name] is not None})
+
+
+def _ratio(numbers, pair, factor):
+    ratio, unit = pair
+    if numbers.get(unit) is not None:
+        return numbers[unit] / factor
+    return numbers.get(ratio)
+
+
+def _is_of_another_rig(hertz, file):
+    own = file.positive("natural_frequency_hz")
+    return hertz is not None and own is not None and abs(hertz / own - 1) > SAME
+
+
+def _lies_inside(table, line, point, file):
+    if point.gap is None:
+        raise table.refusal("has no gap, and a map has all of them; add gap_mm or gap_ratio", line)
+    places = {"frequency_ratio": point.frequency, "gap_ratio": point.gap}
+    return all(axis.edges[0] <= places[axis.name] <= axis.edges[-1] for axis in (file.columns, file.rows))
+
+
+def _gap(table, line, gap, file):
+    """The sweep's gap; None for a point of all gaps, False for one of no gap of the sweep."""
+    if gap is None:
+        if len(file.gaps) > 1:
+            raise table.refusal(f"has no gap, and the sweep has {len(file.gaps)} of them; add gap_mm or gap_ratio", line)
+        return None
+    nearest = min(file.gaps, key=lambda own: abs(own - gap))
+    return nearest if abs(nearest - gap) < SAME else False
+
+
+def _with_series(points):
+    """A label that several points have is the name of a series, where the points have no other; it stands in the legend."""
+    count = Counter(point.label for point in points)
+    shared = {label for label, times in count.items() if label and times > 1}
+    return [replace(point, series=point.label, label="") if point.label in shared and not point.series else point
+            for point in points]
+
+
+def _with_few_names(path, measured):
+    points, left_out = list(measured.points), list(measured.left_out)
+    labelled = [number for number, point in enumerate(points) if point.label]
+    if len(labelled) > MOST_LABELS:
+        left_out.append(f"{path}: {len(labelled) - MOST_LABELS} of {len(labelled)} labels are left out; no more can be read")
+        for number in labelled[MOST_LABELS:]:
+            points[number] = replace(points[number], label="")
+    series = list(dict.fromkeys(point.series for point in points))
+    if len(series) > MOST_SERIES:
+        raise NotDrawable(f"{path} has {len(series)} series; {MOST_SERIES} can be told apart")
+    return Measurements(points, left_out)

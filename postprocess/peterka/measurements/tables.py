@@ -1,0 +1,21 @@
+"""A table of how far measured forces are from computed ones."""
+
+
+def lines(heads, rows):
+    """Text: all columns but the last one to the right."""
+    table = [heads, *rows]
+    widths = [max(map(len, column)) for column in zip(*table)]
+    return ["  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}".rstrip() for row in table]
+
+
+def share(point, force):
+    """By which part of the computed force the measured one is above it, and by how many of its standard errors; "" where
+    nothing impacts. Forces F/(m g)."""
+    if not force > 0:
+        return ""
+    error = point.errors.get("force")
+    return f"{100 * (point.force / force - 1):+.1f} %" + (f" ({abs(point.force - force) / error:.1f} s.e.)" if error else "")
+
+
+def name_of(point):
+    return ", ".join(filter(None, (point.series, point.label)))
