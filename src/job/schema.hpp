@@ -105,8 +105,9 @@ void describe(Walker& file, Job& job) {
                     "belongs to kind = \"trace\"; this job follows no single cell in time; remove this table");
     }
     if (kind_is_known && job.kind != Kind::basin) {
-        file.refuse("basin",
-                    "belongs to kind = \"basin\", whose rig and place may be a map's; remove this table");
+        file.refuse(
+            "basin",
+            "belongs to kind = \"basin\"; it names a map whose rig and place a basin has; remove this table");
     }
     if (kind_is_known && job.kind != Kind::curves) {
         file.refuse("curves", "belongs to kind = \"curves\"; this job traces none; remove this table");

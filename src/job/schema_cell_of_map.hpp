@@ -37,7 +37,8 @@ void describe_values_of_cell(Walker& file, CellOfMap& cell, std::initializer_lis
         file.table({name, "values of the cell on the axes of the map"}, [&](auto& table) {
             for (const auto* word : {"law", "cubic"}) {
                 table.refuse(word,
-                             "is that of the job in the map's file, and no value of a cell; remove this key");
+                             "is that of the job in the map's file; a cell is named by numbers on its axes; "
+                             "remove this key");
             }
             for (const AxisQuantity& each : axis_quantities()) {
                 const std::string key = key_in_tables(each.key);
@@ -64,7 +65,7 @@ void describe_basin_of_map(Walker& file, Job& job) {
         describe_cell_of_map(table, job.cell, map, "basin");
     });
     if (job.cell.map.empty()) return;
-    file.refuse("rig", "names a rig, and so does basin.map; remove one of them");
+    file.refuse("rig", "names a rig; the basin has that of the cell that basin.map names; remove one of them");
     describe_values_of_cell(file, job.cell, {"operating_point", "hammer", "cart", "contact"});
 }
 

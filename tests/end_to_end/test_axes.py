@@ -206,7 +206,7 @@ def test_a_trace_names_its_cell_by_values_on_these_axes(computed, tmp_path, name
 @pytest.mark.parametrize("name, settings, message", [
     ("stops", "[contact]\nstiffness_n_per_m = 1e6\n", "give trace.row and trace.column, or contact.stiffness_n_per_m and contact."),
     ("stops", "[hammer]\nmass_kg = 1\n", "hammer.mass_kg is that of the map's own job, the same for all its cells; its axes run"),
-    ("stops", "[contact]\nlaw = \"restitution\"\n", "contact.law is that of the job in the map's file"),
+    ("stops", "[contact]\nlaw = \"restitution\"\n", "contact.law is that of the job in the map's file; a cell is named by"),
     ("stops", "[contact]\nstifness_n_per_m = 1e6\n", "did you mean stiffness_n_per_m?"),
     ("hammers", "[hammer]\nnatural_frequency_hz = 4\n", "says what the map's axis says as hammer.stiffness_n_per_m; give that"),
     ("lengths", "[operating_point]\ngap_ratio = 1\n", "says what the map's axis says as operating_point.gap_m; give that"),

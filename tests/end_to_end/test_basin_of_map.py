@@ -91,6 +91,8 @@ def test_a_cell_that_is_not_there_is_refused(tmp_path, map_over_stops, settings,
 def test_files_that_have_no_such_cell_are_refused(tmp_path, small_basin_file):
     assert "is itself a basin" in refused(tmp_path, basin_of(small_basin_file, "row = 0\ncolumn = 0\n"))
     assert 'basin.map = "none.h5" does not exist' in refused(tmp_path, basin_of("none.h5", "row = 0\ncolumn = 0\n"))
+    two = refused(tmp_path, 'rig = "mine.toml"\n' + basin_of(small_basin_file, "row = 0\ncolumn = 0\n"))
+    assert "rig names a rig; the basin has that of the cell that basin.map names; remove one of them" in two
     missing = refused(tmp_path, basin_of("none.h5", "row = 0\ncolumn = 0\n").replace('map = "none.h5"', ""))
     assert "basin.map is missing" in missing
 

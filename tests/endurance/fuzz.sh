@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A million texts for the job reader, which libFuzzer makes from the bad and the shipped jobs, under AddressSanitizer and
+# A million texts for the job reader, which libFuzzer makes from the bad and the shipped jobs and the rigs that they name, under AddressSanitizer and
 # UBSan: none crashes it or takes a second, and every sound job comes back equal from its resolved text.
 set -euo pipefail
 . "$(dirname "$0")/../../jobs/arguments.sh"
@@ -12,7 +12,10 @@ tests/sanitized.sh --configure
 cmake --build build/sanitized --target fuzz_job_reader
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cp tests/job/bad/*.toml jobs/*.toml "$folder"
-build/sanitized/tests/fuzz_job_reader -runs=$texts -timeout=1 -max_len=8192 -verbosity=0 -print_final_stats=1 \
-    -artifact_prefix="$PWD/build/sanitized/" "$folder"
+mkdir "$folder/texts"
+cp tests/job/bad/*.toml jobs/*.toml "$folder/texts"
+cp -r jobs/rigs "$folder"  # that these jobs name
+found=$PWD/build/sanitized
+(cd "$folder" && "$found/tests/fuzz_job_reader" -runs=$texts -timeout=1 -max_len=8192 -verbosity=0 -print_final_stats=1 \
+    -artifact_prefix="$found/" texts)
 echo "job of random text, from libFuzzer | $texts | no crash, no hang; sound ones read back equal" >>"$ENDURANCE_ROWS"
