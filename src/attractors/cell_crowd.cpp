@@ -4,8 +4,8 @@
 
 namespace peterka::attractors {
 
-CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take)
-    : setting_(scene, known),
+CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take, Ends ends)
+    : setting_(scene, known, ends),
       has_starts_(scene.job().starts.count > 0),
       take_(std::move(take)),
       pool_(

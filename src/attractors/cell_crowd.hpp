@@ -27,7 +27,8 @@ class CellCrowd {
     using Take = std::function<void(Solved solved)>;
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive this.
-    CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take);
+    CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
+              Ends ends = Ends::counted);
 
     [[nodiscard]] bool has_room() const { return waiting_.empty() && pool_.has_room(); }
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }

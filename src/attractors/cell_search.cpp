@@ -43,8 +43,8 @@ Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> scene, F
 
 }  // namespace
 
-Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_before)
-    : scene(map), known(known_before), of_starts(attractors::of_starts(map.job())) {}
+Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts)
+    : scene(map), known(known_before), of_starts(attractors::of_starts(map.job())), ends(ends_of_starts) {}
 
 CellSearch::CellSearch(const Setting& setting, std::int64_t row, std::int64_t column)
     : setting_(setting), cell_(setting.scene.cell(row, column)) {}
@@ -114,6 +114,7 @@ void CellSearch::take_starts(std::span<const Ended> ended) {
     }
     for (const Ended& start : ended) {
         tally_.add(start.result, start.found);
+        if (setting_.ends == Ends::told) solved_.ends.push_back(start.result);
         take_found(start.found);
     }
     seen_ += static_cast<std::int64_t>(ended.size());

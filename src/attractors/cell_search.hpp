@@ -19,13 +19,17 @@
 
 namespace peterka::attractors {
 
+// Whether a solved cell tells the end of each start, too.
+enum class Ends { counted, told };
+
 // What the cells of a map share; outlives their searches.
 struct Setting {
-    explicit Setting(const scene::Scene& map, const regime::AttractorTable& known_before);
+    Setting(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts);
 
     const scene::Scene& scene;
     const regime::AttractorTable& known;  // for [start]: none but in a basin
     job::Job of_starts;                   // measures nothing that is not kept of attractors
+    Ends ends;
 };
 
 class CellSearch {

@@ -20,6 +20,7 @@ struct CellAttractor {
 struct SolvedCell {
     regime::CellResult cell;                // from [start]
     std::vector<CellAttractor> attractors;  // by share, then regime, q, p and force; no more than the job keeps
+    std::vector<regime::CellResult> ends = {};  // of each start, in their order, for who asks
 };
 
 }  // namespace peterka::attractors

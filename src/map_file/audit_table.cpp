@@ -16,6 +16,8 @@ constexpr double not_audited = regime::regime_not_computed;
 constexpr const char* agrees = "agrees";
 constexpr const char* force_error = "force_error";
 constexpr const char* sensitivity = "sensitivity";
+constexpr const char* starts_elsewhere = "starts_elsewhere";
+constexpr const char* starts_decided_by_rounding = "starts_decided_by_rounding";
 constexpr const char* seconds_path = "/run/audit_seconds";
 constexpr const char* agreeing_names[] = {"differs", "agrees"};
 
@@ -35,6 +37,12 @@ constexpr hdf5::Variable columns[] = {
     {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label hangs on rounding; NaN where they agree"},
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
+constexpr hdf5::Variable start_columns[] = {
+    {"starts", hdf5::Number::int32, -1, "1", "starts of the cell solved again, each in full, by the independent engine"},
+    {starts_elsewhere, hdf5::Number::int32, -1, "1", "of these, how many end on another attractor than the map says"},
+    {starts_decided_by_rounding, hdf5::Number::int32, -1, "1", "of these, in how many a perturbation grew by e^20 or more, so that rounding decides"},
+};
+constexpr hdf5::Variable agreeing_starts{"agreeing_starts", hdf5::Number::float64, regime::unknown, "1", "share of the starts solved again that end on the attractor that the map says"};
 constexpr hdf5::Variable results[] = {
     {"agreeing_labels", hdf5::Number::float64, regime::unknown, "1", "share of audited cells with the same regime and p/q"},
     {"force_error_median", hdf5::Number::float64, regime::unknown, "1", "median relative error of the peak force"},
@@ -71,6 +79,9 @@ AuditReport report(std::span<const AuditRow> rows) {
     for (const AuditRow& row : rows) {
         report.agreeing += row.agrees ? 1 : 0;
         report.decided_by_rounding += !row.agrees && row.sensitivity > regime::rounding_decides ? 1 : 0;
+        report.starts += row.starts.solved;
+        report.starts_elsewhere += row.starts.elsewhere;
+        report.starts_decided_by_rounding += row.starts.decided_by_rounding;
         report.seconds_per_cell += row.seconds / static_cast<double>(rows.size());
         if (!std::isnan(row.force_error)) errors.push_back(row.force_error);
     }
@@ -97,6 +108,10 @@ std::vector<DatasetPlan> audit_plans(const job::Job& job) {
     if (dimension.size == 0) return plans;
     plans.push_back({"/audit", audited, {dimension}});
     for (const hdf5::Variable& column : columns) plans.push_back({"/audit", column, {dimension}});
+    if (job.starts.count > 0) {
+        for (const hdf5::Variable& column : start_columns) plans.push_back({"/audit", column, {dimension}});
+        plans.push_back({"/audit", agreeing_starts, {}});
+    }
     for (const hdf5::Variable& result : results) plans.push_back({"/audit", result, {}});
     return plans;
 }
@@ -130,6 +145,11 @@ void AuditTable::write(std::int64_t index, const AuditRow& row) const {
     put("peak_force_ratio", index, row.again.peak_force);
     put(force_error, index, row.force_error);
     put(sensitivity, index, row.sensitivity);
+    if (has_starts_) {
+        put("starts", index, row.starts.solved);
+        put(starts_elsewhere, index, row.starts.elsewhere);
+        put(starts_decided_by_rounding, index, row.starts.decided_by_rounding);
+    }
     hdf5::Stored(map_, seconds_path, hdf5::Number::float64).write(hdf5::Block(index, 1), &row.seconds);
     put(agrees, index, static_cast<std::int8_t>(row.agrees ? 1 : 0));
 }
@@ -146,6 +166,11 @@ std::vector<AuditRow> AuditTable::read(std::int64_t count) const {
         rows[i].agrees = marks[i] == 1;
         rows[i].seconds = times[i];
     }
+    if (!has_starts_) return rows;
+    const auto solved = read_column<std::int32_t>(map_, path_of("starts"), count);
+    const auto elsewhere = read_column<std::int32_t>(map_, path_of(starts_elsewhere), count);
+    const auto by_rounding = read_column<std::int32_t>(map_, path_of(starts_decided_by_rounding), count);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].starts = {solved[i], elsewhere[i], by_rounding[i]};
     return rows;
 }
 
@@ -155,6 +180,10 @@ void AuditTable::write(const AuditReport& report) const {
         hdf5::put_number(map_, path_of(name).c_str(), hdf5::Number::float64, value);
     };
     put_result("agreeing_labels", share);
+    if (report.starts > 0) {
+        put_result(agreeing_starts.name,
+                   1 - static_cast<double>(report.starts_elsewhere) / static_cast<double>(report.starts));
+    }
     put_result("force_error_median", report.median_force_error);
     put_result("force_error_99_percent", report.force_error_99_percent);
     put_result("force_error_largest", report.largest_force_error);

@@ -15,6 +15,14 @@
 
 namespace peterka::map_file {
 
+// Of a cell with [starts]: of its starts that were solved again, how many end on another attractor, and of
+// these in how many a perturbation grew so much that rounding decides.
+struct AuditedStarts {
+    std::int32_t solved = 0;
+    std::int32_t elsewhere = 0;
+    std::int32_t decided_by_rounding = 0;
+};
+
 struct AuditRow {
     std::int64_t cell = 0;  // row by row from 0
     std::int64_t row = 0;
@@ -25,7 +33,8 @@ struct AuditRow {
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
-    double seconds = 0;                    // spent on solving it again
+    AuditedStarts starts;
+    double seconds = 0;  // spent on solving it again
 };
 
 // What the sample says of the whole map.
@@ -38,6 +47,9 @@ struct AuditReport {
     double force_error_99_percent = regime::unknown;
     double largest_force_error = regime::unknown;
     double seconds_per_cell = 0;  // of the independent engine
+    std::int64_t starts = 0;      // of these cells, solved again
+    std::int64_t starts_elsewhere = 0;
+    std::int64_t starts_decided_by_rounding = 0;  // of those
 };
 [[nodiscard]] AuditReport report(std::span<const AuditRow> rows);
 
@@ -51,7 +63,8 @@ struct AuditReport {
 // The table in an open file. Every call is this rank's own.
 class AuditTable {
   public:
-    explicit AuditTable(const hdf5::OpenMap& map) : map_(map) {}
+    // has_starts: whether the job has [starts], and the table columns of them.
+    AuditTable(const hdf5::OpenMap& map, bool has_starts) : map_(map), has_starts_(has_starts) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;
     void write(std::int64_t index, const AuditRow& row) const;
@@ -64,6 +77,7 @@ class AuditTable {
     void put(const char* name, std::int64_t index, Value value) const;
 
     hdf5::OpenMap map_;
+    bool has_starts_;
 };
 
 }  // namespace peterka::map_file

@@ -82,7 +82,7 @@ class MapFile {
     // Independent, for cells that are there; those of other ranks after settle().
     [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
-    [[nodiscard]] AuditTable audit() const { return AuditTable(open_map()); }
+    [[nodiscard]] AuditTable audit() const { return {open_map(), job_.starts.count > 0}; }
 
     // Collective. What the audit says, on every rank; nothing where the job wants none.
     [[nodiscard]] std::optional<AuditReport> audit_report();

@@ -223,14 +223,17 @@ class Solution {
 }  // namespace
 
 CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine) {
+    return solve_again(scene.job(), scene.cell(row, column), first_engine);
+}
+
+CellResult solve_again(const job::Job& job, const scene::Cell& cell, Engine first_engine) {
     constexpr double finest = 1e-12;   // of an integrator
     constexpr double coarsest = 1e-8;  // of a check
-    const scene::Cell cell = scene.cell(row, column);
     const Engine cheaper = cheaper_integrator(cell.oscillator);
     const Engine other = cheaper == Engine::cvode ? Engine::arkode : Engine::cvode;
-    return find_steady_state(cell.oscillator, cell.start, scene.job().steady_state,
+    return find_steady_state(cell.oscillator, cell.start, job.steady_state,
                              {.engine = cheaper == first_engine ? other : cheaper,
-                              .tolerance = std::clamp(scene.job().solver.tolerance, finest, coarsest)});
+                              .tolerance = std::clamp(job.solver.tolerance, finest, coarsest)});
 }
 
 std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell) {

@@ -25,5 +25,6 @@ std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& 
 // The same cell with every term of the model and by an integrator, another one than solved it the first time.
 // It shares nothing with the closed form but the decision procedure.
 CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine);
+CellResult solve_again(const job::Job& job, const scene::Cell& cell, Engine first_engine);
 
 }  // namespace peterka::regime

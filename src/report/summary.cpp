@@ -258,6 +258,21 @@ std::string differing(const map_file::AuditReport& audit) {
     return text + "\n";
 }
 
+// Where some starts of the audited cells end, by an integrator.
+std::string audited_starts(const map_file::AuditReport& audit) {
+    if (audit.starts == 0) return "";
+    const std::int64_t same = audit.starts - audit.starts_elsewhere;
+    std::string text =
+        fmt::format("  starts              {} of {} ({}) end on the attractor that the map says",
+                    readable_count(same), readable_count(audit.starts), readable_share(same, audit.starts));
+    if (audit.starts_elsewhere > 0) {
+        text += fmt::format("; in {} of the other {} rounding decides",
+                            readable_count(audit.starts_decided_by_rounding),
+                            readable_count(audit.starts_elsewhere));
+    }
+    return text + "\n";
+}
+
 std::string audit(const SummaryInput& input) {
     if (!input.findings.audit) return "";
     const map_file::AuditReport& audit = *input.findings.audit;
@@ -274,6 +289,7 @@ std::string audit(const SummaryInput& input) {
             audit.median_force_error, audit.force_error_99_percent, audit.largest_force_error,
             readable_count(audit.compared));
     }
+    text += audited_starts(audit);
     const auto cells = static_cast<double>(std::max<std::int64_t>(input.findings.statistics.counts.cells, 1));
     return text + fmt::format("  time per cell       {} by the integrator, {} in the map\n",
                               readable_duration(audit.seconds_per_cell),

@@ -7,6 +7,7 @@
 #include "parallel/dealing.hpp"
 #include "regime/solve_cell.hpp"
 #include "run/audit_sample.hpp"
+#include "run/audit_starts.hpp"
 #include "run/progress_style.hpp"
 #include "support/stopwatch.hpp"
 
@@ -80,6 +81,7 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
             .force_error = force_error(first, again),
             .sensitivity = agrees ? regime::unknown : largest_sensitivity(scene, row, column, again),
             .agrees = agrees,
+            .starts = audit_starts(scene, row, column),
             .seconds = stopwatch.seconds()};
 }
 

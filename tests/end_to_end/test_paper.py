@@ -35,6 +35,8 @@ KNOWN = {  # from independent runs of the model, and from continuation of its or
     "stiffness_raises_resonance": "agrees",
     "gap_0_robust": "agrees",
     "higher_gaps_jump": "differs",
+    "drift_gap_0": "agrees",
+    "drift_higher_gaps": "agrees",
     "stiffness_same": "agrees",
     "stiffness_where": "differs",
     "stiffness_force": "differs",

@@ -11,24 +11,10 @@ from peterka.operating.drift import guaranteed, reach
 from peterka.operating.places import best_places
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from sealing import seal_file
+from starts_samples import EMPTY, add_starts
 
-EMPTY = (-128, 0, 0)
 WEIGHT = 0.298 * 9.80665
 ONE, TWICE = orbit(1, 1), orbit(2, 2)
-
-
-def add_starts(path, slots, shares, forces, start_attractor):
-    """Adds the datasets of [starts]: slots[k][row][column] is (regime, p, q)."""
-    slots = np.array(slots)
-    with h5py.File(path, "r+") as file:
-        file["attractor"] = np.arange(len(slots), dtype="i4")
-        file["attractors"] = np.sum(slots[..., 0] != EMPTY[0], axis=0, dtype="i4")
-        for name, kind, values in (("attractor_regime", "i1", slots[..., 0]), ("attractor_impacts", "i4", slots[..., 1]),
-                                   ("attractor_period", "i4", slots[..., 2]), ("basin_share", "f8", shares),
-                                   ("attractor_peak_force_ratio", "f8", forces), ("start_attractor", "i4", start_attractor)):
-            file[name] = np.array(values).astype(kind)
-    seal_file(path)
-    return path
 
 
 def random_map(path, rows=9, columns=11, seed=1, log=False):

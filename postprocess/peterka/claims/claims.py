@@ -1,6 +1,6 @@
 """All groups of claims, in the order of the page."""
 
-from . import force_map, gap_zero, jumps, pulse, robust, starts, stiffness
+from . import drift, force_map, gap_zero, jumps, pulse, robust, starts, stiffness
 
 GROUPS = [
     ("Bands and forces at gap 0", gap_zero),
@@ -8,6 +8,7 @@ GROUPS = [
     ("Forces over frequency and gap", force_map),
     ("Jumps and impact resonances", jumps),
     ("Gap 0 against other gaps", robust),
+    ("What a drift leaves", drift),
     ("Three beam springs", stiffness),
     ("What the start decides", starts),
 ]

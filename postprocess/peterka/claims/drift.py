@@ -1,0 +1,77 @@
+"""What a drift of the frequency leaves of the force, from every start: at gap 0, and at higher gaps (section 5; section 4.2).
+
+The largest force that a place guarantees with the drift, against the largest that any place of the same gap guarantees
+without: the worst over the box of drift and over all starts of the map, whatever the regime, as operating_point.py has it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..maps.map_file import PeterkaFile
+from ..operating.admitted import ANY, admitted
+from ..operating.drift import guaranteed, reach
+from .force_map import RIGS
+from .record import DRIFT, SHARE, claim, not_computed, percent
+
+PLACE = "section 5; section 4.2"
+SAYS = {
+    "drift_gap_0": f"Gap 0 is robust: with a frequency that drifts by ±{DRIFT:g} Hz a place of it still guarantees most of the "
+                   "force, from every start.",
+    "drift_higher_gaps": f"Higher gaps demand a careful tuning: at 1, 2 and 3 mm a drift of ±{DRIFT:g} Hz costs more than that.",
+}
+
+
+@dataclass(frozen=True)
+class Guarantees:
+    """Of each gap of a map, (rows,): the gap in mm, and the largest force in N that a place guarantees `still` and
+    `drifting`; 0 where none does."""
+
+    gaps: np.ndarray
+    still: np.ndarray
+    drifting: np.ndarray
+
+    @property
+    def kept(self):
+        """The share of the force that the drift leaves."""
+        return np.divide(self.drifting, self.still, out=np.zeros(len(self.gaps)), where=self.still > 0)
+
+
+def claims(folder):
+    paths = {rig: folder.path / f"drift_{rig}.h5" for rig in RIGS}
+    missing = [path.name for path in paths.values() if not path.exists()]
+    if missing:
+        return [not_computed(key, PLACE, says, missing[0]) for key, says in SAYS.items()]
+    found = {rig: guarantees(path, DRIFT) for rig, path in paths.items()}
+    least = {rig: _in_words(each, 0) for rig, each in found.items()}
+    higher = {rig: "; ".join(_in_words(each, row) for row in range(1, len(each.gaps))) for rig, each in found.items()}
+    lost = [1 - each.kept[0] for each in found.values()]
+    lost_higher = [1 - each.kept[1:].max() for each in found.values()]
+    return [
+        claim("drift_gap_0", PLACE, SAYS["drift_gap_0"], _listed(least), max(lost) <= SHARE,
+              f"{percent(max(lost))} of the force is lost at most"),
+        claim("drift_higher_gaps", PLACE, SAYS["drift_higher_gaps"], _listed(higher), min(lost_higher) > SHARE,
+              f"{percent(min(lost_higher))} of the force is lost at least"),
+    ]
+
+
+def guarantees(path, hertz):
+    """The Guarantees of a map with [starts]."""
+    with PeterkaFile(path) as file:
+        found = admitted(file, ANY, "peak_force")
+        if not file.newtons:
+            raise file.refusal("doesn't say what its hammer weighs")
+        largest = []
+        for drift in (0.0, hertz):
+            values = guaranteed(found, reach(file, file.rows, 0.0, 0.0), reach(file, file.columns, drift, 0.0))
+            largest.append(np.nan_to_num(values, nan=0.0).max(axis=1) * file.newtons)
+        return Guarantees(1000 * file.positive("cart_amplitude_m") * file.rows.values, *largest)
+
+
+def _in_words(found, row):
+    text = f"{found.gaps[row]:.2g} mm {found.still[row]:.4g} N"
+    return text + (f", {percent(round(found.kept[row], 3))} of it with the drift" if found.drifting[row] else ", none with the drift")
+
+
+def _listed(words):
+    return ". ".join(f"{rig}: {text}" for rig, text in words.items())
