@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""How far basin shares and numbers of attractors are off against the time for them, from 4 to 1024 starts a cell; the page
+and its picture. jobs/benchmark.sh calls it; it can be run alone:
+
+    tests/benchmark/starts.py --build build --results results --page postprocess/examples/starts.md [--quick]
+
+The truth is that of many more starts, over the same cells. As many independent random starts would err by what the binomial
+distribution says, sqrt(s (1 - s)/n) for a share s, and miss an attractor with probability (1 - s)^n.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "postprocess"))
+os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+
+import h5py  # noqa: E402
+import numpy as np  # noqa: E402
+
+from peterka.look import axes, style  # noqa: E402
+from peterka.look.figures import new_figure  # noqa: E402
+
+JOB = "jobs/attractors_170mm.toml"
+COUNTS = (4, 16, 64, 256, 1024)
+SLOTS = 64  # all attractors of a cell
+USUAL, QUICK = (24, 8192), (6, 2048)  # cells along a side, starts of the truth
+NAMES = ("attractor_regime", "attractor_impacts", "attractor_period", "basin_share")
+
+
+@dataclass(frozen=True)
+class Found:
+    """`shares` {label: share} of each cell; cycles and seconds of computing for all of them."""
+
+    shares: list
+    cycles: float
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Row:
+    """Of `count` starts: seconds of a cell, cycles of a start; the error of a share (root of the mean square over cells and
+    attractors), that of as many random starts, the largest; attractors found of those there are, and what random ones
+    would."""
+
+    count: int
+    seconds: float
+    cycles: float
+    error: float
+    bound: float
+    largest: float
+    found: float
+    expected: float
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--results", type=Path, required=True)
+    parser.add_argument("--page", type=Path, required=True)
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    arguments.page.parent.mkdir(parents=True, exist_ok=True)
+    arguments.results.mkdir(parents=True, exist_ok=True)
+    side, many = QUICK if arguments.quick else USUAL
+    truth = compute(arguments, side, many)
+    rows = [row_of(count, compute(arguments, side, count), truth) for count in COUNTS]
+    with style.using():
+        axes.save(picture(rows), arguments.page.with_suffix(".png"))
+    text = page(rows, side, many, truth, arguments.page)
+    arguments.page.write_text(text, encoding="utf-8")
+    print(text)
+
+
+def compute(arguments, side, count):
+    """So many starts in each cell; the Found."""
+    file = arguments.results / f"starts_{side}_{count}.h5"
+    changes = {"axes.frequency_ratio.points": side, "axes.gap_ratio.points": side, "starts.count": count,
+               "starts.attractors": SLOTS}
+    command = ["mpirun", "-n", "1", arguments.build / "peterka", "run", JOB, "--output", file, "--fresh", "--quiet"]
+    command += [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
+    done = subprocess.run(list(map(str, command)), cwd=ROOT, stdin=subprocess.DEVNULL, check=False)
+    if done.returncode != 0:
+        sys.exit(f"starts.py: {count} starts in {side} x {side} cells failed with code {done.returncode}")
+    return read(file)
+
+
+def read(path):
+    with h5py.File(path) as file:
+        regime, impacts, period, share = (file[name][()].reshape(SLOTS, -1) for name in NAMES)
+        cells = []
+        for cell in range(share.shape[1]):
+            shares = defaultdict(float)
+            for slot in np.flatnonzero(share[:, cell]):
+                shares[int(regime[slot, cell]), int(impacts[slot, cell]), int(period[slot, cell])] += float(share[slot, cell])
+            cells.append(dict(shares))
+        return Found(cells, float(file["cycles"][()].sum()), float(np.nansum(file["run/tile_seconds"][()])))
+
+
+def row_of(count, found, truth):
+    pairs = [(cell.get(label, 0.0), share) for cell, true in zip(found.shares, truth.shares)
+             for label, share in true.items() if len(true) > 1]
+    shares, true = np.array(pairs).T
+    off = np.abs(shares - true)
+    cells = len(truth.shares)
+    return Row(count, found.seconds / cells, found.cycles / cells / count, rms(off), rms(np.sqrt(true * (1 - true) / count)),
+               float(off.max()), float(np.mean(shares > 0)), float(np.mean(1 - (1 - true)**count)))
+
+
+def rms(values):
+    return float(np.sqrt(np.mean(np.square(values))))
+
+
+def picture(rows):
+    """Errors against time, and what is missed."""
+    figure = new_figure(6.0, 2.7)
+    seconds = [row.seconds for row in rows]
+    left, right = figure.subplots(1, 2)
+    left.loglog(seconds, [row.error for row in rows], "o-", color="black", label="starts of the program")
+    left.loglog(seconds, [row.bound for row in rows], "--", color="#D55E00", label="random starts (binomial)")
+    right.semilogx(seconds, [100 * (1 - row.found) for row in rows], "o-", color="black")
+    right.semilogx(seconds, [100 * (1 - row.expected) for row in rows], "--", color="#D55E00")
+    for row in rows:
+        left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(-4, -11), fontsize=7)
+    left.set_ylabel("error of a basin share (rms)")
+    right.set_ylabel("attractors missed (%)")
+    for panel in (left, right):
+        panel.margins(x=0.12)
+        panel.set_xlabel("computing time of a cell (s)")
+    left.legend(fontsize=7)
+    return figure
+
+
+def page(rows, side, many, truth, path):
+    several = [len(cell) for cell in truth.shares if len(cell) > 1]
+    lines = ["| starts | time of a cell (ms) | cycles of a start | error of a share: rms | random starts | largest | attractors "
+             "found | random starts |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+    lines += [f"| {row.count} | {1e3 * row.seconds:.3g} | {row.cycles:.1f} | {row.error:.4f} | {row.bound:.4f} | "
+              f"{row.largest:.3f} | {100 * row.found:.1f} % | {100 * row.expected:.1f} % |" for row in rows]
+    return "\n\n".join([
+        "# Starts: error against time",
+        f"Written by `tests/benchmark/starts.py`. {side} × {side} cells of `{JOB}`; the truth is that of {many} starts in each. "
+        f"{len(several)} of these cells have several attractors, {np.mean(several):.2f} on average; labels z count as one "
+        "attractor each. *Random starts*: what the binomial distribution says of as many independent ones.",
+        "\n".join(lines), f"![error against time]({path.with_suffix('.png').name})"]) + "\n"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,108 @@
+"""operating_point.py on a map with [starts] that the program computed: what it guarantees from every start, from a share of
+them and from the job's own, and what --verify finds, against plain loops over what the files hold."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+import jobs
+import launch
+import many_starts
+
+PROGRAM = Path(__file__).resolve().parents[2] / "postprocess" / "operating_point.py"
+WEIGHT = 0.298 * 9.80665
+COUNT = 12
+ACROSS, UP = 2, 2  # cells of the drift to either side: 0.3 Hz of 0.15 Hz, 0.12 mm of 0.089 mm
+DRIFT = ("--hz", "0.3", "--mm", "0.12")
+
+
+@pytest.fixture(scope="module")
+def plane(tmp_path_factory):
+    """z = 1/1, 2/2 and 1/2, alone at low gaps and beside others at higher ones."""
+    folder = tmp_path_factory.mktemp("map")
+    jobs.write(folder, jobs.RIG.format(kind="map", title="plane") + jobs.axis("frequency_ratio", 1.2, 3.6, 73)
+               + jobs.axis("gap_ratio", 0.0, 2.0, 21) + many_starts.table(COUNT))
+    finished = launch.run("run", "job.toml", cwd=folder, ranks=2)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5"
+
+
+def operate(folder, *arguments):
+    done = subprocess.run([sys.executable, PROGRAM, *map(str, arguments), "--formats", "png"], cwd=folder, capture_output=True,
+                          text=True, timeout=300, check=False, env=launch.ENVIRONMENT)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    return done.stdout
+
+
+def ends_of(cells, row, column, starts):
+    """The label that the starts admitted end in and the smallest force [N] among them; None where they differ or where that
+    isn't an orbit."""
+    own = tuple(int(cells[name][row, column]) for name in ("regime", "impacts", "period"))
+    own_force = float(cells["peak_force_ratio"][row, column])
+    if starts == "job":
+        return (own, own_force * WEIGHT) if own[0] == 1 else None
+    ends = {}
+    for slot in range(int(cells["attractors"][row, column])):
+        label = tuple(int(cells[f"attractor_{name}"][slot, row, column]) for name in ("regime", "impacts", "period"))
+        share, force = (float(cells[name][slot, row, column]) for name in ("basin_share", "attractor_peak_force_ratio"))
+        before, least = ends.get(label, (0.0, np.inf))
+        ends[label] = (before + share, min(least, force))
+    label, (share, force) = max(ends.items(), key=lambda end: end[1][0])
+    if label[0] != 1 or round(share * COUNT) < np.ceil(starts * COUNT - 1e-9):
+        return None
+    if starts == 1:
+        return (label, min(force, own_force) * WEIGHT) if own == label else None
+    return label, force * WEIGHT
+
+
+def read(path):
+    """(the numbers of the cells, the job)"""
+    with xarray.open_dataset(path) as file:
+        return {name: file[name].values for name in file.data_vars}, file.attrs["job"]
+
+
+def worst_of(ends, rows, columns):
+    """Of a box: NaN where it isn't one regime."""
+    found = [ends[row, column] for row in rows for column in columns]
+    if None in found or len({label for label, _ in found}) > 1:
+        return np.nan
+    return min(force for _, force in found)
+
+
+@pytest.mark.parametrize("words, starts", [(("any",), 1), (("share", "0.75"), 0.75), (("job",), "job")])
+def test_no_place_guarantees_more_and_the_finer_box_is_told_as_it_is(tmp_path, plane, words, starts):
+    told = operate(tmp_path, plane, *DRIFT, "--starts", *words, "--verify")
+    cells, _ = read(plane)
+    height, width = cells["regime"].shape
+    ends = {place: ends_of(cells, *place, starts) for place in np.ndindex(height, width)}
+    guarantee = np.array([[worst_of(ends, range(row - UP, row + UP + 1), range(column - ACROSS, column + ACROSS + 1))
+                           for column in range(ACROSS, width - ACROSS)] for row in range(UP, height - UP)])
+    assert np.isfinite(guarantee).sum() > 50
+    share = 100 * np.isfinite(guarantee).sum() / (height * width)
+    assert float(re.search(r"guaranteed in ([\d.]+) % of the map", told)[1]) == pytest.approx(share, rel=0.01)
+    best = float(re.search(r"at least ([\d.]+) N", told)[1])
+    assert best == pytest.approx(np.nanmax(guarantee), rel=1e-3)
+
+    box, job = read(tmp_path / "pictures" / "job_box.h5")
+    assert f"count = {COUNT}" in job
+    finer = [ends_of(box, row, column, starts) for row, column in np.ndindex(box["regime"].shape)]
+    orbit = tuple(int(number) for number in re.search(r"best: .* z = (\d+)/(\d+):", told).groups())
+    others = sum(end is None or end[0] != (1, *orbit) for end in finer)
+    if others:
+        assert f"the guarantee doesn't hold: {others} of {len(finer)} cells" in told
+        return
+    worst = min(force for _, force in finer)
+    assert f" {len(finer)} cells" in told and f"{worst:.4g} N" in told
+    assert ("the guarantee holds" in told) == (worst >= best * (1 - 1e-3))
+
+
+def test_fewer_starts_guarantee_no_less(tmp_path, plane):
+    """Whoever admits every start gets no more than who admits some of them."""
+    best = [float(re.search(r"at least ([\d.]+) N", operate(tmp_path, plane, *DRIFT, "--starts", *words))[1])
+            for words in (("any",), ("share", "0.75"))]
+    assert best[0] <= best[1]
