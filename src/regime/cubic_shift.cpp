@@ -1,7 +1,6 @@
 #include "regime/cubic_shift.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include "regime/orbit_round.hpp"
 #include "regime/periodic_orbit.hpp"

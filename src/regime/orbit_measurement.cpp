@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace peterka::regime {
 
@@ -26,7 +25,7 @@ Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Ob
         was_open = observation.is_open();
         orbit.jacobian = round.jacobian();
         orbit.multiplier = spectral_radius(orbit.jacobian);
-        std::vector<Point> moved = orbit.points;
+        Points moved = orbit.points;
         const double last = orbit.error;
         orbit.error = round.correct(moved).value_or(1);
         const bool rests = orbit.error < std::max(at_rest, map.noise()) || orbit.error > last / 2;

@@ -15,7 +15,7 @@ void OrbitRound::add(const Passage& cycle, const Point& following) {
     separated_ |= cycle.separated;
 }
 
-std::optional<double> OrbitRound::correct(std::vector<Point>& points) const {
+std::optional<double> OrbitRound::correct(Points& points) const {
     const Eigen::Matrix2d system = Eigen::Matrix2d::Identity() - jacobian_;
     const Point first = system.partialPivLu().solve(residual_);
     double largest = 0;

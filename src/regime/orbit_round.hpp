@@ -24,7 +24,7 @@ class OrbitRound {
 
     // Moves the points, in the order of their cycles, to where Newton's method says; the largest move,
     // relative. None where it leads nowhere; the points then stay.
-    [[nodiscard]] std::optional<double> correct(std::vector<Point>& points) const;
+    [[nodiscard]] std::optional<double> correct(Points& points) const;
 
     [[nodiscard]] const Eigen::Matrix2d& jacobian() const { return jacobian_; }  // J
     // Largest norm of a single cycle's Jacobian, 1 at least.
@@ -40,7 +40,7 @@ class OrbitRound {
         Point residual;
         EventPattern pattern;
     };
-    std::vector<Step> steps_;
+    std::vector<Step, ReusingAllocator<Step>> steps_;
     Eigen::Matrix2d jacobian_ = Eigen::Matrix2d::Identity();
     Point residual_ = Point::Zero();  // a
     double largest_stretch_ = 1;

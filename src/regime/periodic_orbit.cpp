@@ -43,7 +43,7 @@ bool has_smaller_period(const PeriodicOrbit& orbit) {
 }
 
 std::size_t put_lowest_point_first(PeriodicOrbit& orbit) {
-    std::vector<Point>& points = orbit.points;
+    Points& points = orbit.points;
     double lowest = points.front()[0];
     for (const Point& point : points) lowest = std::min(lowest, point[0]);
     auto first = points.end();
@@ -58,8 +58,7 @@ std::size_t put_lowest_point_first(PeriodicOrbit& orbit) {
 
 // Each correction is about the square of the one before, times what the map's curvature makes of it: so two of
 // them tell how large the next one will be. Where rounding stops them, they no longer fall.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, std::vector<Point> guess,
-                                              double most_stretch) {
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess, double most_stretch) {
     PeriodicOrbit orbit;
     orbit.points = std::move(guess);
     const std::size_t q = orbit.points.size();
@@ -90,7 +89,7 @@ Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, std::vector<
 }
 
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
-    std::vector<Point> points{guess};
+    Points points{guess};
     while (static_cast<std::int64_t>(points.size()) < q) {
         const Passage cycle = co_await map.cycle(points.back());
         if (!cycle.ok) co_return std::nullopt;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "regime/adapted_norm.hpp"
 #include "regime/recurrence.hpp"
@@ -15,12 +14,12 @@
 namespace peterka::regime {
 
 struct PeriodicOrbit {
-    std::vector<Point> points;  // at forcing phase 0, one cycle after the other: q of them
-    Eigen::Matrix2d jacobian;   // of the q-cycle map at the first point
-    double multiplier = 0;      // spectral radius of the Jacobian
-    EventPattern pattern = 0;   // of the q cycles from the first point
-    double error = 0;           // of the points, relative: Newton's last correction, made
-    bool touched = false;       // the stop presses at some time
+    Points points;             // at forcing phase 0, one cycle after the other: q of them
+    Eigen::Matrix2d jacobian;  // of the q-cycle map at the first point
+    double multiplier = 0;     // spectral radius of the Jacobian
+    EventPattern pattern = 0;  // of the q cycles from the first point
+    double error = 0;          // of the points, relative: Newton's last correction, made
+    bool touched = false;      // the stop presses at some time
 
     [[nodiscard]] const Point& point() const { return points.front(); }
     [[nodiscard]] std::int64_t period() const { return static_cast<std::int64_t>(points.size()); }
@@ -28,7 +27,7 @@ struct PeriodicOrbit {
 
 // The orbit of as many points, stable or not, that Newton's method reaches from those guessed. None where the
 // cycles from these stretch a perturbation by more than most_stretch.
-Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, std::vector<Point> guess,
+Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess,
                                               double most_stretch = std::numeric_limits<double>::infinity());
 // The same from a single point; the others are those to which it leads.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);

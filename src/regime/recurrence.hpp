@@ -58,10 +58,10 @@ class Recurrence {
     }
     // The q states that end one cycle before the one so many cycles ago, moved by one step of Newton's method
     // towards an orbit of q cycles.
-    [[nodiscard]] std::vector<Point> closed(std::int64_t q, std::int64_t ago = 0) const {
+    [[nodiscard]] Points closed(std::int64_t q, std::int64_t ago = 0) const {
         // the states are those of the trajectory: only the last one misses its successor
         OrbitRound round(q);
-        std::vector<Point> points;
+        Points points;
         for (std::int64_t i = q; i > 0; --i) points.push_back(state(ago + i));
         for (std::int64_t i = q - 1; i >= 0; --i) {
             Passage cycle;

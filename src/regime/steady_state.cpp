@@ -93,13 +93,9 @@ class Search {
                 if (trajectory_.is_at_end()) co_return unproved(Regime::unresolved, why_unresolved());
                 trajectory_.take(co_await trajectory_.order(map_));
             }
-
-            const Passage cycle = trajectory_.advance(map_);
-            if (!cycle.ok) co_return failed(cycle.outcome);
-            growth_.advance(cycle.jacobian);
-            if (conservative_) continue;  // nothing recurs for good
-            recurrence_.record(cycle);
-            if (test_ && converges(cycle)) {
+            const Followed followed = follow_ordered();
+            if (followed.outcome != Cycle<double>::Outcome::done) co_return failed(followed.outcome);
+            if (followed.converged) {
                 trajectory_.keep_ordered();
                 if (const auto result = co_await periodic(test_->orbit())) co_return *result;
                 test_.reset();
@@ -108,6 +104,23 @@ class Search {
     }
 
   private:
+    struct Followed {
+        Cycle<double>::Outcome outcome = Cycle<double>::Outcome::done;
+        bool converged = false;
+    };
+    // The cycles that are ordered, up to the first one that may end the search. Apart from run(): the loop over
+    // the cycles is what a long search spends its time on.
+    Followed follow_ordered() {
+        do {
+            const Passage cycle = trajectory_.advance(map_);
+            if (!cycle.ok) return {.outcome = cycle.outcome};
+            growth_.advance(cycle.jacobian);
+            if (conservative_) continue;  // nothing recurs for good
+            recurrence_.record(cycle);
+            if (test_ && converges(cycle)) return {.converged = true};
+        } while (!trajectory_.needs_order() && attractor_reached() == nullptr);
+        return {};
+    }
     [[nodiscard]] const CellResult* attractor_reached() const {
         return known_ != nullptr ? known_->reached_from(trajectory_.state()) : nullptr;
     }

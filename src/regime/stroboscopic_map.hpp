@@ -8,8 +8,10 @@
 #include <coroutine>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "regime/cycle_desk.hpp"
+#include "support/reused_memory.hpp"
 #include "trajectory/contact_rates.hpp"
 
 namespace peterka::regime {
@@ -19,6 +21,7 @@ using trajectory::EventPattern;
 using trajectory::Recorder;
 
 using Point = Eigen::Vector2d;  // (delta, delta') over the scales of the scene
+using Points = std::vector<Point, ReusingAllocator<Point>>;
 
 // One cycle.
 struct Passage {

@@ -5,7 +5,6 @@
 
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "regime/scalar_engine.hpp"
 #include "rig.hpp"
@@ -31,8 +30,8 @@ Followed follow_one_a_cycle(double last_frequency, double most_stretch) {
         const bool last = step == steps;
         CycleDesk desk;
         StroboscopicMap map(scene, {}, desk);
-        followed.orbit = last ? complete(find_orbit(map, std::vector{map.scaled(point)}, most_stretch), desk)
-                              : complete(find_orbit(map, std::vector{map.scaled(point)}), desk);
+        followed.orbit = last ? complete(find_orbit(map, Points{map.scaled(point)}, most_stretch), desk)
+                              : complete(find_orbit(map, Points{map.scaled(point)}), desk);
         followed.cycles = map.cycles_spent();
         if (!followed.orbit) break;
         point = map.unscaled(followed.orbit->point());
