@@ -18,6 +18,8 @@ constexpr std::size_t capacity = 128;
 // A group waits until it has so many, of those that go several cycles at once so many.
 constexpr std::size_t enough_near = 64;
 constexpr std::size_t enough_far = 256;
+// Of lines with rigs of their own: more only bring more small groups, whose batches leave the cache.
+constexpr std::size_t most_of_lines = 64;
 constexpr std::size_t most_in_hand = 768;  // with all that wait
 constexpr std::size_t most_alone = 32;     // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
@@ -46,8 +48,8 @@ struct CellPool::Cell : Reused {
 };
 
 struct CellPool::Group {
-    Group(const Wish& its_wish, const scene::Oscillator<double>& rig, const Batch& batch)
-        : wish(its_wish), kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
+    Group(const Wish& its_wish, const scene::Oscillator<double>& its_rig, const Batch& batch)
+        : wish(its_wish), kind(batch), rig(its_rig), map(rig, few_cells, batch.steps, batch.springs) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
@@ -104,6 +106,7 @@ struct CellPool::Group {
 
     Wish wish;
     Batch kind;
+    scene::Oscillator<double> rig;  // that its lanes share
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
     // Of several cycles: those of a slot side by side, and largest values over them.
@@ -115,10 +118,11 @@ struct CellPool::Group {
 };
 
 CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
-    : scene_(scene), known_(known), take_(std::move(take)), findings_(findings) {}
+    : scene_(scene), rigs_(scene::rigs_of(scene)), known_(known), take_(std::move(take)), findings_(findings) {}
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
+    if (rigs_ == scene::Rigs::of_lines) return in_hand_ < most_of_lines;
     if (alone_.size() >= most_alone || in_hand_ >= most_in_hand) return false;
     std::size_t waiting = 0;
     for (const Group& group : groups_) {
@@ -168,7 +172,10 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
     const Wish wish = cell.wish();
-    const auto suits = [&](const Group& group) { return group.wish == wish && group.kind == *cell.batch; };
+    const auto suits = [&](const Group& group) {
+        return group.wish == wish && group.kind == *cell.batch &&
+               (rigs_ == scene::Rigs::one || scene::same_rig(group.rig, cell.desk.scene()));
+    };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return *found;
     return groups_.emplace_back(wish, cell.desk.scene(), *cell.batch);
@@ -178,8 +185,7 @@ CellPool::Group& CellPool::group_for(const Cell& cell) {
 void CellPool::enter(std::unique_ptr<Cell> cell) {
     if (cell->engine != cell->desk.engines_used()) {
         cell->engine = cell->desk.engines_used();
-        // lanes of a batch share their rig
-        cell->batch = scene_.rigs_differ() ? std::nullopt : batch_of(cell->desk);
+        cell->batch = rigs_ == scene::Rigs::of_cells ? std::nullopt : batch_of(cell->desk);
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
@@ -196,6 +202,7 @@ void CellPool::board(std::unique_ptr<Cell> cell) {
 }
 
 void CellPool::step() {
+    if (rigs_ == scene::Rigs::of_lines) return step_of_lines();
     bool waits = true;
     for (Group& group : groups_) {  // on the way more may be appended
         if (!group.is_full()) continue;
@@ -207,6 +214,15 @@ void CellPool::step() {
     const auto most =
         std::ranges::max_element(groups_, {}, [](const Group& group) { return group.cells.size(); });
     if (most != groups_.end() && !most->cells.empty()) advance(*most);
+}
+
+// There are many groups, one or more for each line, and none of them becomes large: waiting doesn't pay.
+void CellPool::step_of_lines() {
+    if (!alone_.empty()) return serve_alone();
+    for (Group& group : groups_) {  // on the way more may be appended
+        if (!group.cells.empty()) advance(group);
+    }
+    groups_.remove_if([](const Group& group) { return group.cells.empty(); });
 }
 
 void CellPool::advance(Group& group) {

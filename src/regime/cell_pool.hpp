@@ -21,6 +21,7 @@
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
 #include "regime/scalar_engine.hpp"
+#include "scene/rigs.hpp"
 #include "scene/scene.hpp"
 #include "support/task.hpp"
 
@@ -80,6 +81,7 @@ class CellPool {
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
+    void step_of_lines();
     void move(Group& from, std::size_t slot);
     std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
     std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
@@ -87,6 +89,7 @@ class CellPool {
     void finish(const Cell& cell);
 
     const scene::Scene& scene_;
+    const scene::Rigs rigs_;
     const AttractorTable& known_;
     Take take_;
     Findings findings_;

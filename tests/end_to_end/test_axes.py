@@ -35,7 +35,9 @@ HAMMERS = map_over(axis("hammer.mass_kg", 0.2, 0.5, 9), axis("hammer.stiffness_n
                    more=PLACE.format(hertz=9.0, gap=0.5e-3))
 STARTS = map_over(axis("start.velocity_ratio", -3.0, 3.0, 9), axis("frequency_ratio", 1.5, 2.5, 8),
                   more="[operating_point]\ngap_ratio = 1.6\n")
-MAPS = {"stops": STOPS, "lengths": LENGTHS, "hammers": HAMMERS, "starts": STARTS}
+LINES = map_over(axis("frequency_ratio", 1.8, 3.2, 40), axis("contact.damping_ns_per_m", 100, 4000, 24, "log"),
+                 more="[operating_point]\ngap_ratio = 0.0\n")  # a rig for each row
+MAPS = {"lines": LINES, "stops": STOPS, "lengths": LENGTHS, "hammers": HAMMERS, "starts": STARTS}
 
 
 @pytest.fixture(scope="module")
@@ -105,11 +107,11 @@ def test_a_cell_is_that_of_a_job_with_its_numbers(computed, tmp_path, name):
         assert alone[3] == pytest.approx(expected[3], rel=1e-8, nan_ok=True), (cell, values[cell])
 
 
-@pytest.mark.parametrize("ranks", [None, 3, 7])
-def test_any_number_of_ranks_gives_the_same_bytes(computed, tmp_path, ranks):
-    jobs.write(tmp_path, STOPS)
+@pytest.mark.parametrize("name, ranks", [("stops", None), ("stops", 3), ("stops", 7), ("lines", None), ("lines", 3)])
+def test_any_number_of_ranks_gives_the_same_bytes(computed, tmp_path, name, ranks):
+    jobs.write(tmp_path, MAPS[name])
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=ranks).returncode == 0
-    assert_same_map(tmp_path / "job.h5", computed / "stops.h5")
+    assert_same_map(tmp_path / "job.h5", computed / f"{name}.h5")
 
 
 def test_a_stopped_run_goes_on_to_the_same_bytes(tmp_path):
@@ -142,6 +144,9 @@ def test_check_tells_the_axes_and_that_rigs_cost_more(computed):
     told = launch.run("check", "stops.toml", cwd=computed).stdout
     assert "20 of contact_stiffness_n_per_m by 18 of contact_damping_ns_per_m" in told
     assert "each cell has its own" in told
+    told = launch.run("check", "lines.toml", cwd=computed).stdout
+    assert "each line of cells has its own" in told
+    assert "#   rigs" not in launch.run("check", "starts.toml", cwd=computed).stdout
 
 
 def test_a_map_over_a_rig_is_refined_and_audited(tmp_path):
