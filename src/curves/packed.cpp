@@ -50,7 +50,7 @@ Seed unpack_seed(NumberReader& from) {
 void pack(const Curve& curve, Numbers& to) {
     to.insert(to.end(), {as_number(curve.kind), as_number(curve.impacts), as_number(curve.period),
                          as_number(curve.begins), as_number(curve.ends), as_number(curve.points.size()),
-                         as_number(curve.specials.size())});
+                         as_number(curve.specials.size()), as_number(curve.crossings.size())});
     for (const CurvePoint& point : curve.points) {
         pack(point.place, to);
         to.insert(to.end(),
@@ -59,6 +59,10 @@ void pack(const Curve& curve, Numbers& to) {
     for (const Special& special : curve.specials) {
         to.push_back(as_number(special.kind));
         pack(special.place, to);
+    }
+    for (const Crossing& crossing : curve.crossings) {
+        pack(crossing.place, to);
+        to.insert(to.end(), {crossing.multiplier, crossing.peak_force});
     }
 }
 
@@ -71,6 +75,7 @@ Curve unpack_curve(NumberReader& from) {
     curve.ends = static_cast<CurveEnd>(from.integer());
     curve.points.resize(static_cast<std::size_t>(from.integer()));
     curve.specials.resize(static_cast<std::size_t>(from.integer()));
+    curve.crossings.resize(static_cast<std::size_t>(from.integer()));
     for (CurvePoint& point : curve.points) {
         point.place = from.place();
         point.multiplier = from.number();
@@ -82,6 +87,11 @@ Curve unpack_curve(NumberReader& from) {
     for (Special& special : curve.specials) {
         special.kind = static_cast<SpecialKind>(from.integer());
         special.place = from.place();
+    }
+    for (Crossing& crossing : curve.crossings) {
+        crossing.place = from.place();
+        crossing.multiplier = from.number();
+        crossing.peak_force = from.number();
     }
     return curve;
 }

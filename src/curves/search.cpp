@@ -17,13 +17,14 @@ class Search {
         : deal_(deal),
           rig_(scene.cell(0, 0).oscillator),
           map_(scene),
-          most_period_(scene.job().curves.max_period) {}
+          most_period_(scene.job().curves.max_period),
+          gaps_(scene.job().curves.gap_ratio) {}
 
     std::optional<Findings> run() {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
         if (!parts) return std::nullopt;
         map_.put_together(*parts);
-        window_ = {map_.place(0), map_.place(map_.count() - 1)};
+        window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_};
         cell_ = {window_.size().frequency / static_cast<double>(map_.columns() - 1),
                  window_.size().gap / static_cast<double>(map_.rows() - 1)};
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) {
@@ -204,6 +205,7 @@ class Search {
     Rig rig_;
     CoarseMap map_;
     std::int64_t most_period_;
+    std::vector<double> gaps_;
     Window window_;
     Place cell_;
     std::vector<std::pair<std::int64_t, std::int64_t>> reached_;

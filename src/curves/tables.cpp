@@ -86,11 +86,16 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
 std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found) {
     std::vector<CurvePoint> points;
     std::vector<Special> specials;
+    std::vector<Crossing> crossings;
     Numbers first;
     Numbers special_curve;
+    Numbers crossing_curve;
     for (const Curve& curve : found.curves) {
         first.push_back(static_cast<double>(points.size()));
         special_curve.insert(special_curve.end(), curve.specials.size(), static_cast<double>(first.size() - 1));
+        crossing_curve.insert(crossing_curve.end(), curve.crossings.size(),
+                              static_cast<double>(first.size() - 1));
+        crossings.insert(crossings.end(), curve.crossings.begin(), curve.crossings.end());
         points.insert(points.end(), curve.points.begin(), curve.points.end());
         specials.insert(specials.end(), curve.specials.begin(), curve.specials.end());
     }
@@ -122,6 +127,14 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     of_specials.add({"special_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(specials, [](const Special& s) { return s.place.gap; }));
     of_specials.add({"special_curve", Number::int32, -1, "1", "number of the curve on which it was found"}, special_curve);
 
+    Columns of_crossings("/", "crossing", std::ssize(crossings));
+    of_crossings.add_counter("number of the crossing");
+    of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of curves.gap_ratio there"}, crossing_curve);
+    of_crossings.add({"crossing_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(crossings, [](const Crossing& c) { return c.place.frequency; }));
+    of_crossings.add({"crossing_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(crossings, [](const Crossing& c) { return c.place.gap; }));
+    of_crossings.add({"crossing_multiplier", Number::float64, nan, "1", "as point_multiplier"}, numbers_of(crossings, [](const Crossing& c) { return c.multiplier; }));
+    of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return force * c.peak_force; }));
+
     Columns live("/run", "curve", std::ssize(found.curves));
     live.add_counter("number of the curve");
     live.add({"curve_seconds", Number::float64, nan, "s", "time that tracing the curve took"}, found.seconds);
@@ -132,7 +145,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
         if (columns.tables().front().values.empty()) return;  // a dimension has a size
         tables.insert(tables.end(), columns.tables().begin(), columns.tables().end());
     };
-    for (const Columns* each : {&curves, &of_points, &of_specials}) append(*each);
+    for (const Columns* each : {&curves, &of_points, &of_specials, &of_crossings}) append(*each);
     const auto scalar = [&](const char* name, const char* meaning, std::int64_t value) {
         tables.push_back(
             {{"/edges", Variable{name, Number::int64, -1, "1", meaning}, {}}, {static_cast<double>(value)}});

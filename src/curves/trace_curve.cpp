@@ -35,6 +35,7 @@ class HalfCurve {
 
     std::vector<CurvePoint> points;
     std::vector<Special> specials;
+    std::vector<Crossing> crossings;
     CurveEnd end = CurveEnd::lost;
 
     void trace(const Stepper::Here& seed) {
@@ -52,6 +53,7 @@ class HalfCurve {
                 continue;
             }
             look_for_specials(here, *there);
+            look_for_crossings(here.point, there->point);
             if (bounds_nothing(there->point)) return end_at_last_special();
             keep(there->point);
             if (count > 4 && closes(seed, here, *there)) {
@@ -60,6 +62,23 @@ class HalfCurve {
                 return;
             }
             here = *there;
+        }
+    }
+
+    // One that lies at such a gap belongs to the step that ends there.
+    void look_for_crossings(const OrbitPoint& here, const OrbitPoint& there) {
+        for (const double gap : window_.gaps) {
+            const double tiny = 1e-12 * window_.size().gap;
+            const double before = here.place.gap - gap;
+            const double after = there.place.gap - gap;
+            const bool arrives = std::abs(after) <= tiny;
+            if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
+            const bool same_events = !arrives && has_same_events(here.orbit, there.orbit);
+            const auto found = solve_with(same_events ? between(here, there, before / (before - after)) : there,
+                                          Condition::on_line({0, gap}, {0, 1}));
+            if (!found) continue;
+            const CurvePoint at = curve_point(rig_, *found, kind_);
+            crossings.push_back({at.place, at.multiplier, at.peak_force});
         }
     }
 
@@ -94,6 +113,7 @@ class HalfCurve {
                 guess ? solve_with(*guess, Condition::without_acceleration(guess->orbit.grazing())) : guess;
             if (!last || !window_.holds(last->place)) return Step::unclear;
             add_special(SpecialKind::inflection, *last);
+            look_for_crossings(here.point, *last);
             end = CurveEnd::special;
             return Step::ends;
         }
@@ -108,6 +128,7 @@ class HalfCurve {
                                 : (kind_ == CurveKind::grazing ? SpecialKind::double_grazing
                                                                : SpecialKind::flip_grazing),
                             *last);
+                look_for_crossings(here.point, *last);
                 end = CurveEnd::special;
                 return Step::ends;
             }
@@ -115,7 +136,10 @@ class HalfCurve {
         }
         if (leaves) {
             const auto last = at_border(here.point, there.point);
-            if (last) keep(*last);
+            if (last) {
+                keep(*last);
+                look_for_crossings(here.point, *last);
+            }
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
         if (leaves || breaks) return Step::ends;
@@ -263,6 +287,7 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.period = seed.point.orbit.period;
 
     Stepper::Here start = forward.stepper().at(seed.point);
+    forward.look_for_crossings(seed.point, seed.point);
     forward.trace(start);
     HalfCurve backward(rig, seed, window);
     if (forward.end != CurveEnd::closed) {
@@ -275,6 +300,8 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.points.push_back(curve_point(rig, seed.point, seed.kind));
     curve.points.insert(curve.points.end(), forward.points.begin(), forward.points.end());
     curve.specials = backward.specials;
+    curve.crossings = backward.crossings;
+    curve.crossings.insert(curve.crossings.end(), forward.crossings.begin(), forward.crossings.end());
     curve.specials.insert(curve.specials.end(), forward.specials.begin(), forward.specials.end());
     return curve;
 }

@@ -33,6 +33,13 @@ struct Special {
     Place place;
 };
 
+// Where a curve has one of the gaps that were asked for.
+struct Crossing {
+    Place place;
+    double multiplier = 0;  // as those of a CurvePoint
+    double peak_force = 0;
+};
+
 enum class CurveEnd : std::int8_t { border = 0, special = 1, closed = 2, lost = 3 };
 
 struct Curve {
@@ -41,6 +48,7 @@ struct Curve {
     std::int64_t period = 1;
     std::vector<CurvePoint> points;
     std::vector<Special> specials;
+    std::vector<Crossing> crossings;
     CurveEnd begins = CurveEnd::lost;
     CurveEnd ends = CurveEnd::lost;
 };
@@ -49,6 +57,7 @@ struct Curve {
 struct Window {
     Place low;
     Place high;
+    std::vector<double> gaps = {};  // at which the places of curves are told
     [[nodiscard]] Place size() const { return {high.frequency - low.frequency, high.gap - low.gap}; }
     // Its border belongs to it, as far as rounding lets tell.
     [[nodiscard]] bool holds(const Place& place, double beyond = 1e-9) const {

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "curves/border_words.hpp"
 #include "support/readable.hpp"
 
 namespace peterka::curves {
@@ -79,9 +80,10 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         points += curve.points.size();
         for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
     }
-    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}", title,
+    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}{}", title,
                        found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
-                       table_of_curves(found), specials_text(found), edges_text(found.edges));
+                       table_of_curves(found), specials_text(found), edges_text(found.edges),
+                       borders_in_words(scene, found));
 }
 
 }  // namespace peterka::curves

@@ -174,7 +174,8 @@ struct Sweep {
 
 // Where regimes end: the curves of a window.
 struct Curves {
-    std::int64_t max_period = 4;  // of orbits [forcing cycles]
+    std::int64_t max_period = 4;    // of orbits [forcing cycles]
+    std::vector<double> gap_ratio;  // at which borders are told
     friend bool operator==(const Curves&, const Curves&) = default;
 };
 

@@ -222,6 +222,19 @@ std::string rule_of_curves(const Job& job) {
     return {};
 }
 
+std::string rule_of_borders(const Job& job) {
+    for (const double gap : job.curves.gap_ratio) {
+        if (gap >= job.rows.from && gap <= job.rows.to) continue;
+        return fmt::format(
+            "curves.gap_ratio has {}, and the window reaches from {} to {} (axes.gap_ratio); no curve is "
+            "traced "
+            "there; "
+            "widen the window or remove this gap",
+            toml_text(gap), toml_text(job.rows.from), toml_text(job.rows.to));
+    }
+    return {};
+}
+
 std::string rule_of_title(std::string_view title) {
     constexpr std::size_t longest = 1000;  // [bytes]
     if (title.size() > longest) {

@@ -15,12 +15,16 @@ template <typename Walker>
 void describe(Walker& table, Curves& curves) {
     table.integer({"max_period", "curves of orbits up to this q [forcing cycles]"}, curves.max_period,
                   from_to<std::int64_t>(1, 16, "longer orbits have curves too fine for any picture"));
+    table.numbers(
+        {gap_ratio.name, "gaps at which the borders of the regimes are told to nine digits, gap/A0 [1]"},
+        curves.gap_ratio, gap_ratio.range);
 }
 
 template <typename Walker>
 void describe_curves(Walker& file, Job& job) {
     describe_plane(file, job);
     file.table({"curves", "which curves are traced"}, [&](auto& table) { describe(table, job.curves); });
+    file.rule({"curves", "axes"}, [&] { return rule_of_borders(job); });
     describe_solver(file, job);
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");

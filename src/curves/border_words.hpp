@@ -1,0 +1,14 @@
+// The borders of each regime at the gaps that a job names, in words.
+#pragma once
+
+#include <string>
+
+#include "curves/search.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::curves {
+
+// Of regimes with more than 1 % of the coarse map; empty where the job names no gap.
+[[nodiscard]] std::string borders_in_words(const scene::Scene& scene, const Findings& found);
+
+}  // namespace peterka::curves
