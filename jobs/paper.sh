@@ -40,6 +40,7 @@ all_files() {
     done
     compute gaps_170mm peterka_170mm $(points frequency_ratio 4001 501) $(points gap_ratio 4 4) \
         --set audit.cells=0 --set axes.gap_ratio.to=3.370786516853933 --set "title=Gaps of 0 to 3 mm, 170 mm"
+    compute curves_170mm curves_170mm $(points frequency_ratio 128 64) $(points gap_ratio 128 64)
     for job in jobs/trace_*.toml; do
         job=$(basename "$job" .toml)
         compute "$job" "$job"

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
+#include <vector>
 
 #include "curves/border_words.hpp"
 #include "support/readable.hpp"
@@ -84,6 +87,19 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
                        found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
                        table_of_curves(found), specials_text(found), edges_text(found.edges),
                        borders_in_words(scene, found));
+}
+
+std::string speed_in_words(const Findings& found) {
+    std::vector<double> residuals;
+    for (const Curve& curve : found.curves) {
+        for (const CurvePoint& point : curve.points) residuals.push_back(point.residual);
+    }
+    const double seconds = std::accumulate(found.seconds.begin(), found.seconds.end(), 0.0);
+    if (residuals.empty() || !(seconds > 0)) return "";
+    const auto middle = residuals.begin() + std::ssize(residuals) / 2;
+    std::ranges::nth_element(residuals, middle);
+    return fmt::format("Tracing: {} points a second and rank, median residual {:.1e}\n",
+                       readable_count(std::llround(static_cast<double>(residuals.size()) / seconds)), *middle);
 }
 
 }  // namespace peterka::curves

@@ -10,4 +10,7 @@ namespace peterka::curves {
 
 [[nodiscard]] std::string in_words(const scene::Scene& scene, const Findings& found);
 
+// How many points a rank traces in a second, and how well they obey their equations; empty without any.
+[[nodiscard]] std::string speed_in_words(const Findings& found);
+
 }  // namespace peterka::curves

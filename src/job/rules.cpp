@@ -222,14 +222,16 @@ std::string rule_of_curves(const Job& job) {
     return {};
 }
 
-std::string rule_of_borders(const Job& job) {
+std::string rule_of_window(const Job& job) {
+    if (job.columns.points < 2 || job.rows.points < 2) {
+        return "a window of curves with one point along an axis has no area, and no curve lies in it; give "
+               "axes.frequency_ratio.points and axes.gap_ratio.points 2 or more";
+    }
     for (const double gap : job.curves.gap_ratio) {
         if (gap >= job.rows.from && gap <= job.rows.to) continue;
         return fmt::format(
             "curves.gap_ratio has {}, and the window reaches from {} to {} (axes.gap_ratio); no curve is "
-            "traced "
-            "there; "
-            "widen the window or remove this gap",
+            "traced there; widen the window or remove this gap",
             toml_text(gap), toml_text(job.rows.from), toml_text(job.rows.to));
     }
     return {};

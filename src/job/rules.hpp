@@ -40,7 +40,8 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table);
 // Of curves: the stops and springs whose orbits have a closed form.
 [[nodiscard]] std::string rule_of_curves(const Job& job);
-[[nodiscard]] std::string rule_of_borders(const Job& job);
+// What lies in their window.
+[[nodiscard]] std::string rule_of_window(const Job& job);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

@@ -24,7 +24,7 @@ template <typename Walker>
 void describe_curves(Walker& file, Job& job) {
     describe_plane(file, job);
     file.table({"curves", "which curves are traced"}, [&](auto& table) { describe(table, job.curves); });
-    file.rule({"curves", "axes"}, [&] { return rule_of_borders(job); });
+    file.rule({"curves", "axes"}, [&] { return rule_of_window(job); });
     describe_solver(file, job);
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");

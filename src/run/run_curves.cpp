@@ -52,8 +52,9 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
                                    {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, *found)},
                                    {session.size(), wall.seconds(), hosts});
         if (plan.quiet) return;
-        words = fmt::format("{}\nThis run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
-                            curves::in_words(scene, *found), readable_duration(wall.seconds()), session.size(),
+        words = fmt::format("{}\n{}This run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
+                            curves::in_words(scene, *found), curves::speed_in_words(*found),
+                            readable_duration(wall.seconds()), session.size(),
                             session.size() == 1 ? "rank" : "ranks", plan.file.string(), plan.file.string());
     });
     if (code == ExitCode::stopped_early && session.is_root()) {

@@ -1,5 +1,7 @@
 """Curves: the same at any number of ranks, open in xarray, on the edges of the map's labels, and words for what has none."""
 
+import re
+
 import h5py
 import numpy as np
 import pytest
@@ -33,7 +35,7 @@ def lines(path, kind, impacts, period):
             file["curve_first"][()][chosen], file["curve_points"][()][chosen])]
 
 
-@pytest.mark.parametrize("ranks", [2, 3])
+@pytest.mark.parametrize("ranks", [2, 3, 7])
 def test_curves_are_the_same_at_any_number_of_ranks(tmp_path, curves, ranks):
     path, _ = compute(tmp_path, jobs.small_curves(points=32), "--quiet", ranks=ranks)
     map_contents.assert_same_map(path, curves[0])
@@ -69,6 +71,27 @@ def test_the_summary_explains_the_edges(curves):
         basins = int(file["edges/basin"][()])
         assert count > 50 and explained + basins >= 0.98 * count
     assert "within one cell of a curve" in curves[1].stdout
+    assert re.search(r"Tracing: [\d,]+ points a second and rank, median residual [\d.]+e-1[3-6]", curves[1].stdout)
+
+
+BORDERS = [(GRAZING, 0.0, 1.15008754), (DOUBLING, 0.0, 2.659361979), (DOUBLING, 1.0, 0.718391067),
+           (DOUBLING, 1.0, 2.264326891), (FOLD, 1.5, 1.862464993)]  # of 1/1, of the same independent program
+
+
+def test_borders_at_given_gaps_are_told_to_nine_digits(tmp_path):
+    job = jobs.small_curves(points=32) + "\n[curves]\ngap_ratio = [0.0, 1.0, 1.5]\n"
+    path, finished = compute(tmp_path, job)
+    with h5py.File(path) as file:
+        of = {name: file[f"curve_{name}"][()][file["crossing_curve"][()]] for name in ("kind", "period")}
+        frequencies, gaps = file["crossing_frequency_ratio"][()], file["crossing_gap_ratio"][()]
+    assert set(np.round(gaps, 9)) == {0.0, 1.0, 1.5}
+    told = {number for line in finished.stdout.splitlines() if line.startswith("  1/1  ")
+            for number in line.replace(",", " ").split() if "." in number}
+    for kind, gap, frequency in BORDERS:
+        there = (of["kind"] == kind) & (of["period"] == 1) & (np.abs(gaps - gap) < 1e-9)
+        assert np.abs(frequencies[there] - frequency).min() < 1e-8
+        assert any(abs(float(number) - 4.5 * frequency) < 6e-8 for number in told)
+    assert "Borders at gap/A0 1.5 (1.335 mm)" in finished.stdout
 
 
 def test_each_end_of_a_curve_has_a_reason(tmp_path):
@@ -106,6 +129,8 @@ def test_a_window_without_impacts_has_words(tmp_path):
     (("law = \"kelvin_voigt\"\nstiffness_n_per_m = 5.5e6\ndamping_ns_per_m = 1.2e3",
       "law = \"hunt_crossley\"\nstiffness_n_per_m_pow_n = 1e9\ndissipation_s_per_m = 0.1"), "closed form"),
     (("[curves]\nmax_period = 4", "[curves]\nmax_period = 0"), "curves.max_period"),
+    (("[curves]\nmax_period = 4", "[curves]\ngap_ratio = [1.0, 6.0]"), "widen the window"),
+    (("to = 5.0\npoints = 8", "to = 5.0\npoints = 1"), "no curve lies in it"),
     (("[curves]\nmax_period = 4", "[refine]\nlevels = 2"), "curves are exact")])
 def test_what_curves_cannot_do_is_refused(tmp_path, change, words):
     text = jobs.small_curves(points=8) + "\n[curves]\nmax_period = 4\n"

@@ -34,8 +34,11 @@ def basin(striking, quiet, gap_ratio=1.0):
 class Held:
     """A folder of planes by name."""
 
-    def __init__(self, **planes):
-        self._planes = planes
+    def __init__(self, curves=None, **planes):
+        self._planes, self._curves = planes, curves
+
+    def curves(self, name):
+        return self._curves
 
     def plane(self, name):
         return self._planes.get(name)

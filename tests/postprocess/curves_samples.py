@@ -10,9 +10,10 @@ LINES = [  # kind, p, q, points (frequency_ratio, gap_ratio)
     (2, 3, 2, [(1.2, 2.9), (2.0, 2.2), (3.8, 0.4)]),
 ]
 SPECIALS = [(0, 2.5, 2.5), (3, 1.5, 0.5)]
+CROSSINGS = [(0, 1.75, 1.0), (1, 3.2, 1.0)]  # number of the line, frequency_ratio, gap_ratio
 
 
-def write_curves(path, lines=None, specials=None, **attributes):
+def write_curves(path, lines=None, specials=None, crossings=(), **attributes):
     lines, specials = LINES if lines is None else lines, SPECIALS if specials is None else specials
     write_map(path, PLAIN, **attributes)
     with SealedFile(path, "r+") as file:
@@ -29,6 +30,10 @@ def write_curves(path, lines=None, specials=None, **attributes):
             "special_kind": np.array([special[0] for special in specials], dtype="i1"),
             "special_frequency_ratio": np.array([special[1] for special in specials], dtype="f8"),
             "special_gap_ratio": np.array([special[2] for special in specials], dtype="f8")})
+        _table(file, "crossing", len(crossings), {
+            "crossing_curve": np.array([crossing[0] for crossing in crossings], dtype="i4"),
+            "crossing_frequency_ratio": np.array([crossing[1] for crossing in crossings], dtype="f8"),
+            "crossing_gap_ratio": np.array([crossing[2] for crossing in crossings], dtype="f8")})
     return path
 
 

@@ -13,6 +13,7 @@ from ..files.harmless import harmless
 from ..files.opened import STANDARD_GRAVITY, NotDrawable
 from ..files.regimes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..maps.comparison import label_codes
+from ..maps.curves_file import CurvesFile
 from ..maps.map_file import PeterkaFile
 
 from .record import SOME
@@ -102,6 +103,14 @@ class Plane:
         return int(np.argmin(np.abs(self.rows - value)))
 
 
+@dataclass(frozen=True)
+class Curves:
+    """Of a file of curves: its job, and where they have the gaps that it names."""
+
+    job: dict
+    crossings: list
+
+
 class Folder:
     def __init__(self, path):
         self.path = Path(path)
@@ -109,6 +118,13 @@ class Folder:
     def plane(self, name):
         path = self.path / f"{name}.h5"
         return self._read(path) if path.exists() else None
+
+    def curves(self, name):
+        path = self.path / f"{name}.h5"
+        if not path.exists():
+            return None
+        with CurvesFile(path) as file:
+            return Curves(read_job(file), file.crossings)
 
     def planes(self, prefix):
         """All files whose names begin so, in the order of their names."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from . import exact_limits
 from .record import FREQUENCY, claim, near, not_computed, off_by
 from .spans import span_around, widest
 
@@ -26,7 +27,7 @@ def claims(folder):
     plane = folder.plane(FILE)
     if plane is None:
         return [not_computed(f"gap_0_{key}", PLACE, says, f"{FILE}.h5") for key, says in SAYS.items()]
-    return [*_bands(plane), *_labels(plane), *_forces(plane)]
+    return [*_bands(folder, plane), *_labels(plane), *_forces(plane)]
 
 
 def limits_hz(plane, impacts, period, inside_hz=None, row=0):
@@ -77,28 +78,32 @@ def label(plane, frequency_hz, row=0):
     return f"{p}/{q}" if q else "chaotic"
 
 
-def _bands(plane):
+def _bands(folder, plane):
     below = ("the model counts every touch: at lower frequencies the hammer follows the cart and each cycle has small "
              "hops after the main impact (z = p/1, p growing as the frequency falls), which a sensor that is triggered "
              "by the main impact shows as one; the cycle still repeats")
     return [
-        _band("first_band", plane, (1, 1), BAND_ONE, PEAK_HZ,
+        _band(folder, "first_band", plane, (1, 1), BAND_ONE, PEAK_HZ,
               f"{below}. The upper limit is a period doubling that no parameter moves far (see the sensitivity below), and "
               f"lies in the paper's own transition, which it leaves open between {BAND_ONE[1]:.2f} and {BAND_HALF[0]:.2f} "
               "Hz"),
-        _band("second_band", plane, (1, 2), BAND_HALF, HALF_HZ,
+        _band(folder, "second_band", plane, (1, 2), BAND_HALF, HALF_HZ,
               "between both bands the model has alternating impacts, chaos and windows of 3/2 and 2/2; the paper, too, shows "
               f"alternating impacts at {ALTERNATING_HZ} Hz, inside this band, and calls them transitory. Its upper limit is "
               "likely where the measurements end"),
     ]
 
 
-def _band(key, plane, z, printed, inside_hz, why):
+def _band(folder, key, plane, z, printed, inside_hz, why):
     found = limits_hz(plane, *z, inside_hz)
     if found is None:
         return claim(f"gap_0_{key}", PLACE, SAYS[key], f"z = {label(plane, inside_hz)} at {inside_hz} Hz", False)
+    exact = exact_limits.limits(folder, plane, found, z)
+    known = [f"{name} {limit.text}" for name, limit in zip(("lower", "upper"), exact) if limit.kind]
+    by_curves = f"; by the curves the {' and the '.join(known)}" if known else ""
+    found_cells, found = found, tuple(limit.hz for limit in exact)
     holds, differences = True, []
-    for name, value, limit, is_edge, outward in zip(("lower", "upper"), found, printed, at_edge(plane, found), (-1, 1)):
+    for name, value, limit, is_edge, outward in zip(("lower", "upper"), found, printed, at_edge(plane, found_cells), (-1, 1)):
         if is_edge:  # at least so far away, if the edge lies beyond the printed limit
             beyond = outward * (value - limit)
             holds = False
@@ -109,7 +114,7 @@ def _band(key, plane, z, printed, inside_hz, why):
             differences.append(f"{name} limit {off_by(value, limit, 'Hz')}")
     return claim(
         f"gap_0_{key}", f"{PLACE}, Fig. 9a", SAYS[key],
-        f"z = {z[0]}/{z[1]} {in_words(plane, found)}; at {printed[0]:.2f} Hz z = "
+        f"z = {z[0]}/{z[1]} {in_words(plane, found_cells)}{by_curves}; at {printed[0]:.2f} Hz z = "
         f"{label(plane, printed[0])}, at {printed[1]:.2f} Hz {label(plane, printed[1])}",
         holds, "; ".join(differences), why, ["peterka_170mm_map"])
 

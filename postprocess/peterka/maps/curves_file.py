@@ -34,8 +34,17 @@ class Special:
     gap_ratio: float
 
 
+@dataclass(frozen=True)
+class Crossing:
+    """Where a curve has one of the gaps that its job names."""
+
+    curve: Curve
+    frequency_ratio: float
+    gap_ratio: float
+
+
 class CurvesFile(PeterkaFile):
-    """A checked, open file of curves: besides the coarse map `curves` and `specials`."""
+    """A checked, open file of curves: besides the coarse map `curves`, `specials` and `crossings`."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
@@ -43,6 +52,7 @@ class CurvesFile(PeterkaFile):
         super().check_content()
         self.curves = self._curves() if self.data.has("curve_kind") else []
         self.specials = self._specials() if self.data.has("special_kind") else []
+        self.crossings = self._crossings() if self.data.has("crossing_curve") else []
 
     def _curves(self):
         kinds = self._column("curve_kind", INTEGER)
@@ -70,6 +80,15 @@ class CurvesFile(PeterkaFile):
                 and np.isfinite(gaps).all()):
             raise self.refusal("has a special point of no known kind or place")
         return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, frequencies, gaps)]
+
+    def _crossings(self):
+        numbers = self._column("crossing_curve", INTEGER)
+        frequencies, gaps = (self._column(name, REAL, numbers.shape)
+                             for name in ("crossing_frequency_ratio", "crossing_gap_ratio"))
+        if not (((numbers >= 0) & (numbers < len(self.curves))).all() and np.isfinite(frequencies).all()
+                and np.isfinite(gaps).all()):
+            raise self.refusal("has a crossing of no curve or place")
+        return [Crossing(self.curves[number], float(x), float(y)) for number, x, y in zip(numbers, frequencies, gaps)]
 
     def _column(self, name, numbers, shape=None):
         found = self.data.dataset(name, shape, numbers).shape

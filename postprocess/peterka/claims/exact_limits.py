@@ -1,0 +1,50 @@
+"""Limits of bands from curves: where an orbit of the map ends, doubles its period, or gains or loses an impact, exactly."""
+
+from dataclasses import dataclass
+
+FILE = "curves_170mm"
+SAME_GAP = 1e-6  # A0
+RIG = ("hammer", "cart", "contact")
+KINDS = {"fold": "fold", "period_doubling": "period doubling", "grazing": "grazing"}
+
+
+@dataclass(frozen=True)
+class Limit:
+    """`kind` in words; None where no curve is known there, and the limit is one of the map's cells."""
+
+    hz: float
+    kind: str | None = None
+
+    @property
+    def text(self):
+        return f"{self.hz:.9g} Hz ({self.kind})" if self.kind else f"{self.hz:.2f} Hz"
+
+
+def limits(folder, plane, found, z, row=0):
+    """The two limits [Hz] of a band of z = (p, q), each from the curve within one column of it."""
+    step = plane.frequency_hz[1] - plane.frequency_hz[0]
+    near = [_borders(folder, plane, z, row, value, step) for value in found]
+    return [min(borders, key=lambda limit: abs(limit.hz - value)) if borders else Limit(float(value))
+            for value, borders in zip(found, near)]
+
+
+def _borders(folder, plane, z, row, hz, step):
+    return [Limit(border.frequency_ratio * plane.natural_frequency_hz, KINDS[border.curve.kind])
+            for border in _crossings(folder, plane)
+            if abs(border.gap_ratio - plane.rows[row]) < SAME_GAP and _bounds(border.curve, z)
+            and abs(border.frequency_ratio * plane.natural_frequency_hz - hz) <= step]
+
+
+def _bounds(curve, z):
+    """Whether the orbit of z ends there, or changes."""
+    if curve.kind == "period_doubling" and (2 * curve.impacts, 2 * curve.period) == z:
+        return True
+    more = z[0] - curve.impacts
+    return curve.period == z[1] and (more == 0 or (curve.kind == "grazing" and more == 1))
+
+
+def _crossings(folder, plane):
+    """Those of the same rig."""
+    curves = folder.curves(FILE)
+    same_rig = curves is not None and all(curves.job.get(name) == plane.job.get(name) for name in RIG)
+    return curves.crossings if same_rig else []
