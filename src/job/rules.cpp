@@ -107,16 +107,6 @@ std::string rule_of_interval(std::string_view name, const std::vector<double>& i
                        is_empty ? "give a larger second value" : "swap both values");
 }
 
-std::string rule_of_room(const Starts& starts, double lowest_gap) {
-    const std::vector<double>& interval = starts.displacement_ratio;
-    const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // else a fault already
-    if (starts.count == 0 || !is_sound || interval[0] < lowest_gap) return {};
-    return fmt::format(
-        "starts.displacement_ratio begins at {}, beyond the stop at the lowest axes.gap_ratio = {}; the hammer "
-        "starts in front of the stop; begin it below {}, or take the stop further away",
-        toml_text(starts.displacement_ratio[0]), toml_text(lowest_gap), toml_text(lowest_gap));
-}
-
 std::string rule_of_kick(const Job& job) {
     if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0) return {};
     return "output.fields asks for critical_kick, which is one of each attractor; only a map with [starts] "

@@ -28,7 +28,7 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_gaps(const Sweep& sweep);
 [[nodiscard]] std::string rule_of_interval(std::string_view name, const std::vector<double>& interval);
 // The stop must leave some of the starts where it stands closest.
-[[nodiscard]] std::string rule_of_room(const Starts& starts, double lowest_gap);
+[[nodiscard]] std::string rule_of_room(const Job& job);
 // A kick is one of an attractor, and only a map with [starts] has these.
 [[nodiscard]] std::string rule_of_kick(const Job& job);
 [[nodiscard]] std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep);

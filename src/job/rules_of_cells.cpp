@@ -1,6 +1,7 @@
 // Rules over what cells have for themselves. Each number is monotonic along an axis, and so the corners of the
 // plane tell of all cells.
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,6 +35,19 @@ std::string rule_of_rigid_stop(const Job& job) {
     const CellNumbers& deepest = *std::ranges::max_element(numbers, {}, depth);
     return rule_of_rigid_stop(job.contact, "start.displacement_ratio", deepest.start.displacement_ratio,
                               lowest_gap_in_words(job), deepest.gap_ratio());
+}
+
+std::string rule_of_room(const Job& job) {
+    const std::vector<double>& interval = job.starts.displacement_ratio;
+    const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // else a fault already
+    if (job.starts.count == 0 || !is_sound || !has_rig(job) || !has_cells(job)) return "";
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const CellNumbers& cell : numbers_at_corners(job)) lowest = std::min(lowest, cell.gap_ratio());
+    if (interval[0] < lowest) return "";
+    return fmt::format(
+        "starts.displacement_ratio begins at {}, beyond the stop at {} = {}; the hammer starts in front of the "
+        "stop; begin it below {}, or take the stop further away",
+        toml_text(interval[0]), lowest_gap_in_words(job), toml_text(lowest), toml_text(lowest));
 }
 
 std::string rule_of_place(const Job& job) {

@@ -32,7 +32,7 @@ template <typename Walker>
 void describe_starts(Walker& file, Job& job) {
     file.table({"starts", "more starts in each cell, which tell all its attractors"},
                [&](auto& table) { describe(table, job.starts); });
-    file.rule({"axes", "starts"}, [&] { return rule_of_room(job.starts, job.rows.from); });
+    file.rule({"axes", "starts", "operating_point", "cart"}, [&] { return rule_of_room(job); });
 }
 
 }  // namespace peterka::job

@@ -2,6 +2,8 @@
 
 import math
 import random
+import tomllib
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -16,6 +18,7 @@ import map_contents
 from conftest import compute
 
 EMPTY = -128
+JOBS = Path(__file__).resolve().parents[2] / "jobs"
 
 
 @pytest.fixture(scope="module")
@@ -103,6 +106,47 @@ def test_a_refined_map_agrees_with_a_full_one(tmp_path):
     assert np.abs(refined["basin_share"] - full["basin_share"])[:, filled].mean() < 0.5 / 16
 
 
+def test_a_shipped_basin_is_one_cell(tmp_path):
+    """basin_150mm_coexisting, its cubic springs left out or kept as in any job, and the same place and rectangle in a map."""
+    count, points = 1024, 48
+    source = tomllib.loads((JOBS / "basin_150mm_coexisting.toml").read_text(encoding="utf-8"))
+    rectangle = {name: tuple(source["axes"][f"{name}_ratio"][end] for end in ("from", "to"))
+                 for name in ("displacement", "velocity")}
+    place = source["operating_point"]
+    head = f'schema = 1\nrig = "{JOBS / "rigs" / "150mm.toml"}"\n'
+    cell = many_starts.compute(
+        tmp_path, head + 'kind = "map"\n' + jobs.axis("frequency_ratio", place["frequency_ratio"], 1.9, 2)
+        + jobs.axis("gap_ratio", place["gap_ratio"], 1.7, 2) + many_starts.table(count, **rectangle), name="cell")
+    finished = launch.run("run", JOBS / "basin_150mm_coexisting.toml", "--quiet", "--output", "grid.h5", "--set",
+                          f"axes.displacement_ratio.points={points}", "--set", f"axes.velocity_ratio.points={points}",
+                          cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "grid.h5") as file:
+        assert assert_same_shares(cell, file, count) >= 2
+
+
+def assert_same_shares(cell, grid, count):
+    """Of a map's first cell and of all cells of a basin, within the binomial error; how many attractors were compared."""
+    found, slots = 0, int(cell["attractors"][0, 0])
+    for slot in range(slots):
+        label = [int(cell[f"attractor_{name}"][slot, 0, 0]) for name in ("regime", "impacts", "period")]
+        same = np.all([grid[name][()] == value for name, value in zip(("regime", "impacts", "period"), label)], axis=0)
+        share, expected = cell["basin_share"][slot, 0, 0], same.mean()
+        found += expected
+        error = math.sqrt(max(expected * (1 - expected), 1 / count) / count)
+        assert abs(share - expected) < 4 * error, (label, share, expected)
+    assert found > 0.98
+    return slots
+
+
+def test_starts_are_judged_by_the_gaps_of_the_cells(tmp_path):
+    """And by no other axis: here the rows are speeds from -6 up, below the first displacement of the rectangle."""
+    jobs.write(tmp_path, jobs.RIG.format(kind="map", title="speeds") + jobs.axis("frequency_ratio", 0.5, 4.5, 12)
+               + jobs.axis("start.velocity_ratio", -6.0, 6.0, 12) + "[operating_point]\ngap_ratio = 2.0\n" + many_starts.table(4))
+    finished = launch.run("check", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+
+
 def test_a_basin_is_one_cell(tmp_path):
     """The same rectangle seen as a grid and as one cell of a map: within the binomial error."""
     count, points, gap = 1024, 48, 1.6
@@ -115,15 +159,7 @@ def test_a_basin_is_one_cell(tmp_path):
         + f"[operating_point]\nfrequency_ratio = 1.8\ngap_ratio = {gap}\n"
         + jobs.axis("displacement_ratio", *rectangle["displacement"], points)
         + jobs.axis("velocity_ratio", *rectangle["velocity"], points), name="grid")
-    found = 0
-    for slot in range(int(cell["attractors"][0, 0])):
-        label = [int(cell[f"attractor_{name}"][slot, 0, 0]) for name in ("regime", "impacts", "period")]
-        same = np.all([grid[name] == value for name, value in zip(("regime", "impacts", "period"), label)], axis=0)
-        share, expected = cell["basin_share"][slot, 0, 0], same.mean()
-        found += expected
-        error = math.sqrt(max(expected * (1 - expected), 1 / count) / count)
-        assert abs(share - expected) < 4 * error, (label, share, expected)
-    assert found > 0.98
+    assert_same_shares(cell, grid, count)
 
 
 def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
