@@ -84,7 +84,7 @@ std::string starts_price(const job::Job& job) {
 // Cells are open until all their starts have ended, with the results of a round of these [bytes].
 std::int64_t starts_bytes(const job::Job& job) {
     if (job.starts.count == 0) return 0;
-    constexpr std::int64_t open_cells = 800;
+    const std::int64_t open_cells = std::min<std::int64_t>(800, job.cells());
     constexpr std::int64_t largest_round = 448;
     constexpr std::int64_t result = 1000;
     const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
