@@ -308,3 +308,40 @@ def test_maps_and_sweeps_over_any_axes_are_drawn_and_compared(computed, tmp_path
     other = subprocess.run([sys.executable, ROOT / "postprocess" / "compare.py", computed / "stops.h5", computed / "starts.h5"],
                            cwd=tmp_path, capture_output=True, text=True, check=False)
     assert other.returncode != 0 and "only cells at the same places" in other.stderr
+
+
+def program(name, folder, *arguments):
+    return subprocess.run([sys.executable, ROOT / "postprocess" / f"{name}.py", *map(str, arguments)], cwd=folder,
+                          capture_output=True, text=True, check=False)
+
+
+def test_where_to_operate_is_told_in_words_of_the_axes(computed, tmp_path):
+    told = program("operating_point", tmp_path, computed / "lines.h5", "--hz", 0, "--mm", 0)
+    assert told.returncode == 0, told.stderr
+    with h5py.File(computed / "lines.h5") as file:
+        force = np.where(file["regime"][()] == 1, file["peak_force_ratio"][()], 0) * 0.298 * 9.80665
+        row, column = np.unravel_index(force.argmax(), force.shape)
+        damping, hertz = file["contact_damping_ns_per_m"][row], file["frequency_ratio"][column] * 4.5
+    best = next(line for line in told.stdout.splitlines() if line.startswith("best: "))
+    assert f"frequency {hertz:.5g} Hz" in best and f"contact_damping_ns_per_m = {damping:.5g}" in best
+    assert f"at least {force.max() / 1000:.4g} kN" in best
+
+
+def test_cells_are_exported_with_the_names_of_their_axes(computed, tmp_path):
+    done = program("export", tmp_path, computed / "stops.h5", "--as", "csv", "--output-dir", tmp_path)
+    assert done.returncode == 0, done.stderr
+    lines = (tmp_path / "stops.csv").read_text().splitlines()
+    assert lines[0].startswith("contact_stiffness_n_per_m,contact_damping_ns_per_m,regime,") and len(lines) == 1 + 20 * 18
+
+
+def test_what_is_of_frequency_and_gap_alone_says_so(computed, tmp_path):
+    page = program("explore", tmp_path, computed / "stops.h5")
+    assert page.returncode == 2 and page.stderr.count("\n") == 1
+    assert "a page shows maps over frequency_ratio and gap_ratio, and basins; draw.py draws this one" in page.stderr
+    jobs.write(tmp_path, STOPS.replace('kind = "map"', 'kind = "curves"'))
+    curves = launch.run("check", "job.toml", cwd=tmp_path)
+    assert curves.returncode == 2
+    assert "[axes.contact.damping_ns_per_m] is for maps and sweeps; studies and curves have the plane of" in curves.stderr
+    (tmp_path / "points.csv").write_text("frequency_hz,gap_mm\n9,0\n")
+    points = drawn(tmp_path, computed / "stops.h5", "--measured", "points.csv")
+    assert points.returncode == 2 and "measured points are drawn over frequency_ratio and gap_ratio" in points.stderr
