@@ -2,7 +2,7 @@
 """Draws the pictures of peterka's files.
 
     draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf,svg] [--only NAME,NAME] [--after CYCLES]
-            [--measured POINTS.csv] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
+            [--measured POINTS.csv] [--curves CURVES.h5] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
             [--limits LOW,HIGH] [--log] [--palette colour|grey] [--units both|si|ratio]
 
 A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
@@ -14,7 +14,7 @@ gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which m
 (share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the points of --measured over
-them. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
+them, and with the borders that a file of curves, --curves, tells at its gaps, which are listed, too. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
@@ -48,6 +48,8 @@ from peterka.program.picture_options import (  # noqa: E402
     add_style_arguments, check_style, style_of, zoomed,
 )
 from peterka.sweeps import residuals  # noqa: E402
+from peterka.sweeps.borders import NO_BORDERS, read_borders  # noqa: E402
+from peterka.sweeps.borders import table as table_of_borders  # noqa: E402
 
 
 def main():
@@ -78,6 +80,8 @@ def read_arguments():
                         help="besides, the cells of maps and basins for other programs, as export.py writes them")
     parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
                         help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
+    parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
+                        help="marks and lists where the motions of a sweep end or change, from curves with its gaps")
     arguments = parser.parse_args()
     check_style(parser, arguments)
     stems = [path.stem for path in arguments.files]
@@ -104,9 +108,12 @@ def draw_file(path, arguments):
             tell(sentence)
         if measured.points:
             tell_residuals(file, measured.points)
+        borders = read_borders(arguments.curves, file) if arguments.curves else NO_BORDERS
+        for line in table_of_borders(file, borders) if borders else []:
+            tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        for name, draw in chosen(file, pictures_of(file, arguments.after, measured), arguments.only).items():
+        for name, draw in chosen(file, pictures_of(file, arguments.after, measured, borders), arguments.only).items():
             drawn = draw(file)
             if drawn is None:
                 tell(f"{path}: no value to draw, {name} is left out")

@@ -18,6 +18,7 @@ from .measurements.points import NOTHING_MEASURED
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
+from .sweeps.borders import NO_BORDERS
 from .sweeps.sweep_file import SweepFile
 from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
@@ -62,9 +63,11 @@ PICTURES = [
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
-    Row("response", ("sweep",), response.draw, takes=("measured",)),
-    Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=("measured",)),
-    Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=("measured",)),
+    Row("response", ("sweep",), response.draw, takes=("measured", "borders")),
+    Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"),
+        takes=("measured", "borders")),
+    Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"),
+        takes=("measured", "borders")),
     Row("motion", ("trace",), motion.draw),
     Row("phase_plane", ("trace",), phase_plane.draw),
     Row("relative_plane", ("trace",), relative_plane.draw_motion),
@@ -90,9 +93,9 @@ def picture_name(file, name):
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
 
-def pictures_of(file, cycles=300, measured=NOTHING_MEASURED):
+def pictures_of(file, cycles=300, measured=NOTHING_MEASURED, borders=NO_BORDERS):
     """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
-    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map."""
-    options = {"cycles": cycles, "measured": measured}
+    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map, `borders` over those of a sweep."""
+    options = {"cycles": cycles, "measured": measured, "borders": borders}
     return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
             for row in PICTURES if file.kind in row.kinds and row.has(file)}

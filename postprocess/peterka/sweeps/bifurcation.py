@@ -1,12 +1,16 @@
 """Bifurcation diagram of a sweep: hammer displacement against the excitation frequency, a panel for each gap (the paper's
 Figs. 17 to 19), at forcing phase 0 or at first touch."""
 
+from collections.abc import Sequence
+
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import sweep_panels
+from .borders import NO_BORDERS, Border, at_gap, draw_borders
+from .borders import handles as border_handles
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -21,6 +25,7 @@ DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 
 
 @picture(SweepFile)
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
+         borders: Sequence[Border] = NO_BORDERS,
          name: str = "stroboscopic_displacement") -> list[Axes] | None:
     """The diagram of one of WHERE as a list of Axes, one for each gap; None where nothing is sampled."""
     samples = {branch.row: file.samples(name, branch) for branch in file.branches}
@@ -29,7 +34,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     label, second_label = WHERE[name]
     metres = file.positive("cart_amplitude_m")
     second = (second_label, 1000 * metres) if metres else None
-    handles = [*_handles(file), *sweep_panels.measured_handles(measured, "displacement")]
+    handles = [*_handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "displacement")]
     panels = sweep_panels.panels(file, handles, label, second, ax)
     size = max(1.0, min(2.5, (500 / len(file.values)) ** 0.5))
     for gap, ax in panels.items():
@@ -39,6 +44,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
             ax.plot(file.values[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
+        draw_borders(ax, at_gap(borders, gap))
         sweep_panels.draw_measured(ax, measured, gap, "displacement")
     return list(panels.values())
 

@@ -4,6 +4,8 @@ to 11 and 14 to 16), with jumps and the largest force of z = 1/1: the impact res
 Motions with a period are lines; largest forces of those without one, over the window observed, are single marks.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -12,6 +14,8 @@ from ..look import style, units
 from ..look.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import sweep_panels
+from .borders import NO_BORDERS, Border, at_gap, draw_borders
+from .borders import handles as border_handles
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
 
@@ -22,12 +26,13 @@ CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
 
 @picture(SweepFile)
-def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> list[Axes] | None:
+def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
+         borders: Sequence[Border] = NO_BORDERS) -> list[Axes] | None:
     """The response as a list of Axes, one for each gap; None where no point has a force."""
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
     second = _second_scale(file)
-    handles = [*_handles(file), *sweep_panels.measured_handles(measured, "force")]
+    handles = [*_handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
@@ -38,6 +43,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
             _draw_branch(ax, file, branch, bottom, top)
         notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
         sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
+        draw_borders(ax, at_gap(borders, gap))
         sweep_panels.draw_measured(ax, measured, gap, "force")
     return list(panels.values())
 

@@ -1,0 +1,107 @@
+"""Where the motions of a sweep end or change, from curves of the same rig: folds, period doublings and grazings at its gaps.
+
+The curves' job names the gaps of the sweep in curves.gap_ratio. Of all curves there those are taken that bound a motion
+which a branch of the sweep has next to them.
+"""
+
+import tomllib
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..files.opened import NotDrawable
+from ..files.regimes import NO_IMPACT, PERIODIC
+from ..maps.curves_file import CurvesFile
+from ..maps.curves_map import COLOURS, LOOKS
+
+SAME_GAP = 1e-6  # A0
+RIG = ("hammer", "cart", "contact")
+WORDS = {"fold": "fold", "period_doubling": "period doubling", "grazing": "grazing"}
+
+
+@dataclass(frozen=True)
+class Border:
+    """`kind` of WORDS; p and q of the orbit on the stable side of the curve, and one of the sweep's gaps."""
+
+    frequency_ratio: float
+    gap: float
+    kind: str
+    impacts: int
+    period: int
+
+
+NO_BORDERS = ()
+
+
+def read_borders(path, sweep):
+    """The borders that the sweep's branches meet, by gap and frequency."""
+    if sweep.kind != "sweep" or sweep.axis_name != "frequency_ratio":
+        raise NotDrawable(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
+    with CurvesFile(path) as file:
+        if _rig(file) != _rig(sweep):
+            raise NotDrawable(f"{path} has the curves of another rig than {sweep.path}")
+        crossings = file.crossings
+    borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
+               for gap in sweep.gaps if gap is not None
+               for each in crossings if abs(each.gap_ratio - gap) < SAME_GAP]
+    if not borders:
+        gaps = ", ".join(f"{gap:.10g}" for gap in sweep.gaps if gap is not None)
+        raise NotDrawable(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] gap_ratio = [{gaps}]")
+    return sorted((border for border in borders if _is_met(sweep, border)),
+                  key=lambda border: (border.gap, border.frequency_ratio))
+
+
+def at_gap(borders, gap):
+    return [border for border in borders if border.gap == gap]
+
+
+def handles(borders):
+    return [Line2D([], [], label=WORDS[kind], color=COLOURS[kind], **_look(kind))
+            for kind in WORDS if any(border.kind == kind for border in borders)]
+
+
+def draw_borders(ax, borders):
+    """A line across the panel at each."""
+    low, high = ax.get_xlim()
+    for border in borders:
+        if low <= border.frequency_ratio <= high:
+            ax.axvline(border.frequency_ratio, color=COLOURS[border.kind], zorder=1.2, **_look(border.kind))
+
+
+def table(sweep, borders):
+    """Lines; in Hz where the file tells the rig."""
+    hertz = sweep.positive("natural_frequency_hz")
+    rows = [("frequency [Hz]" if hertz else "Omega/omega", "gap/A0", "z", "border")]
+    rows += [(f"{border.frequency_ratio * (hertz or 1):.9g}", f"{border.gap:.6g}", f"{border.impacts}/{border.period}",
+              WORDS[border.kind]) for border in borders]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+
+
+def _look(kind):
+    return {"linestyle": LOOKS[kind]["linestyle"], "linewidth": 0.7}
+
+
+def _rig(file):
+    text = file.data.attribute("job")
+    try:
+        job = tomllib.loads(text if isinstance(text, str) else "")
+        return [job[name] for name in RIG]
+    except (tomllib.TOMLDecodeError, KeyError, RecursionError) as error:
+        raise file.refusal(f"holds no job that can be read ({type(error).__name__}: {error})") from error
+
+
+def _is_met(sweep, border):
+    """Whether a branch has the motion of one side within a step and a half."""
+    near = np.abs(sweep.values - border.frequency_ratio) <= 1.5 * np.max(np.diff(sweep.values))
+    p, q = border.impacts, border.period
+    sides = {(p, q)} | ({(2 * p, 2 * q)} if border.kind == "period_doubling" else set())
+    sides |= {(p + 1, q)} if border.kind == "grazing" else set()
+    return any((near & _has(branch, *side)).any() for branch in sweep.at_gap(border.gap) for side in sides)
+
+
+def _has(branch, impacts, period):
+    if impacts == 0:
+        return branch.regime == NO_IMPACT
+    return (branch.regime == PERIODIC) & (branch.impacts == impacts) & (branch.period == period)

@@ -1,0 +1,70 @@
+"""Borders from curves over the pictures of a sweep: those that its motions meet, in their place, listed in Hz."""
+
+import numpy as np
+import pytest
+from curves_samples import write_curves
+from peterka.files.opened import NotDrawable
+from peterka.look.figures import figure_of
+from peterka.maps.curves_map import COLOURS
+from peterka.sweeps import bifurcation, borders, response
+from peterka.sweeps.sweep_file import SweepFile
+from sweep_samples import write_sweep
+
+JOB = """
+hammer = { mass_kg = 0.298 }
+cart = { amplitude_m = 0.89e-3 }
+contact = { law = "restitution", coefficient = 0.5 }
+"""
+LINES = [(0, 1, 1, [(1.5, 1.0), (2.0, 2.0)]), (1, 1, 1, [(1.0, 0.0), (1.5, 2.0)]), (2, 0, 1, [(1.4, 1.0), (1.6, 2.0)]),
+         (0, 1, 3, [(1.7, 1.0), (1.8, 2.0)])]
+FOLD, DOUBLING, GRAZING = (0, 1.7612345678, 1.5), (1, 1.37, 1.5), (2, 1.53, 1.5)
+CROSSINGS = [FOLD, DOUBLING, GRAZING, (3, 1.75, 1.5), (0, 2.3, 1.5), (0, 1.75, 1.0)]  # then: of no motion there, of no gap
+
+
+@pytest.fixture
+def files(tmp_path):
+    return (write_sweep(tmp_path / "sweep.h5", job=JOB),
+            write_curves(tmp_path / "curves.h5", LINES, [], CROSSINGS, job=JOB))
+
+
+@pytest.mark.parametrize("draw", [response.draw, bifurcation.draw])
+def test_each_border_is_a_line_in_the_panel_of_its_gap(files, draw):
+    with SweepFile(files[0]) as sweep:
+        found = borders.read_borders(files[1], sweep)
+        bare, drawn = (figure_of(draw(sweep, borders=some)) for some in ([], found))
+    def upright(figure):
+        return [{(line.get_xdata()[0], line.get_color()) for line in ax.lines if len(line.get_xdata()) == 2
+                 and line.get_xdata()[0] == line.get_xdata()[1] and list(line.get_ydata()) == [0, 1]} for ax in figure.axes[:2]]
+    assert upright(bare) == [set(), set()]
+    assert upright(drawn) == [set(), {(1.37, COLOURS["period_doubling"]), (1.53, COLOURS["grazing"]),
+                                      (1.7612345678, COLOURS["fold"])}]
+    words = [text.get_text() for ax in drawn.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+    assert {"fold", "period doubling", "grazing"} <= set(words)
+
+
+def test_borders_are_listed_in_hertz_to_nine_digits(files):
+    with SweepFile(files[0]) as sweep:
+        lines = borders.table(sweep, borders.read_borders(files[1], sweep))
+    assert [line.split(maxsplit=3) for line in lines[1:]] == [
+        ["6.165", "1.5", "1/1", "period doubling"], ["6.885", "1.5", "0/1", "grazing"], ["7.92555556", "1.5", "1/1", "fold"]]
+
+
+def test_draw_tells_and_draws_them(files, tmp_path, run_program):
+    code, stdout, stderr = run_program("draw", files[0], "--curves", files[1], "--output-dir", tmp_path / "out", "--only", "response")
+    assert code == 0 and "7.92555556" in stdout and (tmp_path / "out" / "sweep_response.png").exists(), stderr
+
+
+@pytest.mark.parametrize("lines, crossings, job, words", [
+    (LINES, CROSSINGS, JOB.replace("0.5", "0.6"), "another rig"), (LINES, [], JOB, r"gap_ratio = \[0, 1.5\]"),
+    (LINES, CROSSINGS, "nonsense", "no job")])
+def test_curves_that_tell_nothing_of_the_sweep_are_refused(files, tmp_path, lines, crossings, job, words):
+    other = write_curves(tmp_path / "other.h5", lines, [], crossings, job=job)
+    with SweepFile(files[0]) as sweep, pytest.raises(NotDrawable, match=words):
+        borders.read_borders(other, sweep)
+
+
+def test_a_map_has_no_borders(files):
+    class Map:
+        kind, axis_name, path = "map", "frequency_ratio", "a.h5"
+    with pytest.raises(NotDrawable, match="no sweep"):
+        borders.read_borders(files[1], Map)
