@@ -1,6 +1,8 @@
 """Curves: the same at any number of ranks, open in xarray, on the edges of the map's labels, and words for what has none."""
 
+import contextlib
 import re
+import subprocess
 
 import h5py
 import numpy as np
@@ -114,6 +116,17 @@ def test_a_run_that_is_stopped_leaves_nothing_and_starts_again(tmp_path, curves,
     assert stopped.returncode == 5 and "starts over" in stopped.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["job.toml"]
     map_contents.assert_same_map(compute(tmp_path, jobs.small_curves(points=32), ranks=ranks)[0], curves[0])
+
+
+def test_a_killed_run_leaves_a_whole_file_or_none(tmp_path, curves):
+    jobs.write(tmp_path, jobs.small_curves(points=32))
+    for moment in (0.05, 0.2, 0.4, 0.8):
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            subprocess.run([launch.BINARY, "run", "job.toml", "--quiet"], cwd=tmp_path, timeout=moment, check=False,
+                           stdin=subprocess.DEVNULL, capture_output=True, env=launch.ENVIRONMENT)  # which kills it then
+        if (tmp_path / "job.h5").exists():
+            map_contents.assert_same_map(tmp_path / "job.h5", curves[0])
+    map_contents.assert_same_map(compute(tmp_path, jobs.small_curves(points=32))[0], curves[0])
 
 
 def test_a_window_without_impacts_has_words(tmp_path):

@@ -50,7 +50,8 @@ def test_borders_are_listed_in_hertz_to_nine_digits(files):
 
 
 def test_draw_tells_and_draws_them(files, tmp_path, run_program):
-    code, stdout, stderr = run_program("draw", files[0], "--curves", files[1], "--output-dir", tmp_path / "out", "--only", "response")
+    code, stdout, stderr = run_program("draw", files[0], "--curves", files[1], "--output-dir", tmp_path / "out", "--only",
+                                       "response")
     assert code == 0 and "7.92555556" in stdout and (tmp_path / "out" / "sweep_response.png").exists(), stderr
 
 
