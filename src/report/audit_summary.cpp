@@ -1,0 +1,66 @@
+#include "report/audit_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "regime/cell_result.hpp"
+#include "support/readable.hpp"
+
+namespace peterka {
+namespace {
+
+// Why labels differ.
+std::string differing(const map_file::AuditReport& audit) {
+    const std::int64_t all = audit.cells - audit.agreeing;
+    if (all == 0) return "";
+    const std::int64_t others = all - audit.decided_by_rounding;
+    std::string text = fmt::format("  other label         {}: ", readable_count(all));
+    if (audit.decided_by_rounding > 0) {
+        const std::string each = all == 1 ? "it" : "each";
+        text += fmt::format(
+            "in {} a perturbation grew by e^{:g} or more (sensitivity), so rounding decides the label",
+            others == 0 ? each : readable_count(audit.decided_by_rounding), regime::rounding_decides);
+    }
+    if (others > 0) {
+        text += fmt::format("{}{} for another reason; /audit in the file has the cells",
+                            audit.decided_by_rounding > 0 ? "; " : "", readable_count(others));
+    }
+    return text + "\n";
+}
+
+// Where some starts of the audited cells end, by an integrator.
+std::string audited_starts(const map_file::AuditReport& audit) {
+    if (audit.starts == 0) return "";
+    const std::int64_t same = audit.starts - audit.starts_elsewhere;
+    std::string text =
+        fmt::format("  starts              {} of {} ({}) end on the attractor that the map says",
+                    readable_count(same), readable_count(audit.starts), readable_share(same, audit.starts));
+    if (audit.starts_elsewhere > 0) {
+        text += fmt::format("; in {} of the other {} rounding decides",
+                            readable_count(audit.starts_decided_by_rounding),
+                            readable_count(audit.starts_elsewhere));
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string audit_summary(const map_file::AuditReport& audit, double seconds_per_cell) {
+    std::string text = fmt::format(
+        "\nAudit: {} cells, half of them where claims are weakest, solved again with every term by an "
+        "integrator\n"
+        "  same regime and z   {} of {} ({})\n",
+        readable_count(audit.cells), readable_count(audit.agreeing), readable_count(audit.cells),
+        readable_share(audit.agreeing, audit.cells));
+    text += differing(audit);
+    if (audit.compared > 0) {
+        text += fmt::format(
+            "  peak force          off by {:.1e} (median), {:.1e} (99 %), {:.1e} (largest) in {} cells\n",
+            audit.median_force_error, audit.force_error_99_percent, audit.largest_force_error,
+            readable_count(audit.compared));
+    }
+    text += audited_starts(audit);
+    return text + fmt::format("  time per cell       {} by the integrator, {} in the map\n",
+                              readable_duration(audit.seconds_per_cell), readable_duration(seconds_per_cell));
+}
+
+}  // namespace peterka
