@@ -13,8 +13,9 @@ lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean 
 gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most starts end), STEM_attractors_impact
 (share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
 A sweep gives STEM_response (peak force), STEM_bifurcation and
-STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the points of --measured over
-them, and with the borders that a file of curves, --curves, tells at its gaps, which are listed, too. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
+STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
+curves, --curves, tells at its gaps, which are listed, too. The points of --measured lie over these three, and over
+STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
