@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "quantities/fields.hpp"
+#include "cell/labels.hpp"
 
 namespace peterka::curves {
 
@@ -69,7 +69,7 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
         tables.push_back({{"/", variable, {rows, columns}}, values});
     };
     add({"regime", Number::int8, regime::regime_not_computed, "",
-         "regime of the steady state, in the coarse map", quantities::regime_names},
+         "regime of the steady state, in the coarse map", cell::regime_names},
         numbers_of(found.sites, [](const Site& s) { return static_cast<int>(s.regime); }));
     add({"impacts", Number::int32, 0, "1", "p of z = p/q in the coarse map"},
         numbers_of(found.sites, [](const Site& s) { return s.impacts; }));

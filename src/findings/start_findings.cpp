@@ -9,14 +9,14 @@ namespace peterka::findings {
 
 namespace {
 
-using attractors::CellAttractor;
+using quantities::StoredAttractor;
 using regime::Regime;
 
-bool impacts_for_ever(const CellAttractor& attractor) {
+bool impacts_for_ever(const StoredAttractor& attractor) {
     return attractor.regime == Regime::periodic || attractor.regime == Regime::chaotic;
 }
 
-AttractorLabel label_of(const CellAttractor& attractor) {
+AttractorLabel label_of(const StoredAttractor& attractor) {
     return {attractor.regime, attractor.period, attractor.impacts};
 }
 
@@ -25,8 +25,8 @@ double smaller_kick(double a, double b) {
     return b > 0 ? std::min(a, b) : a;
 }
 
-void count_kick(StartCounts& counts, std::span<const CellAttractor> here) {
-    for (const CellAttractor& attractor : here) {
+void count_kick(StartCounts& counts, std::span<const StoredAttractor> here) {
+    for (const StoredAttractor& attractor : here) {
         if (std::isnan(attractor.critical_kick)) continue;
         ++counts.with_kick;
         counts.smallest_kick = smaller_kick(counts.smallest_kick, attractor.critical_kick);
@@ -36,7 +36,7 @@ void count_kick(StartCounts& counts, std::span<const CellAttractor> here) {
 
 // here: those in use, the largest share first.
 void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
-              std::span<const CellAttractor> here) {
+              std::span<const StoredAttractor> here) {
     StartCounts& counts = findings.counts;
     ++counts.cells;
     ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
@@ -68,14 +68,14 @@ void StartCounts::add(const StartCounts& other) {
 }
 
 void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
-                    std::span<const CellAttractor> attractors) {
+                    std::span<const StoredAttractor> attractors) {
     const std::size_t slots = cells.empty() ? 0 : attractors.size() / cells.size();
-    std::vector<CellAttractor> here;
+    std::vector<StoredAttractor> here;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         if (cells[cell].attractors < 0) continue;
         here.clear();
         for (std::size_t slot = 0; slot < slots; ++slot) {
-            const CellAttractor& attractor = attractors[slot * cells.size() + cell];
+            const StoredAttractor& attractor = attractors[slot * cells.size() + cell];
             if (attractor.share > 0) here.push_back(attractor);
         }
         add_cell(findings, cells[cell], here);

@@ -7,7 +7,6 @@
 #include <map>
 #include <span>
 
-#include "attractors/solved_cell.hpp"
 #include "quantities/fields.hpp"
 
 namespace peterka::findings {
@@ -49,6 +48,6 @@ struct StartFindings {
 // Adds the cells of one tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
 // yet count nowhere.
 void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
-                    std::span<const attractors::CellAttractor> attractors);
+                    std::span<const quantities::StoredAttractor> attractors);
 
 }  // namespace peterka::findings

@@ -51,12 +51,12 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     ++statistics.periodic_cells[{cell.period, cell.impacts}];
 }
 
-std::string reasons(const std::array<std::int64_t, quantities::status_names.size()>& counts, const char* what) {
+std::string reasons(const std::array<std::int64_t, cell::status_names.size()>& counts, const char* what) {
     std::string lines;
     for (std::size_t status = 0; status < counts.size(); ++status) {
         if (counts[status] == 0) continue;
         lines += fmt::format("{} {} {}: {}\n", readable_count(counts[status]),
-                             counts[status] == 1 ? "cell" : "cells", what, quantities::status_names[status]);
+                             counts[status] == 1 ? "cell" : "cells", what, cell::status_names[status]);
     }
     return lines;
 }

@@ -37,11 +37,11 @@ struct ImpactClass {
 };
 
 struct Counts {
-    std::array<std::int64_t, quantities::regime_names.size()> by_regime{};
-    std::array<std::int64_t, quantities::status_names.size()> unresolved_by_status{};
-    std::array<std::int64_t, quantities::status_names.size()> failed_by_status{};
-    std::array<std::int64_t, quantities::status_names.size()> open_by_status{};  // of what proofs leave open
-    std::array<std::int64_t, quantities::engine_names.size()> by_engine{};
+    std::array<std::int64_t, cell::regime_names.size()> by_regime{};
+    std::array<std::int64_t, cell::status_names.size()> unresolved_by_status{};
+    std::array<std::int64_t, cell::status_names.size()> failed_by_status{};
+    std::array<std::int64_t, cell::status_names.size()> open_by_status{};  // of what proofs leave open
+    std::array<std::int64_t, cell::engine_names.size()> by_engine{};
     std::int64_t cells = 0;   // that the map holds so far
     std::int64_t filled = 0;  // of these, from cells around them
     std::int64_t cycles = 0;  // forcing cycles spent on them

@@ -9,6 +9,10 @@
 
 namespace peterka::job {
 
+bool is_rigid(const Contact& contact) {
+    return std::visit([](const auto& stop) { return stop.is_rigid; }, contact);
+}
+
 double Hammer::stiffness() const {
     if (stiffness_n_per_m) return *stiffness_n_per_m;
     const double angular_frequency = 2 * std::numbers::pi * natural_frequency_hz.value();  // [rad/s]

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "cell/quantities.hpp"
+
 namespace peterka::job {
 
 enum class Kind { map, basin, sweep, study, trace, curves };
@@ -46,6 +48,7 @@ struct Cart {
 
 // Spring-dashpot stop: F = ki delta + ci delta' while it presses, 0 otherwise (law = "kelvin_voigt").
 struct KelvinVoigt {
+    static constexpr bool is_rigid = false;
     double stiffness_n_per_m = 0;
     double damping_ns_per_m = 0;
     friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
@@ -53,12 +56,14 @@ struct KelvinVoigt {
 
 // Rigid stop: an impact turns the speed v into -r v (law = "restitution").
 struct Restitution {
+    static constexpr bool is_rigid = true;
     double coefficient = 0;  // r
     friend bool operator==(const Restitution&, const Restitution&) = default;
 };
 
 // Nonlinear stop: F = K delta^n (1 + D delta') while it presses, 0 otherwise (law = "hunt_crossley").
 struct HuntCrossley {
+    static constexpr bool is_rigid = false;
     double stiffness_n_per_m_pow_n = 0;  // K
     double exponent = 1.5;               // n
     double dissipation_s_per_m = 0;      // D
@@ -66,6 +71,9 @@ struct HuntCrossley {
 };
 
 using Contact = std::variant<KelvinVoigt, Restitution, HuntCrossley>;
+
+// Whether the stop turns the hammer round at once, by forces beyond any bound.
+[[nodiscard]] bool is_rigid(const Contact& contact);
 
 // `points` values from `from` to `to`, both included, evenly spaced (or evenly in the logarithm).
 struct Axis {
@@ -121,21 +129,7 @@ struct Solver {
     friend bool operator==(const Solver&, const Solver&) = default;
 };
 
-// Fields of a map that are computed only on request.
-enum class OptionalField {
-    multiplier,        // largest |Floquet multiplier| of the proved orbit
-    lyapunov,          // largest Lyapunov exponent per forcing cycle
-    sensitivity,       // ln G: the largest growth of a start perturbation during the run
-    orbit,             // stroboscopic state of the steady orbit: orbit_displacement, orbit_velocity
-    impact_speed,      // largest speed at first touch
-    impulse,           // largest impulse of one impact
-    contact_time,      // longest time for which the stop presses in one impact
-    contact_power,     // mean power that the impacts take from the hammer
-    max_displacement,  // largest |x - y|
-    force_per_cycle,   // of the largest forces of each cycle: mean, 95 % quantile, number of cycles
-    last_impact,       // forcing cycles until the last impact, where impacts end
-    critical_kick,     // of each attractor of a map with [starts]: the smallest kick that ends elsewhere
-};
+using cell::OptionalField;
 
 struct Output {
     std::vector<OptionalField> fields;  // sorted, each at most once

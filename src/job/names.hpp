@@ -1,6 +1,7 @@
 // The words of the job file for each choice.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -76,20 +77,28 @@ struct Names<Direction> {
                                     Named{Direction::independent, "independent"}};
 };
 
+// The names that the table of quantities has for them; of several rows with one field the first.
 template <>
 struct Names<OptionalField> {
-    static constexpr std::array all{Named{OptionalField::multiplier, "multiplier"},
-                                    Named{OptionalField::lyapunov, "lyapunov"},
-                                    Named{OptionalField::sensitivity, "sensitivity"},
-                                    Named{OptionalField::orbit, "orbit"},
-                                    Named{OptionalField::impact_speed, "impact_speed"},
-                                    Named{OptionalField::impulse, "impulse"},
-                                    Named{OptionalField::contact_time, "contact_time"},
-                                    Named{OptionalField::contact_power, "contact_power_w"},
-                                    Named{OptionalField::max_displacement, "max_displacement"},
-                                    Named{OptionalField::force_per_cycle, "force_per_cycle"},
-                                    Named{OptionalField::last_impact, "last_impact"},
-                                    Named{OptionalField::critical_kick, "critical_kick"}};
+    static constexpr std::size_t count = [] {
+        std::size_t last = 0;
+        const auto take = [&](OptionalField field, const char*) {
+            last = std::max(last, static_cast<std::size_t>(field));
+        };
+        cell::for_each_field_of(cell::quantities, take);
+        cell::for_each_field_of(cell::attractor_quantities, take);
+        return last + 1;
+    }();
+    static constexpr auto all = [] {
+        std::array<Named<OptionalField>, count> names{};
+        const auto take = [&](OptionalField field, const char* name) {
+            auto& named = names.at(static_cast<std::size_t>(field));
+            if (named.name.empty()) named = {field, name};
+        };
+        cell::for_each_field_of(cell::quantities, take);
+        cell::for_each_field_of(cell::attractor_quantities, take);
+        return names;
+    }();
 };
 
 template <typename Choice>

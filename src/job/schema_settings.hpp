@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "job/job.hpp"
 #include "job/key.hpp"
@@ -73,16 +75,26 @@ void describe_plain_output(Walker& file, Output& output, std::string_view why_no
     });
 }
 
+// What a list of fields may hold.
+inline std::string_view fields_on_request() {
+    static const std::string text = [] {
+        std::string names = "extra fields";
+        for (const auto& field : Names<OptionalField>::all) {
+            const bool is_first = field.value == OptionalField{};
+            names += is_first ? ": " : cell::is_of_attractors(field.value) ? "; with [starts] " : ", ";
+            names += field.name;
+        }
+        return names;
+    }();
+    return text;
+}
+
 // Of a map, a basin or a sweep: how it is computed, and what is stored.
 template <typename Walker>
 void describe_settings(Walker& file, Job& job) {
     describe_solver(file, job);
     file.table({"output", "what the file holds beyond the usual"}, [&](auto& table) {
-        table.choices(
-            {"fields",
-             "extra fields: multiplier, lyapunov, sensitivity, orbit, impact_speed, impulse, contact_time, "
-             "contact_power_w, max_displacement, force_per_cycle, last_impact; with [starts] critical_kick"},
-            job.output.fields);
+        table.choices({"fields", fields_on_request()}, job.output.fields);
         describe_anonymous(table, job.output);
     });
     file.rule({"output"}, [&] { return rule_of_kick(job); });

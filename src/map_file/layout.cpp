@@ -102,14 +102,14 @@ void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
 // Several values of each cell: planes, one after the other, cut into the same tiles.
 void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
                          const Dimension& columns) {
-    const std::vector<hdf5::Variable> variables = attractor_variables(job);
-    if (variables.empty()) return;
+    const std::vector<quantities::AttractorField> fields = quantities::stored_attractor_fields(job);
+    if (fields.empty()) return;
     const Dimension slots{attractor_slot.name, job.starts.attractors};
     plans.push_back({"/", attractor_slot, {slots}});
-    for (const hdf5::Variable& variable : variables) {
-        std::vector<std::int64_t> chunk = on_cells(job, variable, {rows, columns}).chunk;
+    for (const quantities::AttractorField& field : fields) {
+        std::vector<std::int64_t> chunk = on_cells(job, field.variable, {rows, columns}).chunk;
         chunk.insert(chunk.begin(), slots.size);
-        plans.push_back({"/", variable, {slots, rows, columns}, std::move(chunk)});
+        plans.push_back({"/", field.variable, {slots, rows, columns}, std::move(chunk)});
     }
 }
 

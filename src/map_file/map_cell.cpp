@@ -6,6 +6,7 @@
 
 #include "hdf5/attributes.hpp"
 #include "job/faults.hpp"
+#include "job/names.hpp"
 #include "job/read.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/make_layout.hpp"

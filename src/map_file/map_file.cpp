@@ -81,7 +81,8 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors:
         stored.push_back(quantities::in_file_units(cells[static_cast<std::size_t>(i)].cell, scales.back()));
     }
     tiles_.write(tile, stored, {seconds, rank_},
-                 encode(attractor_variables(job_), in_file_units(cells, job_.starts.attractors, scales)));
+                 encode(quantities::stored_attractor_fields(job_),
+                        stored_attractors(cells, job_.starts.attractors, scales)));
 }
 
 void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,

@@ -16,9 +16,14 @@ namespace peterka::map_file {
 [[nodiscard]] std::vector<std::byte> encode(std::span<const quantities::Field> fields,
                                             std::span<const quantities::StoredCell> cells);
 
-// The inverse, for `count` cells: members of no stored field keep the defaults of CellResult.
+[[nodiscard]] std::vector<std::byte> encode(std::span<const quantities::AttractorField> fields,
+                                            std::span<const quantities::StoredAttractor> attractors);
+
+// The inverse, for `count` cells or attractors: members of no stored field keep their defaults.
 [[nodiscard]] std::vector<quantities::StoredCell> decode(std::span<const quantities::Field> fields,
                                                          std::span<const std::byte> bytes, std::size_t count);
+[[nodiscard]] std::vector<quantities::StoredAttractor> decode(
+    std::span<const quantities::AttractorField> fields, std::span<const std::byte> bytes, std::size_t count);
 
 // Bytes that one cell takes in all fields together.
 [[nodiscard]] std::size_t bytes_per_cell(std::span<const quantities::Field> fields);

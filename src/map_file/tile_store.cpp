@@ -17,7 +17,7 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
       tiling_(map_file::tiling(job)),
       fields_(quantities::stored_fields(job)),
       samples_(job.kind == job::Kind::sweep ? job.sweep.samples : 0),
-      attractor_variables_(attractor_variables(job)),
+      attractor_fields_(quantities::stored_attractor_fields(job)),
       kept_(job.starts.attractors),
       checksum_(map, path::checksum, hdf5::Number::uint64),
       done_(map, path::done, hdf5::Number::int8),
@@ -26,8 +26,8 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
     for (const quantities::Field& field : fields_) {
         datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
     }
-    for (const hdf5::Variable& variable : attractor_variables_) {
-        datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
+    for (const quantities::AttractorField& field : attractor_fields_) {
+        datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
     }
     if (samples_ == 0) return;
     for (const hdf5::Variable& variable : sample_variables) {
@@ -78,11 +78,11 @@ std::vector<quantities::StoredCell> TileStore::read(const parallel::Tile& tile) 
     return decode(fields_, read_whole(tile), static_cast<std::size_t>(tile.size()));
 }
 
-std::vector<StoredAttractor> TileStore::read_attractors(const parallel::Tile& tile) const {
-    if (attractor_variables_.empty()) return {};
+std::vector<quantities::StoredAttractor> TileStore::read_attractors(const parallel::Tile& tile) const {
+    if (attractor_fields_.empty()) return {};
     const std::vector<std::byte> bytes = read_whole(tile);
     const auto cells = static_cast<std::size_t>(tile.size());
-    return decode(attractor_variables_, std::span(bytes).subspan(bytes_per_cell(fields_) * cells),
+    return decode(attractor_fields_, std::span(bytes).subspan(bytes_per_cell(fields_) * cells),
                   static_cast<std::size_t>(kept_) * cells);
 }
 

@@ -41,7 +41,7 @@ class TileStore {
     // they are.
     [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;
     // Slot after slot, cell by cell; none without [starts].
-    [[nodiscard]] std::vector<StoredAttractor> read_attractors(const parallel::Tile& tile) const;
+    [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(const parallel::Tile& tile) const;
     // One cell, with its whole tile's checksum.
     [[nodiscard]] quantities::StoredCell read_cell(const parallel::Place& cell) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
@@ -68,7 +68,7 @@ class TileStore {
     parallel::Tiling tiling_;
     std::vector<quantities::Field> fields_;
     std::int64_t samples_;                             // of a sweep, per cell and variable
-    std::vector<hdf5::Variable> attractor_variables_;  // of a map with [starts]
+    std::vector<quantities::AttractorField> attractor_fields_;  // of a map with [starts]
     std::int64_t kept_;                                // attractors of each cell there
     std::vector<hdf5::Stored> datasets_;  // one per field and one per variable of which a cell has several
     hdf5::Stored checksum_;

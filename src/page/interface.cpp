@@ -71,7 +71,7 @@ job::Job job_of_cell(bool measures_impacts) {
 void give_answer() {
     const regime::CellResult result = live->result();
     const scene::Scales& scales = live->scene().scales();
-    const double speed = scales.length_m * scales.frequency_rad_per_s;
+    using cell::Dimension;
     const scene::State<double> steady = live->steady_start();
     answer[regime_of_cell] = static_cast<double>(result.regime);
     answer[status_of_cell] = static_cast<double>(result.status);
@@ -79,16 +79,16 @@ void give_answer() {
     answer[impacts] = result.impacts;
     answer[period] = result.period;
     answer[cycles] = result.cycles;
-    answer[peak_force_ratio] = result.peak_force * scales.force_ratio();
+    answer[peak_force_ratio] = scales.in_unit_of_file(result.peak_force, Dimension::force_over_weight);
     answer[impact_rate] = result.impact_rate;
     answer[chatter] = result.chatter ? 1 : 0;
     answer[lyapunov] = result.lyapunov;
     answer[sensitivity] = result.sensitivity;
-    answer[impact_speed] = result.impact_speed * speed;
-    answer[impulse] = result.impulse * scales.force_n / scales.frequency_rad_per_s;
-    answer[contact_time] = result.contact_time / scales.frequency_rad_per_s;
-    answer[contact_power_w] = result.contact_power * scales.force_n * speed;
-    answer[max_displacement] = result.max_displacement * scales.length_m;
+    answer[impact_speed] = scales.in_unit_of_file(result.impact_speed, Dimension::speed);
+    answer[impulse] = scales.in_unit_of_file(result.impulse, Dimension::impulse);
+    answer[contact_time] = scales.in_unit_of_file(result.contact_time, Dimension::time);
+    answer[contact_power_w] = scales.in_unit_of_file(result.contact_power, Dimension::power);
+    answer[max_displacement] = scales.in_unit_of_file(result.max_displacement, Dimension::length);
     answer[orbit_displacement] = steady[0] + cell[gap_ratio];
     answer[orbit_velocity] = steady[1];
     answer[length_m] = scales.length_m;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "job/stored_quantities.hpp"
 #include "refine/fill_attractors.hpp"
 
 namespace peterka::refine {
@@ -51,7 +52,8 @@ double bend(const Stencil& line, std::size_t first, double a, double b, double c
     return std::abs(b - (a + share * (c - a)));
 }
 
-std::optional<CellResult> filled_cell(const Surroundings& around, std::span<const Number> numbers) {
+std::optional<CellResult> filled_cell(const Surroundings& around,
+                                      std::span<const cell::Quantity* const> interpolated_ones) {
     const CellResult& next = around.at(around.rows().before, around.columns().before);
     if (lies_inside_chaos(around)) {
         CellResult cell{.regime = Regime::chaotic, .engine = next.engine, .computed = false};
@@ -61,16 +63,15 @@ std::optional<CellResult> filled_cell(const Surroundings& around, std::span<cons
     const auto like_next = [&](const CellResult& cell) { return alike(cell, next); };
     if (!regime::has_period(next.regime) || count_if(around, like_next) < size_of(around)) return std::nullopt;
 
-    CellResult cell{.regime = next.regime, .engine = next.engine, .computed = false};
-    cell.impacts = next.impacts;
-    cell.period = next.period;
-    cell.chatter = next.chatter;
-    cell.window_cycles = next.window_cycles;
-    for (const Number number : numbers) {
+    CellResult cell{.computed = false};
+    for (const cell::Quantity& quantity : cell::quantities) {
+        if (quantity.filled == cell::Filled::as_around) quantity.store(cell, quantity.load(next));
+    }
+    for (const cell::Quantity* quantity : interpolated_ones) {
         const std::optional<double> value = interpolated(
-            around, values_around(around, [&](auto i, auto j) { return around.at(i, j).*number; }));
+            around, values_around(around, [&](auto i, auto j) { return quantity->load(around.at(i, j)); }));
         if (!value) return std::nullopt;
-        cell.*number = *value;
+        quantity->store(cell, *value);
     }
     return cell;
 }
@@ -106,31 +107,17 @@ std::optional<double> interpolated(const Surroundings& around, const Values& val
     return sum;
 }
 
-std::vector<Number> interpolated_numbers(const job::Job& job) {
-    using job::OptionalField;
-    constexpr std::pair<OptionalField, Number> on_request[] = {
-        {OptionalField::multiplier, &CellResult::multiplier},
-        {OptionalField::lyapunov, &CellResult::lyapunov},
-        {OptionalField::orbit, &CellResult::orbit_displacement},
-        {OptionalField::orbit, &CellResult::orbit_velocity},
-        {OptionalField::impact_speed, &CellResult::impact_speed},
-        {OptionalField::impulse, &CellResult::impulse},
-        {OptionalField::contact_time, &CellResult::contact_time},
-        {OptionalField::contact_power, &CellResult::contact_power},
-        {OptionalField::max_displacement, &CellResult::max_displacement},
-        {OptionalField::force_per_cycle, &CellResult::peak_force_mean},
-        {OptionalField::force_per_cycle, &CellResult::peak_force_q95},
-    };
-    std::vector<Number> numbers{&CellResult::peak_force, &CellResult::impact_rate};
-    for (const auto& [field, number] : on_request) {
-        if (job.output.has(field)) numbers.push_back(number);
-    }
-    return numbers;
+std::vector<const cell::Quantity*> interpolated_quantities(const job::Job& job) {
+    std::vector<const cell::Quantity*> smooth = job::stored_quantities(job);
+    std::erase_if(
+        smooth, [](const cell::Quantity* quantity) { return quantity->filled != cell::Filled::interpolated; });
+    return smooth;
 }
 
-std::optional<attractors::SolvedCell> filled(const Surroundings& around, std::span<const Number> numbers,
+std::optional<attractors::SolvedCell> filled(const Surroundings& around,
+                                             std::span<const cell::Quantity* const> interpolated_ones,
                                              std::int64_t starts) {
-    const std::optional<CellResult> cell = filled_cell(around, numbers);
+    const std::optional<CellResult> cell = filled_cell(around, interpolated_ones);
     if (!cell) return std::nullopt;
     attractors::SolvedCell solved{*cell, {}};
     if (starts == 0) return solved;

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "attractors/solved_cell.hpp"
+#include "cell/quantities.hpp"
 #include "job/job.hpp"
 #include "refine/lattice.hpp"
 #include "regime/cell_result.hpp"
@@ -31,12 +32,9 @@ namespace peterka::refine {
 // Linear interpolation between such neighbours is off by a quarter of this share, bicubic by far less.
 inline constexpr double smoothness = 0.01;
 
-// A number of a cell that can be interpolated.
-using Number = double regime::CellResult::*;
-
 // Those that the job stores and that belong to the steady state, not to the run towards it: a filled cell has
 // none.
-[[nodiscard]] std::vector<Number> interpolated_numbers(const job::Job& job);
+[[nodiscard]] std::vector<const cell::Quantity*> interpolated_quantities(const job::Job& job);
 
 // The cells at a stencil's rows and columns, which must all be set, and outlive this.
 class Surroundings {
@@ -82,8 +80,8 @@ template <class ValueAt>
 }
 
 // The cell, or nothing where it must be computed. starts: of each cell, besides [start].
-[[nodiscard]] std::optional<attractors::SolvedCell> filled(const Surroundings& around,
-                                                           std::span<const Number> numbers,
-                                                           std::int64_t starts = 0);
+[[nodiscard]] std::optional<attractors::SolvedCell> filled(
+    const Surroundings& around, std::span<const cell::Quantity* const> interpolated_ones,
+    std::int64_t starts = 0);
 
 }  // namespace peterka::refine

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <tuple>
+
+#include "cell/quantities.hpp"
 
 namespace peterka::refine {
 namespace {
@@ -43,9 +46,10 @@ class SameLabel {
         }
         return found;
     }
-    [[nodiscard]] std::optional<double> interpolated(const Surroundings& around, double CellAttractor::*number,
-                                                     double rough) const {
-        const auto value_at = [&](auto i, auto j) { return attractors_[i][j]->*number; };
+    template <class Number>
+    [[nodiscard]] std::optional<double> interpolated(const Surroundings& around, const Number& number,
+                                                     double rough = 0) const {
+        const auto value_at = [&](auto i, auto j) { return number(*attractors_[i][j]); };
         return refine::interpolated(around, values_around(around, value_at), rough);
     }
 
@@ -57,17 +61,22 @@ std::optional<CellAttractor> filled_one(const Surroundings& around, const CellAt
                                         std::size_t of_each, std::int64_t starts) {
     const auto same = SameLabel::find(around, like, of_each);
     if (!same) return std::nullopt;
-    CellAttractor attractor{like.regime, like.impacts, like.period};
+    CellAttractor attractor;
+    for (const cell::AttractorQuantity& quantity : cell::attractor_quantities) {
+        if (quantity.filled == cell::Filled::as_around) quantity.store(attractor, quantity.load(like));
+    }
     const double step = steps_between_neighbours / static_cast<double>(starts);
-    const auto share = same->interpolated(around, &CellAttractor::share, step);
+    const auto share = same->interpolated(around, std::mem_fn(&CellAttractor::share), step);
     if (!share || *share < 0) return std::nullopt;
     attractor.share = *share;
     if (!regime::has_period(like.regime)) return attractor;  // no smooth numbers
-    const auto force = same->interpolated(around, &CellAttractor::peak_force, 0);
-    const auto kick = same->interpolated(around, &CellAttractor::critical_kick, 0);
-    if (!force || !kick) return std::nullopt;
-    attractor.peak_force = *force;
-    attractor.critical_kick = *kick;
+    for (const cell::AttractorQuantity& quantity : cell::attractor_quantities) {
+        if (quantity.filled != cell::Filled::interpolated) continue;
+        const auto value =
+            same->interpolated(around, [&](const CellAttractor& each) { return quantity.load(each); });
+        if (!value) return std::nullopt;
+        quantity.store(attractor, *value);
+    }
     return attractor;
 }
 

@@ -48,7 +48,7 @@ std::size_t size_of_cell(const job::Job& job) {
 
 Region::Region(const job::Job& job, const parallel::Tile& rectangle)
     : grid_{job.rows.points, job.columns.points},
-      numbers_(interpolated_numbers(job)),
+      interpolated_(interpolated_quantities(job)),
       starts_(job.starts.count),
       needed_(needed_for(job, rectangle)),
       levels_to_do_(needed_.size()),
@@ -121,7 +121,7 @@ void Region::refine(std::size_t level) {
                     around.set(i, j, cells_[index(row.stencil.positions[i], column.stencil.positions[j])]);
                 }
             }
-            const std::optional<SolvedCell> cell = filled(around, numbers_, starts_);
+            const std::optional<SolvedCell> cell = filled(around, interpolated_, starts_);
             if (cell) {
                 cells_[index(row.position, column.position)] = *cell;
             } else {

@@ -53,7 +53,7 @@ class Region {
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const;
 
     parallel::Extent grid_;
-    std::vector<Number> numbers_;
+    std::vector<const cell::Quantity*> interpolated_;
     std::int64_t starts_;            // of each cell, besides [start]
     std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
     std::size_t levels_to_do_;

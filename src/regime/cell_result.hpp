@@ -1,101 +1,21 @@
-// What is known about one cell of a map once it is solved. Plain data, nondimensional.
+// The result of a cell, which this folder computes, under its own name: see cell/result.hpp.
 #pragma once
 
-#include <cstdint>
-#include <limits>
+#include "cell/result.hpp"
 
 namespace peterka::regime {
 
-// Stored as int8 in the file; the numbers are part of the file format.
-enum class Regime : std::int8_t {
-    no_impact = 0,
-    periodic = 1,
-    chaotic = 2,
-    sustained_contact = 3,
-    unresolved = 4,
-    failed = 5,
-};
-inline constexpr std::int8_t regime_not_computed = -128;
-
-// Why a cell is unresolved or failed, or what its proof leaves open; `proved` for all others. Stored as int8;
-// part of the file format.
-enum class Status : std::int8_t {
-    proved = 0,
-    budget = 1,           // max_cycles ran out before any proof
-    conservative = 2,     // nothing dissipates, so nothing settles
-    too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
-    not_finite = 4,       // the state left the range of numbers
-    solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
-    rounding = 6,         // proved for this run, but one with the last bit of its start moved ends elsewhere
-    imprecise = 7,        // proved, but its peak force may be off by more than solver.tolerance
-    chaotic_so_far = 8,   // max_cycles ran out before chaos could be told from a long transient
-};
-
-// Which engine carried the cell. Stored as int8; part of the file format.
-enum class Engine : std::int8_t {
-    exact = 0,   // closed form; a cubic spring is left out
-    split = 1,   // closed form with the cubic spring as kicks
-    cvode = 2,   // Adams, or BDF where the contact is stiff
-    arkode = 3,  // explicit Runge-Kutta, or implicit where the contact is stiff
-};
+using cell::CellResult;
+using cell::Engine;
+using cell::goes_on;
+using cell::has_period;
+using cell::Regime;
+using cell::regime_not_computed;
+using cell::same_label;
+using cell::Status;
+using cell::unknown;
 
 // Above this sensitivity errors of rounding, some 1e-16, have grown so much that they may decide a label.
 inline constexpr double rounding_decides = 20;
-
-inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is proved
-
-struct CellResult {
-    Regime regime = Regime::failed;
-    Status status = Status::proved;
-    Engine engine = Engine::exact;
-    bool computed = true;  // false: filled from computed cells around it (refine/fill.hpp); no proof of its own
-    bool jump = false;  // of a sweep: the force jumps on the way here from the point before (regime/branch.hpp)
-    std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
-    std::int32_t period =
-        0;  // q of z = p/q in forcing cycles; 1 for no_impact and sustained_contact, 0 if none
-    std::int32_t cycles = 0;  // forcing cycles integrated in all: trajectory, Newton steps and measurement
-    std::int32_t observed_cycles =
-        0;  // for which a chaotic or unresolved motion was followed: what the claim speaks of
-    double peak_force = unknown;  // F/(k A0), largest over the steady state; NaN where failed and where a rigid
-                                  // stop is struck, whose forces have no bound
-    double largest_displacement = unknown;  // of |u| = |x - y|/A0 over the same time, an upper bound
-    bool chatter = false;                   // of a rigid stop, completed; it counts as one impact
-    double impact_rate = 0;                 // impacts per forcing cycle, any regime; NaN where failed
-    double multiplier = unknown;            // largest |Floquet multiplier| of the proved orbit
-    double lyapunov = unknown;     // largest Lyapunov exponent per forcing cycle; NaN for the minus infinity of
-                                   // an orbit whose multiplier is 0
-    double sensitivity = unknown;  // ln G, the largest growth of a start perturbation during the run
-    double orbit_displacement =
-        unknown;                      // (x - y)/A0 at forcing phase 0, on the orbit's point of smallest value
-    double orbit_velocity = unknown;  // (x' - y')/(A0 omega) there
-
-    // On request, over the same time as the peak force; 0 where nothing impacts.
-    double impact_speed = unknown;   // largest delta' at first touch, in A0 omega
-    double impulse = unknown;        // largest of one impact, in k A0/omega
-    double contact_time = unknown;   // longest time for which the stop presses in one impact, in 1/omega
-    double contact_power = unknown;  // mean power that the stop takes from the relative motion, in k A0^2 omega
-    double max_displacement = unknown;  // largest |u|, in A0
-    // On request, of the largest force of each cycle, F/(k A0): mean, 95 % quantile (nearest rank), and of how
-    // many cycles; of the q cycles of an orbit.
-    double peak_force_mean = unknown;
-    double peak_force_q95 = unknown;
-    std::int32_t window_cycles = 0;
-    // Where the cell has more starts than one (attractors/).
-    std::int32_t attractors = 0;        // on which these end
-    std::int32_t start_attractor = -1;  // on which of those that are kept this cell ends; -1: on none
-    // On request: the last forcing cycle in which the stop pressed, counted from the start; 0 if it never did.
-    std::int32_t last_impact = goes_on;
-};
-
-// Whether two cells are called the same.
-inline bool same_label(const CellResult& a, const CellResult& b) {
-    return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
-}
-
-// Whether a motion of this regime repeats itself, so that its numbers hang on no window.
-inline bool has_period(Regime regime) {
-    return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
-}
 
 }  // namespace peterka::regime

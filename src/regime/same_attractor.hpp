@@ -7,7 +7,9 @@
 
 namespace peterka::regime {
 
-[[nodiscard]] inline bool same_attractor(const CellResult& a, const CellResult& b) {
+// As solved or as stored.
+template <class Cell>
+[[nodiscard]] bool same_attractor(const Cell& a, const Cell& b) {
     return a.regime == Regime::periodic ? same_orbit(a, b) : a.regime == b.regime;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "job/stored_quantities.hpp"
 #include "regime/cubic_shift.hpp"
 #include "regime/growth.hpp"
 #include "regime/orbit_result.hpp"
@@ -17,13 +18,14 @@ namespace peterka::regime {
 namespace {
 
 // Not asked for, not computed.
-Measures measures_of(const job::Output& output) {
-    using job::OptionalField;
-    const bool impacts = output.has(OptionalField::impact_speed) || output.has(OptionalField::impulse) ||
-                         output.has(OptionalField::contact_time) || output.has(OptionalField::contact_power) ||
-                         output.has(OptionalField::max_displacement);
-    return {impacts ? trajectory::Detail::contacts : trajectory::Detail::force,
-            output.has(OptionalField::force_per_cycle)};
+Measures measures_of(const job::Job& job) {
+    Measures measures;
+    for (const cell::Quantity& quantity : cell::quantities) {
+        if (!job::stores(job, quantity)) continue;
+        if (quantity.recorded == cell::Recorded::contacts) measures.detail = trajectory::Detail::contacts;
+        measures.force_per_cycle |= quantity.recorded == cell::Recorded::cycle_forces;
+    }
+    return measures;
 }
 
 // A disturbance of the motion, in A0, that grew to this may have turned a choice on the way. Of 45,000 cells of
@@ -50,7 +52,7 @@ class Solution {
           solver_(job.solver),
           budget_(job.steady_state),
           attractors_(attractors),
-          measures_(measures_of(job.output)) {
+          measures_(measures_of(job)) {
         measures_.motion = motion;
     }
 

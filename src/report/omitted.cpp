@@ -21,7 +21,7 @@ std::string kept_in_words(const findings::Statistics& statistics) {
         if (cells_of(statistics, engine) == 0) continue;
         text += fmt::format("{} {} ({})", text.empty() ? "; kept in" : " and in",
                             readable_count(cells_of(statistics, engine)),
-                            quantities::engine_names[static_cast<std::size_t>(engine)]);
+                            cell::engine_names[static_cast<std::size_t>(engine)]);
     }
     return text;
 }

@@ -21,10 +21,10 @@ using regime::Regime;
 using scene::Scales;
 
 std::string regime_in_words(const StoredCell& cell) {
-    std::string text = quantities::regime_names[static_cast<std::size_t>(cell.regime)];
+    std::string text = cell::regime_names[static_cast<std::size_t>(cell.regime)];
     if (cell.regime == Regime::periodic) text += fmt::format(", z = {}/{}", cell.impacts, cell.period);
     if (cell.status != regime::Status::proved) {
-        text += fmt::format(" ({})", quantities::status_names[static_cast<std::size_t>(cell.status)]);
+        text += fmt::format(" ({})", cell::status_names[static_cast<std::size_t>(cell.status)]);
     }
     return text;
 }
@@ -66,7 +66,7 @@ std::string cell_in_words(const StoredCell& cell, const scene::Scene& scene) {
         "  peak force       {}\n"
         "  decided in       {} forcing cycles, engine {}\n",
         regime_in_words(cell), proof_in_words(cell), force_in_words(cell.peak_force, scene), cell.cycles,
-        quantities::engine_names[static_cast<std::size_t>(cell.engine)]);
+        cell::engine_names[static_cast<std::size_t>(cell.engine)]);
 }
 
 std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
@@ -116,7 +116,7 @@ std::string trace_in_words(const scene::Scene& scene, const trace::Trace& trace,
     const std::string& title = scene.job().title;
     std::string text = fmt::format("\n{}\n\nTrace {}\n", title.empty() ? "(no title)" : title,
                                    place_in_words(scene, trace.course));
-    const StoredCell cell = quantities::in_file_units(trace.course.cell.value_or(StoredCell{}), scales);
+    const StoredCell cell = quantities::in_file_units(trace.course.cell.value_or(cell::CellResult{}), scales);
     if (const std::string inside = starts_inside(scene); !inside.empty()) {
         text += fmt::format("  start            {}\n", inside);
     }

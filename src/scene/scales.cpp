@@ -17,6 +17,28 @@ Scales scales_of(const job::Job& job) {
     return scales_of(numbers_in(job));
 }
 
+double Scales::in_unit_of_file(double number, cell::Dimension dimension) const {
+    const double speed = length_m * frequency_rad_per_s;  // A0 omega
+    switch (dimension) {
+        case cell::Dimension::label:
+        case cell::Dimension::number:
+            break;
+        case cell::Dimension::force_over_weight:
+            return number * force_ratio();
+        case cell::Dimension::speed:
+            return number * speed;
+        case cell::Dimension::impulse:
+            return number * (force_n / frequency_rad_per_s);
+        case cell::Dimension::time:
+            return number / frequency_rad_per_s;
+        case cell::Dimension::power:
+            return number * (force_n * speed);
+        case cell::Dimension::length:
+            return number * length_m;
+    }
+    return number;
+}
+
 namespace {
 
 ContactLaw<double> stop_of(const job::CellNumbers& numbers) {

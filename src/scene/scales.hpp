@@ -1,6 +1,7 @@
 // The units in which the core computes, for the way back to SI.
 #pragma once
 
+#include "cell/quantities.hpp"
 #include "job/cell_numbers.hpp"
 #include "job/job.hpp"
 #include "scene/oscillator.hpp"
@@ -16,6 +17,9 @@ struct Scales {
     double weight_n = 1;             // m g0
 
     [[nodiscard]] double force_ratio() const { return force_n / weight_n; }  // F/(m g0) of a force k A0
+
+    // In the unit of the file (cell/quantities.hpp), of a nondimensional number.
+    [[nodiscard]] double in_unit_of_file(double number, cell::Dimension dimension) const;
 };
 
 Scales scales_of(const job::CellNumbers& numbers);

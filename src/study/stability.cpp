@@ -235,11 +235,11 @@ std::vector<Table> Stability::tables(std::span<const Result> results) const {
     // clang-format off
     return {
         {{"/", Variable{"scene", Number::int32, -1, "1", "scene of the battery", battery_names()}, {scene}}, numbers(scenes)},
-        {{"/", Variable{"engine", Number::int8, -128, "1", "engine", quantities::engine_names}, {engine}}, numbers(engines)},
+        {{"/", Variable{"engine", Number::int8, -128, "1", "engine", cell::engine_names}, {engine}}, numbers(engines)},
         {{"/", Variable{"rung", Number::int32, -1, "1", "rung of the ladder of stiffnesses"}, {rung}}, numbers(results.size() - scenes)},
         {{"/", Variable{"outcome", Number::int8, -128, "1", "what the reference says of the engine's result", outcome_names}, {scene, engine}}, of_engines(&OfEngine::outcome)},
-        {{"/", Variable{"regime", Number::int8, -128, "1", "regime", quantities::regime_names}, {scene, engine}}, of_engines(&OfEngine::regime)},
-        {{"/", Variable{"status", Number::int8, -128, "1", "why there is no regime", quantities::status_names}, {scene, engine}}, of_engines(&OfEngine::status)},
+        {{"/", Variable{"regime", Number::int8, -128, "1", "regime", cell::regime_names}, {scene, engine}}, of_engines(&OfEngine::regime)},
+        {{"/", Variable{"status", Number::int8, -128, "1", "why there is no regime", cell::status_names}, {scene, engine}}, of_engines(&OfEngine::status)},
         {{"/", Variable{"impacts", Number::int32, -1, "1", "p of z = p/q, impacts per period"}, {scene, engine}}, of_engines(&OfEngine::impacts)},
         {{"/", Variable{"period", Number::int32, -1, "1", "q of z = p/q, forcing cycles per period"}, {scene, engine}}, of_engines(&OfEngine::period)},
         {{"/", Variable{"error_peak_force", Number::float64, nan, "1", "relative error of the peak force"}, {scene, engine}}, of_engines(&OfEngine::error_peak_force)},
@@ -248,7 +248,7 @@ std::vector<Table> Stability::tables(std::span<const Result> results) const {
         {{"/", Variable{"speed_difference", Number::float64, nan, "1", "impact speed less that of the rigid stop, over A0 omega"}, {rung}}, difference},
         {{"/", Variable{"fitted_slope", Number::float64, nan, "1", "of ln |speed_difference| by ln contact_stiffness; -1/2 in theory"}, {}}, {slope}},
         {{"/run", Variable{"scene", Number::int32, -1, "1", "scene of the battery", battery_names()}, {scene}}, numbers(scenes)},
-        {{"/run", Variable{"engine", Number::int8, -128, "1", "engine", quantities::engine_names}, {engine}}, numbers(engines)},
+        {{"/run", Variable{"engine", Number::int8, -128, "1", "engine", cell::engine_names}, {engine}}, numbers(engines)},
         {{"/run", Variable{"seconds", Number::float64, nan, "s", "computing time"}, {scene, engine}}, of_engines(&OfEngine::seconds)},
     };
     // clang-format on
@@ -256,7 +256,7 @@ std::vector<Table> Stability::tables(std::span<const Result> results) const {
 
 std::string Stability::summary(std::span<const Result> results) const {
     std::string text = fmt::format("\n{:<30}", "scene");
-    for (const char* engine : quantities::engine_names) text += fmt::format("{:<24}", engine);
+    for (const char* engine : cell::engine_names) text += fmt::format("{:<24}", engine);
     text += "\n";
     int wrong = 0;
     for (std::size_t n = 0; n < battery().size(); ++n) {
@@ -264,7 +264,7 @@ std::string Stability::summary(std::span<const Result> results) const {
         for (const OfEngine& each : results[n].of_engines) {
             std::string word = outcome_names[static_cast<std::size_t>(each.outcome)];
             if (each.outcome == Outcome::says_why_not) {
-                word = quantities::status_names[static_cast<std::size_t>(each.status)];
+                word = cell::status_names[static_cast<std::size_t>(each.status)];
             } else if (each.outcome == Outcome::not_for_this_scene) {
                 word = "-";
             } else if (!std::isnan(each.error_peak_force)) {

@@ -183,7 +183,7 @@ job::Job with_proofs(job::Job job) {
 std::vector<Table> cell_tables(const char* group, const quantities::StoredCell& cell, const job::Job& job) {
     std::vector<Table> tables;
     for (const quantities::Field& field : quantities::stored_fields(job)) {
-        tables.push_back({{group, field.variable, {}}, {field.member.load(cell)}});
+        tables.push_back({{group, field.variable, {}}, {field.quantity->load(cell)}});
     }
     return tables;
 }

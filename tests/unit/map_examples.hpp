@@ -15,6 +15,7 @@
 #include "job/job.hpp"
 #include "map_file/provenance.hpp"
 #include "parallel/tiles.hpp"
+#include "quantities/fields.hpp"
 #include "regime/cell_result.hpp"
 
 namespace peterka::map_file::examples {
@@ -118,6 +119,13 @@ inline std::vector<attractors::SolvedCell> solved(const std::vector<regime::Cell
     std::vector<attractors::SolvedCell> solved;
     for (const regime::CellResult& cell : cells) solved.push_back({cell, {}});
     return solved;
+}
+
+// The same as files hold them, where every unit is 1.
+inline std::vector<quantities::StoredCell> made_up_stored_cells(const parallel::Tile& tile, int orbits = 3) {
+    std::vector<quantities::StoredCell> cells;
+    for (const auto& cell : made_up_cells(tile, orbits)) cells.push_back(quantities::in_file_units(cell, {}));
+    return cells;
 }
 
 }  // namespace peterka::map_file::examples

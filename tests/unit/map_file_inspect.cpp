@@ -42,7 +42,7 @@ class OutputInspect : public testing::Test {
             TileStore store({check, file, disk}, job_);
             for (std::int64_t i = 0; i < store.tiling().count(); ++i) {
                 const parallel::Tile tile = store.tiling().tile(i);
-                store.write(tile, examples::made_up_cells(tile), {});
+                store.write(tile, examples::made_up_stored_cells(tile), {});
             }
         });
     }

@@ -65,11 +65,11 @@ TEST_F(OutputTileStore, EachTileComesBackFromItsOwnPlace) {
     const std::vector<quantities::Field> fields = quantities::stored_fields(job_);
     for (const std::int64_t i : {5, 0, 3, 2, 4, 1}) {
         const parallel::Tile tile = tiles.tiling().tile(i);
-        tiles.write(tile, examples::made_up_cells(tile), {0.5 * static_cast<double>(i), 7});
+        tiles.write(tile, examples::made_up_stored_cells(tile), {0.5 * static_cast<double>(i), 7});
     }
     for (std::int64_t i = 0; i < 6; ++i) {
         const parallel::Tile tile = tiles.tiling().tile(i);
-        EXPECT_EQ(encode(fields, tiles.read(tile)), encode(fields, examples::made_up_cells(tile)));
+        EXPECT_EQ(encode(fields, tiles.read(tile)), encode(fields, examples::made_up_stored_cells(tile)));
         EXPECT_EQ(tiles.state(tile), TileState::whole);
         EXPECT_EQ(tiles.seconds(tile), 0.5 * static_cast<double>(i));
     }
@@ -78,7 +78,7 @@ TEST_F(OutputTileStore, EachTileComesBackFromItsOwnPlace) {
 TEST_F(OutputTileStore, CellsLieAtTheirRowAndColumn) {
     TileStore tiles = store();
     for (std::int64_t i = 0; i < 6; ++i) {
-        tiles.write(tiles.tiling().tile(i), examples::made_up_cells(tiles.tiling().tile(i)), {});
+        tiles.write(tiles.tiling().tile(i), examples::made_up_stored_cells(tiles.tiling().tile(i)), {});
     }
     std::vector<std::int32_t> cycles(20 * 40);
     const hdf5::DatasetId dataset(check_(H5Dopen2(file_.id(), "/cycles", H5P_DEFAULT), "H5Dopen2"));
@@ -95,7 +95,7 @@ TEST_F(OutputTileStore, CellsLieAtTheirRowAndColumn) {
 TEST_F(OutputTileStore, ChangedCellIsFoundInItsTileOnly) {
     TileStore tiles = store();
     for (std::int64_t i = 0; i < 6; ++i) {
-        tiles.write(tiles.tiling().tile(i), examples::made_up_cells(tiles.tiling().tile(i)), {});
+        tiles.write(tiles.tiling().tile(i), examples::made_up_stored_cells(tiles.tiling().tile(i)), {});
     }
     const double wrong = 1e-300;
     overwrite("/impact_rate", hdf5::Number::float64, hdf5::Block(parallel::Tile{0, 17, 39, {1, 1}}), &wrong);
@@ -113,7 +113,7 @@ TEST_F(OutputTileStore, FlippedByteOnDiskIsFound) {
     haddr_t address = HADDR_UNDEF;
     {
         TileStore tiles = store();
-        tiles.write(first, examples::made_up_cells(first), {});
+        tiles.write(first, examples::made_up_stored_cells(first), {});
         const hdf5::DatasetId dataset(
             check_(H5Dopen2(file_.id(), "/peak_force_ratio", H5P_DEFAULT), "H5Dopen2"));
         hsize_t size = 0;

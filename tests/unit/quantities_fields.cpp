@@ -8,10 +8,12 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "job/names.hpp"
 #include "map_examples.hpp"
 #include "map_file/tile_bytes.hpp"
 
@@ -20,20 +22,28 @@ namespace {
 
 using job::OptionalField;
 
-std::vector<std::string> names(const std::vector<Field>& fields) {
+template <class SomeField>
+std::vector<std::string> names(const std::vector<SomeField>& fields) {
     std::vector<std::string> all;
-    for (const Field& field : fields) all.emplace_back(field.variable.name);
+    for (const SomeField& field : fields) all.emplace_back(field.variable.name);
+    return all;
+}
+
+std::vector<std::string> names_of_cell_and_attractors(const job::Job& job) {
+    std::vector<std::string> all = names(stored_fields(job));
+    for (const std::string& name : names(stored_attractor_fields(job))) all.push_back(name);
     return all;
 }
 
 const std::vector<std::string> always{"regime",           "status",      "engine", "impacts",        "period",
                                       "peak_force_ratio", "impact_rate", "cycles", "observed_cycles"};
 
-// A rigid stop has a field of its own, and a refined map.
+// A rigid stop has a field of its own, a refined map, and one with many starts.
 job::Job with_every_field() {
     job::Job job = map_file::examples::small_map(4, 4);
     job.contact = job::Restitution{0.6};
     job.refine.levels = 1;
+    job.starts.count = 4;
     for (const auto& field : job::Names<OptionalField>::all) job.output.fields.push_back(field.value);
     return job;
 }
@@ -64,17 +74,74 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
     EXPECT_EQ(names(stored_fields(map_file::examples::small_basin(4, 4))), expected);
 }
 
-TEST(OutputFields, EveryOptionalFieldHasARowAndEveryRowItsOwnName) {
-    const job::Job job = with_every_field();
+TEST(OutputFields, EveryOptionalFieldBringsARowAndEveryRowHasItsOwnName) {
+    job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    // chatter, computed; two or three datasets for one field, none here for critical_kick, which attractors
-    // have
-    EXPECT_EQ(all.size(), always.size() + 2 + job.output.fields.size() + 1 + 2 - 1);
+    EXPECT_EQ(all.size(), cell::quantities.size() - 1) << "all but the jump of a sweep";
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
+    job.output.fields = {};
+    const std::vector<std::string> usual = names_of_cell_and_attractors(job);
+    for (const auto& field : job::Names<OptionalField>::all) {
+        job.output.fields = {field.value};
+        const std::vector<std::string> some = names_of_cell_and_attractors(job);
+        EXPECT_GT(some.size(), usual.size()) << field.name;
+        const bool is_there =
+            std::ranges::any_of(some, [&](const std::string& name) { return name == field.name; });
+        EXPECT_TRUE(is_there || field.name == "orbit" || field.name == "force_per_cycle") << field.name;
+    }
+}
+
+TEST(OutputFields, AttractorsHaveFieldsOfTheirOwnWhereACellHasManyStarts) {
+    job::Job job = map_file::examples::small_map(4, 4);
+    EXPECT_TRUE(stored_attractor_fields(job).empty());
+    job.starts.count = 4;
+    const std::vector<std::string> usual{"attractor_regime", "attractor_impacts", "attractor_period",
+                                         "attractor_peak_force_ratio", "basin_share"};
+    EXPECT_EQ(names(stored_attractor_fields(job)), usual);
+    job.output.fields = {OptionalField::critical_kick};
+    EXPECT_EQ(names(stored_attractor_fields(job)).back(), "critical_kick");
+}
+
+TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
+    job::Job job = with_every_field();
+    const scene::Scales scales{.length_m = 2, .frequency_rad_per_s = 3, .force_n = 5, .weight_n = 7};
+    const cell::CellAttractor computed{regime::Regime::periodic, 3, 2, 14, 0.25, 0.5};
+    const std::vector<StoredAttractor> stored{in_file_units(computed, scales), {}};
+    const auto fields = stored_attractor_fields(job);
+    const std::vector<StoredAttractor> back = map_file::decode(fields, map_file::encode(fields, stored), 2);
+    EXPECT_EQ(back[0].regime, regime::Regime::periodic);
+    EXPECT_EQ(back[0].impacts, 3);
+    EXPECT_EQ(back[0].period, 2);
+    EXPECT_EQ(back[0].peak_force, 10);
+    EXPECT_EQ(back[0].share, 0.25);
+    EXPECT_EQ(back[0].critical_kick, 3);
+    for (const AttractorField& field : fields) {  // an empty slot
+        const double value = field.quantity->load(back[1]);
+        EXPECT_TRUE(value == field.variable.fill || (std::isnan(value) && std::isnan(field.variable.fill)))
+            << field.variable.name;
+    }
+}
+
+TEST(OutputFields, EachRowStoresAMemberOfItsOwn) {
+    for (const cell::Quantity& changed : cell::quantities) {
+        regime::CellResult result;
+        StoredCell stored;
+        const double value = changed.load(result) == 1 ? 0 : 1;
+        changed.store(result, value);
+        changed.store(stored, value);
+        for (const cell::Quantity& quantity : cell::quantities) {
+            const double expected = &quantity == &changed ? value : quantity.load(StoredCell{});
+            const bool is_number = !std::isnan(expected);
+            EXPECT_EQ(is_number ? quantity.load(stored) : 0, is_number ? expected : 0) << quantity.name;
+            EXPECT_EQ(is_number ? quantity.load(result) : 0, is_number ? expected : 0) << quantity.name;
+            EXPECT_EQ(std::isnan(quantity.load(stored)), !is_number) << changed.name << " " << quantity.name;
+        }
+    }
 }
 
 // Every member differs from every other, so that two fields that store the same member are found out.
-regime::CellResult distinct_cell() {
+template <class Cell = regime::CellResult>
+Cell distinct_cell() {
     return {.regime = regime::Regime::chaotic,
             .status = regime::Status::budget,
             .engine = regime::Engine::arkode,
@@ -100,21 +167,49 @@ regime::CellResult distinct_cell() {
             .peak_force_mean = 14.5,
             .peak_force_q95 = 15.5,
             .window_cycles = 16,
+            .attractors = 19,
+            .start_attractor = 20,
             .last_impact = 17};
 }
 
-TEST(OutputFields, EachFieldStoresItsOwnMember) {
-    const job::Job job = with_every_field();
-    std::vector<double> values;
-    for (const Field& field : stored_fields(job)) values.push_back(field.member.load(distinct_cell()));
-    EXPECT_EQ(values, (std::vector<double>{2,   1,   0,   3,   11,   12,   1.5,  1,    2.5,  13,   18, 3.5, 4.5,
-                                           5.5, 6.5, 7.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5, 15.5, 16, 17}));
+TEST(OutputFields, EachNameStoresWhatItSays) {
+    std::map<std::string, double> values;
+    for (const cell::Quantity& quantity : cell::quantities)
+        values[quantity.name] = quantity.load(distinct_cell());
+    const std::map<std::string, double> expected{{"regime", 2},
+                                                 {"status", 1},
+                                                 {"computed", 0},
+                                                 {"engine", 3},
+                                                 {"impacts", 11},
+                                                 {"period", 12},
+                                                 {"jump", 0},
+                                                 {"peak_force_ratio", 1.5},
+                                                 {"chatter", 1},
+                                                 {"impact_rate", 2.5},
+                                                 {"cycles", 13},
+                                                 {"observed_cycles", 18},
+                                                 {"multiplier", 3.5},
+                                                 {"lyapunov", 4.5},
+                                                 {"sensitivity", 5.5},
+                                                 {"orbit_displacement", 6.5},
+                                                 {"impulse", 10.5},
+                                                 {"orbit_velocity", 7.5},
+                                                 {"impact_speed", 9.5},
+                                                 {"contact_time", 11.5},
+                                                 {"last_impact", 17},
+                                                 {"contact_power_w", 12.5},
+                                                 {"window_cycles", 16},
+                                                 {"max_displacement", 13.5},
+                                                 {"peak_force_mean_ratio", 14.5},
+                                                 {"peak_force_q95_ratio", 15.5}};
+    for (const auto& [name, value] : expected) EXPECT_EQ(values[name], value) << name;
 }
 
 TEST(OutputFields, CellsComeBackFromBytes) {
     const std::vector<Field> fields = stored_fields(map_file::examples::small_basin(4, 4));
-    std::vector<StoredCell> cells{distinct_cell(), map_file::examples::made_up_cell(1, 2),
-                                  map_file::examples::made_up_cell(2, 2)};
+    const std::vector<StoredCell> cells{distinct_cell<StoredCell>(),
+                                        in_file_units(map_file::examples::made_up_cell(1, 2), {}),
+                                        in_file_units(map_file::examples::made_up_cell(2, 2), {})};
     const std::vector<std::byte> bytes = map_file::encode(fields, cells);
     EXPECT_EQ(bytes.size(), 3 * (3 * 1 + 4 * 4 + 4 * 8));
     const std::vector<StoredCell> back = map_file::decode(fields, bytes, 3);
@@ -162,7 +257,7 @@ TEST(OutputTileBytes, ChecksumIsXxh3) {
 
 TEST(OutputTileBytes, ChecksumFindsEveryFlippedByte) {
     const std::vector<Field> fields = stored_fields(map_file::examples::small_map(4, 4));
-    const std::vector<StoredCell> cells(16, map_file::examples::made_up_cell(3, 1));
+    const std::vector<StoredCell> cells(16, in_file_units(map_file::examples::made_up_cell(3, 1), {}));
     std::vector<std::byte> bytes = map_file::encode(fields, cells);
     const std::uint64_t whole = map_file::checksum(bytes);
     for (std::byte& byte : bytes) {

@@ -48,7 +48,7 @@ class Around {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             around.set(i / columns_.size, i % columns_.size, cells_[i]);
         }
-        return refine::filled(around, interpolated_numbers(job), job.starts.count);
+        return refine::filled(around, interpolated_quantities(job), job.starts.count);
     }
 
   private:

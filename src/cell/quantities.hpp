@@ -1,0 +1,240 @@
+// The table of what is told of a cell, and below it the one of what is told of each of its attractors, where it
+// has many starts. From their rows follow
+// - which names [output] fields takes, and what `check` says of them   (job/names.hpp)
+// - what a job stores                                                 (job/stored_quantities.hpp)
+// - what is measured while a cell is solved                           (regime/solve_cell.cpp)
+// - what a refined map fills without computing it                     (refine/fill.hpp)
+// - the datasets of the file, their units and words                   (Field of the map file)
+// A new quantity is a row here (with its name in OptionalField, if it is only computed on request), its member
+// in cell/result.hpp, and what computes it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+#include "cell/result.hpp"
+
+namespace peterka::cell {
+
+// What [output] fields can ask for, in the order of the table. One of them may bring several quantities.
+enum class OptionalField {
+    multiplier,
+    lyapunov,
+    sensitivity,
+    orbit,
+    impact_speed,
+    impulse,
+    contact_time,
+    contact_power,
+    max_displacement,
+    force_per_cycle,
+    last_impact,
+    critical_kick,  // of each attractor
+};
+
+// The unit in the file; how it comes from nondimensional numbers is told in scene/scales.hpp.
+enum class Dimension { label, number, force_over_weight, speed, impulse, time, power, length };
+
+constexpr const char* unit_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::label:
+            return "";  // has names instead
+        case Dimension::number:
+        case Dimension::force_over_weight:
+            return "1";
+        case Dimension::speed:
+            return "m/s";
+        case Dimension::impulse:
+            return "N s";
+        case Dimension::time:
+            return "s";
+        case Dimension::power:
+            return "W";
+        case Dimension::length:
+            return "m";
+    }
+    return "";
+}
+
+// What must be recorded of the motion for a quantity.
+enum class Recorded {
+    usual,         // what deciding a cell takes anyway
+    contacts,      // each impact: trajectory::Detail::contacts
+    cycle_forces,  // the largest force of each cycle
+};
+
+// What a refined map gives a cell that it fills from the cells around it.
+enum class Filled {
+    never,         // belongs to the run towards the steady state: a filled cell has none
+    as_around,     // the same as all of them
+    interpolated,  // where it is smooth
+};
+
+enum class Kept { always, in_refined_maps, in_sweeps, of_many_starts, of_rigid_stops, on_request };
+
+// Who keeps a quantity; on request: which name asks for it.
+struct Keeping {
+    Kept kept = Kept::always;
+    std::optional<OptionalField> field = {};
+    const char* field_name = nullptr;  // the quantity's own if there is none
+};
+
+enum class InAttractorTable { no, yes };
+
+enum class NumberKind { label, count, real };
+
+// A number of a cell as a double, which holds every kind of them exactly.
+template <class Numbers>
+struct Access {
+    double (*load)(const Numbers&);
+    void (*store)(Numbers&, double);
+};
+
+template <template <Units> class Numbers>
+struct Member {
+    NumberKind kind;
+    Access<Numbers<Units::nondimensional>> computed;
+    Access<Numbers<Units::of_file>> stored;
+};
+
+// Numbers: Result or Attractor.
+template <template <Units> class Numbers>
+struct QuantityOf {
+    using Computed = Numbers<Units::nondimensional>;
+    using Stored = Numbers<Units::of_file>;
+
+    const char* name;  // of its dataset
+    Member<Numbers> member;
+    Dimension dimension;
+    const char* words;
+    Keeping keeping = {};
+    Filled filled = Filled::never;
+    Recorded recorded = Recorded::usual;
+    InAttractorTable in_attractor_table = InAttractorTable::no;
+    std::span<const char* const> names_of_values = {};  // of a label
+
+    [[nodiscard]] double load(const Computed& from) const { return member.computed.load(from); }
+    [[nodiscard]] double load(const Stored& from) const { return member.stored.load(from); }
+    void store(Computed& to, double value) const { member.computed.store(to, value); }
+    void store(Stored& to, double value) const { member.stored.store(to, value); }
+};
+
+using Quantity = QuantityOf<Result>;
+using AttractorQuantity = QuantityOf<Attractor>;
+
+namespace table {
+
+template <class Numbers, class Pick>
+constexpr Access<Numbers> access_by() {
+    return {[](const Numbers& from) { return static_cast<double>(Pick{}(from)); },
+            [](Numbers& to, double value) {
+                auto& member = Pick{}(to);
+                member = static_cast<std::remove_reference_t<decltype(member)>>(value);
+            }};
+}
+
+template <template <Units> class Numbers, class Pick>
+constexpr Member<Numbers> member_of() {
+    using Computed = Numbers<Units::nondimensional>;
+    using Number = std::remove_cvref_t<std::invoke_result_t<Pick, const Computed&>>;
+    constexpr NumberKind kind = std::is_same_v<Number, double>         ? NumberKind::real
+                                : std::is_same_v<Number, std::int32_t> ? NumberKind::count
+                                                                       : NumberKind::label;
+    return {kind, access_by<Computed, Pick>(), access_by<Numbers<Units::of_file>, Pick>()};
+}
+
+template <class Pick>
+constexpr Member<Result> member(Pick /*pick*/) {
+    return member_of<Result, Pick>();
+}
+
+template <class Pick>
+constexpr Member<Attractor> of_attractor(Pick /*pick*/) {
+    return member_of<Attractor, Pick>();
+}
+
+constexpr Keeping asked_for(OptionalField field, const char* name = nullptr) {
+    return {Kept::on_request, field, name};
+}
+
+inline constexpr Keeping always;
+inline constexpr Keeping in_refined_maps{Kept::in_refined_maps};
+inline constexpr Keeping in_sweeps{Kept::in_sweeps};
+inline constexpr Keeping of_many_starts{Kept::of_many_starts};
+inline constexpr Keeping of_rigid_stops{Kept::of_rigid_stops};
+inline constexpr auto table_too = InAttractorTable::yes;
+
+using enum Filled;
+using enum Recorded;
+using enum Dimension;
+
+// clang-format off
+inline constexpr Quantity rows[] = {
+    {"regime", member([](auto& cell) -> auto& { return cell.regime; }), label, "regime of the steady state", always, as_around, usual, table_too, regime_names},
+    {"status", member([](auto& cell) -> auto& { return cell.status; }), label, "why a cell is unresolved or failed, or what its proof leaves open", always, never, usual, {}, status_names},
+    {"computed", member([](auto& cell) -> auto& { return cell.computed; }), label, "whether the cell is computed or filled from computed cells around it", in_refined_maps, never, usual, {}, computed_names},
+    {"engine", member([](auto& cell) -> auto& { return cell.engine; }), label, "engine that carried the cell; exact leaves a cubic spring out", always, as_around, usual, {}, engine_names},
+    {"impacts", member([](auto& cell) -> auto& { return cell.impacts; }), number, "impacts p of z = p/q", always, as_around, usual, table_too},
+    {"period", member([](auto& cell) -> auto& { return cell.period; }), number, "period q of z = p/q in forcing cycles", always, as_around, usual, table_too},
+    {"peak_force_ratio", member([](auto& cell) -> auto& { return cell.peak_force; }), force_over_weight, "peak impact force over hammer weight, F/(m g0)", always, interpolated, usual, table_too},
+    {"jump", member([](auto& cell) -> auto& { return cell.jump; }), label, "whether the peak force jumps on the way to this point from the one before it in the branch", in_sweeps, never, usual, {}, jump_names},
+    {"chatter", member([](auto& cell) -> auto& { return cell.chatter; }), label, "whether impacts on the rigid stop accumulate to rest; each such chatter counts as one impact", of_rigid_stops, as_around, usual, {}, chatter_names},
+    {"impact_rate", member([](auto& cell) -> auto& { return cell.impact_rate; }), number, "impacts per forcing cycle", always, interpolated},
+    {"cycles", member([](auto& cell) -> auto& { return cell.cycles; }), number, "forcing cycles spent"},
+    {"observed_cycles", member([](auto& cell) -> auto& { return cell.observed_cycles; }), number, "forcing cycles for which a chaotic or unresolved motion was followed"},
+    {"multiplier", member([](auto& cell) -> auto& { return cell.multiplier; }), number, "largest absolute Floquet multiplier of the orbit", asked_for(OptionalField::multiplier), interpolated},
+    {"lyapunov", member([](auto& cell) -> auto& { return cell.lyapunov; }), number, "largest Lyapunov exponent per forcing cycle", asked_for(OptionalField::lyapunov), interpolated},
+    {"sensitivity", member([](auto& cell) -> auto& { return cell.sensitivity; }), number, "largest growth of an error that came in at any moment, ln G", asked_for(OptionalField::sensitivity)},
+    {"orbit_displacement", member([](auto& cell) -> auto& { return cell.orbit_displacement; }), number, "orbit at forcing phase 0, (x - y)/A0", asked_for(OptionalField::orbit, "orbit"), interpolated, usual, table_too},
+    {"orbit_velocity", member([](auto& cell) -> auto& { return cell.orbit_velocity; }), number, "orbit at forcing phase 0, (x' - y')/(A0 omega)", asked_for(OptionalField::orbit, "orbit"), interpolated, usual, table_too},
+    {"impact_speed", member([](auto& cell) -> auto& { return cell.impact_speed; }), speed, "largest speed of the hammer against the stop at first touch", asked_for(OptionalField::impact_speed), interpolated, contacts},
+    {"impulse", member([](auto& cell) -> auto& { return cell.impulse; }), impulse, "largest impulse of one impact", asked_for(OptionalField::impulse), interpolated, contacts},
+    {"contact_time", member([](auto& cell) -> auto& { return cell.contact_time; }), time, "longest time for which the stop presses in one impact", asked_for(OptionalField::contact_time), interpolated, contacts},
+    {"contact_power_w", member([](auto& cell) -> auto& { return cell.contact_power; }), power, "mean power that the impacts take from the hammer's motion against the cart", asked_for(OptionalField::contact_power), interpolated, contacts},
+    {"max_displacement", member([](auto& cell) -> auto& { return cell.max_displacement; }), length, "largest displacement of the hammer from its rest in the cart, |x - y|", asked_for(OptionalField::max_displacement), interpolated, contacts},
+    {"peak_force_mean_ratio", member([](auto& cell) -> auto& { return cell.peak_force_mean; }), force_over_weight, "mean of the largest impact force of each forcing cycle, F/(m g0)", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), interpolated, cycle_forces},
+    {"peak_force_q95_ratio", member([](auto& cell) -> auto& { return cell.peak_force_q95; }), force_over_weight, "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), interpolated, cycle_forces},
+    {"window_cycles", member([](auto& cell) -> auto& { return cell.window_cycles; }), number, "forcing cycles of which these are mean and quantile", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), as_around, cycle_forces},
+    {"last_impact", member([](auto& cell) -> auto& { return cell.last_impact; }), number, "forcing cycles until the last impact; none where impacts go on or the cell was filled", asked_for(OptionalField::last_impact)},
+    {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
+    {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
+};
+
+// A share is filled by a rule of its own (refine/fill_attractors.cpp).
+inline constexpr AttractorQuantity attractor_rows[] = {
+    {"attractor_regime", of_attractor([](auto& attractor) -> auto& { return attractor.regime; }), label, "regime of an attractor of the cell, those with the largest shares first", always, as_around, usual, {}, regime_names},
+    {"attractor_impacts", of_attractor([](auto& attractor) -> auto& { return attractor.impacts; }), number, "impacts p of its z = p/q", always, as_around},
+    {"attractor_period", of_attractor([](auto& attractor) -> auto& { return attractor.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
+    {"attractor_peak_force_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.peak_force; }), force_over_weight, "its peak impact force over hammer weight, F/(m g0)", always, interpolated},
+    {"basin_share", of_attractor([](auto& attractor) -> auto& { return attractor.share; }), number, "share of the cell's starts that end on it"},
+    {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.critical_kick; }), speed, "smallest sudden change of the hammer's velocity at forcing phase 0 after which its settled motion ends elsewhere", asked_for(OptionalField::critical_kick), interpolated},
+};
+// clang-format on
+
+}  // namespace table
+
+inline constexpr std::span<const Quantity> quantities = table::rows;
+inline constexpr std::span<const AttractorQuantity> attractor_quantities = table::attractor_rows;
+
+// Hands over each quantity's field that is computed on request, with its name.
+template <template <Units> class Numbers, class Take>
+constexpr void for_each_field_of(std::span<const QuantityOf<Numbers>> rows, Take take) {
+    for (const QuantityOf<Numbers>& quantity : rows) {
+        const Keeping& keeping = quantity.keeping;
+        if (!keeping.field) continue;
+        take(*keeping.field, keeping.field_name == nullptr ? quantity.name : keeping.field_name);
+    }
+}
+
+// Whether it is asked for of each attractor, not of the cell.
+constexpr bool is_of_attractors(OptionalField field) {
+    bool found = false;
+    for_each_field_of(attractor_quantities, [&](OptionalField each, const char*) { found |= each == field; });
+    return found;
+}
+
+}  // namespace peterka::cell

@@ -1,0 +1,42 @@
+#include "job/stored_quantities.hpp"
+
+namespace peterka::job {
+
+bool stores(const Job& job, const cell::Quantity& quantity) {
+    switch (quantity.keeping.kept) {
+        case cell::Kept::always:
+            return true;
+        case cell::Kept::in_refined_maps:
+            return job.refine.levels > 0;
+        case cell::Kept::in_sweeps:
+            return job.kind == Kind::sweep;
+        case cell::Kept::of_many_starts:
+            return job.starts.count > 0;
+        case cell::Kept::of_rigid_stops:
+            return is_rigid(job.contact);
+        case cell::Kept::on_request:
+            break;
+    }
+    const OptionalField field = quantity.keeping.field.value();
+    return job.output.has(field) || (job.kind == Kind::basin && field == OptionalField::orbit);
+}
+
+std::vector<const cell::Quantity*> stored_quantities(const Job& job) {
+    std::vector<const cell::Quantity*> stored;
+    for (const cell::Quantity& quantity : cell::quantities) {
+        if (stores(job, quantity)) stored.push_back(&quantity);
+    }
+    return stored;
+}
+
+std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Job& job) {
+    std::vector<const cell::AttractorQuantity*> stored;
+    if (job.starts.count == 0) return stored;
+    for (const cell::AttractorQuantity& quantity : cell::attractor_quantities) {
+        const std::optional<OptionalField> field = quantity.keeping.field;
+        if (!field || job.output.has(*field)) stored.push_back(&quantity);
+    }
+    return stored;
+}
+
+}  // namespace peterka::job
