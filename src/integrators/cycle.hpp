@@ -21,7 +21,7 @@ class CycleIntegration {
         : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, local_tolerance})),
           stepper_(std::make_unique<Stepper>(*leg_, method)),
           events_(*leg_, *stepper_) {
-        if (std::holds_alternative<scene::Restitution<double>>(scene.contact)) {
+        if (scene::is_rigid(scene.contact)) {
             course_.emplace(scene, RigidStop<double>(scene));
         }
     }

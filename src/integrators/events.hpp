@@ -175,7 +175,7 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     constexpr int most_looks = 50;
     // Of the fastest time: the fourth power is beyond rounding, or, where the law's force is not smooth at
     // delta = 0, the power of 1.5.
-    const bool smooth = !std::holds_alternative<scene::HuntCrossley<double>>(leg_->scene.contact);
+    const bool smooth = scene::has_smooth_force(leg_->scene.contact);
     const double short_step = smooth ? 1e-4 : 1e-7;
     auto& [below, above] = bracket;
     const SignalCurve curve(below, above);

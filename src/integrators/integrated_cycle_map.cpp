@@ -23,10 +23,10 @@ constexpr double implicit_share = 0.004;
 
 constexpr double tight = 2e-8;  // below it the explicit method of order 8 is faster than the one of order 5
 
-// Fehlberg's error estimate of order 8 sees only the ends of a step: it is blind to what Hunt and Crossley's
-// force does at first touch, where it is not smooth.
+// Fehlberg's error estimate of order 8 sees only the ends of a step: it is blind to what a force that is not
+// smooth does at first touch.
 bool suits_order_8(const Oscillator<double>& scene) {
-    return !std::holds_alternative<scene::HuntCrossley<double>>(scene.contact);
+    return scene::has_smooth_force(scene.contact);
 }
 
 }  // namespace

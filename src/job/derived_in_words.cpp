@@ -16,8 +16,10 @@ std::string in_words(const KelvinVoigt& stop, const Job& job) {
     return fmt::format("kappa = ki/k = {:.6g}, chi = ci/(m omega) = {:.6g}", numbers.kappa, numbers.chi);
 }
 
-std::string in_words(const Restitution&, const Job&) {
-    return "the stop is rigid";
+// Of a law whose numbers have no names of their own.
+template <class Law>
+std::string in_words(const Law& /*stop*/, const Job& /*job*/) {
+    return Law::is_rigid ? "the stop is rigid" : fmt::format("the stop is \"{}\"", Law::name);
 }
 
 std::string in_words(const HuntCrossley& stop, const Job& job) {

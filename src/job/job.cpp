@@ -9,8 +9,16 @@
 
 namespace peterka::job {
 
+ContactLaw law_of(const Contact& contact) {
+    return std::visit([](const auto& stop) { return stop.law; }, contact);
+}
+
 bool is_rigid(const Contact& contact) {
     return std::visit([](const auto& stop) { return stop.is_rigid; }, contact);
+}
+
+bool has_closed_form(const Contact& contact) {
+    return std::visit([](const auto& stop) { return stop.has_closed_form; }, contact);
 }
 
 double Hammer::stiffness() const {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -46,9 +47,17 @@ struct Cart {
     friend bool operator==(const Cart&, const Cart&) = default;
 };
 
+// Each law of the stop is a struct: its word in the file, what it is, and its keys.
+// - is_rigid: it turns the hammer round at once, by forces beyond any bound
+// - has_closed_form: between events the motion is linear, so that `exact` and `split` carry it
+enum class ContactLaw { kelvin_voigt, restitution, hunt_crossley };
+
 // Spring-dashpot stop: F = ki delta + ci delta' while it presses, 0 otherwise (law = "kelvin_voigt").
 struct KelvinVoigt {
+    static constexpr ContactLaw law = ContactLaw::kelvin_voigt;
+    static constexpr std::string_view name = "kelvin_voigt";
     static constexpr bool is_rigid = false;
+    static constexpr bool has_closed_form = true;
     double stiffness_n_per_m = 0;
     double damping_ns_per_m = 0;
     friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
@@ -56,14 +65,20 @@ struct KelvinVoigt {
 
 // Rigid stop: an impact turns the speed v into -r v (law = "restitution").
 struct Restitution {
+    static constexpr ContactLaw law = ContactLaw::restitution;
+    static constexpr std::string_view name = "restitution";
     static constexpr bool is_rigid = true;
+    static constexpr bool has_closed_form = true;
     double coefficient = 0;  // r
     friend bool operator==(const Restitution&, const Restitution&) = default;
 };
 
 // Nonlinear stop: F = K delta^n (1 + D delta') while it presses, 0 otherwise (law = "hunt_crossley").
 struct HuntCrossley {
+    static constexpr ContactLaw law = ContactLaw::hunt_crossley;
+    static constexpr std::string_view name = "hunt_crossley";
     static constexpr bool is_rigid = false;
+    static constexpr bool has_closed_form = false;
     double stiffness_n_per_m_pow_n = 0;  // K
     double exponent = 1.5;               // n
     double dissipation_s_per_m = 0;      // D
@@ -72,8 +87,9 @@ struct HuntCrossley {
 
 using Contact = std::variant<KelvinVoigt, Restitution, HuntCrossley>;
 
-// Whether the stop turns the hammer round at once, by forces beyond any bound.
+[[nodiscard]] ContactLaw law_of(const Contact& contact);
 [[nodiscard]] bool is_rigid(const Contact& contact);
+[[nodiscard]] bool has_closed_form(const Contact& contact);
 
 // `points` values from `from` to `to`, both included, evenly spaced (or evenly in the logarithm).
 struct Axis {

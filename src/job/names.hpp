@@ -5,14 +5,12 @@
 #include <array>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "job/job.hpp"
 
 namespace peterka::job {
-
-// In the order of the variant Contact.
-enum class ContactLaw { kelvin_voigt, restitution, hunt_crossley };
 
 template <typename Choice>
 struct Named {
@@ -45,11 +43,15 @@ struct Names<StudyTopic> {
                                     Named{StudyTopic::stability, "stability"}};
 };
 
+template <class... Laws>
+constexpr std::array<Named<ContactLaw>, sizeof...(Laws)> names_of_laws(
+    const std::variant<Laws...>* /*contact*/) {
+    return {Named<ContactLaw>{Laws::law, Laws::name}...};
+}
+
 template <>
 struct Names<ContactLaw> {
-    static constexpr std::array all{Named{ContactLaw::kelvin_voigt, "kelvin_voigt"},
-                                    Named{ContactLaw::restitution, "restitution"},
-                                    Named{ContactLaw::hunt_crossley, "hunt_crossley"}};
+    static constexpr auto all = names_of_laws(static_cast<const Contact*>(nullptr));
 };
 
 template <>
@@ -115,10 +117,6 @@ template <typename Choice>
     names.reserve(std::size(Names<Choice>::all));
     for (const auto& named : Names<Choice>::all) names.push_back(named.name);
     return names;
-}
-
-[[nodiscard]] inline ContactLaw law_of(const Contact& contact) {
-    return static_cast<ContactLaw>(contact.index());
 }
 
 struct AxisNames {

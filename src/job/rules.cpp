@@ -42,12 +42,12 @@ std::string rule_of_resolution(std::string_view axis_name, const Axis& axis) {
 
 std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const Solver& solver) {
     const bool closed_form = solver.engine == EngineChoice::exact || solver.engine == EngineChoice::split;
-    if (closed_form && std::holds_alternative<HuntCrossley>(contact)) {
+    if (closed_form && !has_closed_form(contact)) {
         return fmt::format(
-            "solver.engine = \"{}\" has no law \"hunt_crossley\"; its closed form is that of a linear contact; "
+            "solver.engine = \"{}\" has no law \"{}\"; its closed form is that of a linear contact; "
             "use "
             "\"auto\", \"cvode\" or \"arkode\"",
-            name(solver.engine));
+            name(solver.engine), name(law_of(contact)));
     }
     if (hammer.cubic_stiffness_n_per_m3 == 0 || solver.engine != EngineChoice::exact) return {};
     return fmt::format(
@@ -60,7 +60,7 @@ std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const S
 
 std::string rule_of_rigid_stop(const Contact& contact, std::string_view start_name, double start,
                                std::string_view gap_name, double gap) {
-    if (!std::holds_alternative<Restitution>(contact) || start <= gap) return {};
+    if (!is_rigid(contact) || start <= gap) return {};
     return fmt::format(
         "{} = {} lies beyond a rigid stop at {} = {}; no hammer is there; start it at {} or less, or take the "
         "stop further away",
@@ -125,7 +125,7 @@ std::string rule_of_cells(const Study& study) {
 }
 
 std::string rule_of_study(const Contact& contact) {
-    if (std::holds_alternative<KelvinVoigt>(contact)) return {};
+    if (law_of(contact) == ContactLaw::kelvin_voigt) return {};
     return "a study needs contact.law = \"kelvin_voigt\"; it compares ways to follow a spring and a dashpot, "
            "and "
            "brings other stops along where it needs them; give the stop's stiffness and damping";
@@ -154,7 +154,7 @@ std::string rule_of_trace(const Job& job) {
         return "trace.duration_s is missing; a cart at rest (frequency_ratio = 0) has no forcing cycles to "
                "show; give the seconds to show";
     }
-    if (eta == 0 && std::holds_alternative<Restitution>(job.contact)) {
+    if (eta == 0 && is_rigid(job.contact)) {
         return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
                "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }

@@ -82,6 +82,13 @@ inline constexpr std::array stop_keys{StopKey{"stiffness_n_per_m", ContactLaw::k
                                       StopKey{"exponent", ContactLaw::hunt_crossley},
                                       StopKey{"dissipation_s_per_m", ContactLaw::hunt_crossley}};
 
+template <class... Laws>
+Contact contact_with_defaults(ContactLaw law, const std::variant<Laws...>& /*contact*/) {
+    Contact contact;
+    ((law == Laws::law ? void(contact = Laws{}) : void()), ...);
+    return contact;
+}
+
 template <typename Walker>
 void describe(Walker& table, Contact& contact) {
     auto law = law_of(contact);
@@ -92,8 +99,7 @@ void describe(Walker& table, Contact& contact) {
         for (const StopKey& key : stop_keys) table.skip({key.name});
         return;
     }
-    if (law != law_of(contact) && law == ContactLaw::restitution) contact = Restitution{};
-    if (law != law_of(contact) && law == ContactLaw::hunt_crossley) contact = HuntCrossley{};
+    if (law != law_of(contact)) contact = contact_with_defaults(law, contact);
     for (const StopKey& key : stop_keys) {
         if (key.law != law) table.refuse(key.name, reason_for_other_law(key.law));
     }

@@ -32,7 +32,7 @@ trajectory::Integrator integrator_of(const scene::Oscillator<double>& scene, Eng
 }
 
 CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
-    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
+    const bool rigid = scene::is_rigid(scene.contact);
     switch (settings.engine) {
         case Engine::exact:
             break;
@@ -57,7 +57,7 @@ double effect_of_cubic(const scene::Oscillator<double>& scene, double largest_di
 }
 
 bool has_nonlinear_contact(const scene::Oscillator<double>& scene) {
-    return std::holds_alternative<scene::HuntCrossley<double>>(scene.contact);
+    return !scene::has_closed_form(scene.contact);
 }
 
 Engine cheaper_integrator(const scene::Oscillator<double>& scene) {
@@ -88,7 +88,7 @@ Engine fit_with_cubic(const scene::Oscillator<double>& scene, const job::Solver&
 }  // namespace
 
 bool has_batch(const scene::Oscillator<double>& scene, Engine engine) {
-    if (!std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) return false;
+    if (scene.spring_dashpot() == nullptr) return false;
     const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
     return engine == Engine::exact || (engine == Engine::split && relative);
 }

@@ -91,13 +91,9 @@ std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x)
 }
 
 Settling::Contact Settling::contact_of(const scene::Oscillator<double>& scene) {
-    if (std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact)) {
-        return trajectory::LinearContact<double>(scene);
-    }
-    if (std::holds_alternative<scene::Restitution<double>>(scene.contact)) {
-        return trajectory::RigidContact<double>(scene);
-    }
-    return std::monostate{};
+    if (scene.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(scene);
+    if (scene::is_rigid(scene.contact)) return trajectory::RigidContact<double>(scene);
+    return std::monostate{};  // no proof without a closed form
 }
 
 bool Settling::may_settle() const {

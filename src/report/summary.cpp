@@ -203,8 +203,7 @@ bool strikes(const Statistics& statistics) {
 
 std::string forces(const SummaryInput& input) {
     const auto& largest = input.findings.statistics.largest;
-    if (job::law_of(input.scene.job().contact) == job::ContactLaw::restitution &&
-        strikes(input.findings.statistics)) {
+    if (job::is_rigid(input.scene.job().contact) && strikes(input.findings.statistics)) {
         return "\nNo peak forces: a rigid stop strikes with forces beyond any bound. Ask for impact_speed or "
                "impulse\n"
                "under [output] fields instead.\n";

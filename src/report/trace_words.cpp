@@ -37,7 +37,7 @@ std::string proof_in_words(const StoredCell& cell) {
 
 // F/(m g0)
 std::string force_in_words(double ratio, const scene::Scene& scene) {
-    const bool rigid = std::holds_alternative<job::Restitution>(scene.job().contact);
+    const bool rigid = job::is_rigid(scene.job().contact);
     if (std::isnan(ratio)) return rigid ? "none (the stop is rigid)" : "not known";
     const Scales& scales = scene.scales();
     return fmt::format("{}, {:.6g} weights", readable_amount(ratio * scales.weight_n, "N", 6), ratio);

@@ -40,8 +40,14 @@ struct Oscillator {
     // How far the cart moves from its middle: what the absolute form of the cubic adds to the hammer's reach.
     [[nodiscard]] Real cart_reach() const { return frequency > 0 ? 1 : 0; }
 
-    // The spring-dashpot stop, for what is written for it alone; std::bad_variant_access for another law.
+    // The stop if it is a spring and dashpot: what is written for that alone asks so.
+    [[nodiscard]] const KelvinVoigt<Real>* spring_dashpot() const {
+        return std::get_if<KelvinVoigt<Real>>(&contact);
+    }
+    // The spring-dashpot stop and the rigid one, for what is written for it alone; std::bad_variant_access for
+    // another law.
     [[nodiscard]] const KelvinVoigt<Real>& kelvin_voigt() const { return std::get<KelvinVoigt<Real>>(contact); }
+    [[nodiscard]] const Restitution<Real>& restitution() const { return std::get<Restitution<Real>>(contact); }
     [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }
 };
 

@@ -1,7 +1,5 @@
 #include "scene/scales.hpp"
 
-#include <variant>
-
 #include "job/derived.hpp"
 
 namespace peterka::scene {
@@ -39,22 +37,6 @@ double Scales::in_unit_of_file(double number, cell::Dimension dimension) const {
     return number;
 }
 
-namespace {
-
-ContactLaw<double> stop_of(const job::CellNumbers& numbers) {
-    if (const auto* stop = std::get_if<job::KelvinVoigt>(&numbers.contact)) {
-        const auto derived = derive(*stop, numbers.hammer);
-        return KelvinVoigt<double>{derived.kappa, derived.chi};
-    }
-    if (const auto* stop = std::get_if<job::HuntCrossley>(&numbers.contact)) {
-        const auto derived = derive(*stop, numbers.hammer, numbers.cart);
-        return HuntCrossley<double>{derived.stiffness, stop->exponent, derived.dissipation};
-    }
-    return Restitution<double>{std::get<job::Restitution>(numbers.contact).coefficient};
-}
-
-}  // namespace
-
 Oscillator<double> oscillator_of(const job::Job& job) {
     return oscillator_of(numbers_in(job));
 }
@@ -63,7 +45,7 @@ Oscillator<double> oscillator_of(const job::CellNumbers& numbers) {
     const double amplitude = numbers.cart.amplitude_m;
     return {
         .damping_ratio = derive(numbers.hammer).zeta,
-        .contact = stop_of(numbers),
+        .contact = law_of(numbers.contact, numbers.hammer, numbers.cart),
         .cubic = numbers.hammer.cubic_stiffness_n_per_m3 * amplitude * amplitude / numbers.hammer.stiffness(),
         .cubic_form = numbers.hammer.cubic};
 }

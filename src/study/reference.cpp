@@ -18,7 +18,7 @@ using trajectory::TaylorCycleMap;
 
 std::variant<ExactCycleMap<Extended>, TaylorCycleMap> make_map(const Oscillator<double>& scene) {
     const auto extended = scene::in_precision<Extended>(scene);
-    const bool linear = scene.cubic == 0 && std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact);
+    const bool linear = scene.cubic == 0 && scene.spring_dashpot() != nullptr;
     if (linear) return ExactCycleMap<Extended>(extended);
     return TaylorCycleMap(extended);
 }

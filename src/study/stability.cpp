@@ -32,8 +32,7 @@ constexpr std::array<const char*, 4> outcome_names{"agrees", "says_why_not", "wr
 
 // Which laws an engine knows.
 bool fits(Engine engine, const Oscillator<double>& scene, const EngineSettings& settings) {
-    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
-    const bool linear = rigid || std::holds_alternative<scene::KelvinVoigt<double>>(scene.contact);
+    const bool linear = scene::has_closed_form(scene.contact);
     switch (engine) {
         case Engine::exact:
             return linear && scene.cubic == 0;

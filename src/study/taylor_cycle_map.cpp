@@ -368,13 +368,21 @@ class RigidMotion : private TaylorMotion {
 }  // namespace
 
 MeasuredCycle<TaylorCycleMap::Real> TaylorCycleMap::operator()(const State<Real>& x) const {
-    if (const auto* law = std::get_if<scene::KelvinVoigt<Real>>(&scene_.contact)) {
-        return ForcedMotion(scene_, x, taylor::KelvinVoigtForce(*law)).run();
-    }
-    if (const auto* law = std::get_if<scene::HuntCrossley<Real>>(&scene_.contact)) {
-        return ForcedMotion(scene_, x, taylor::HuntCrossleyForce(*law)).run();
-    }
-    return RigidMotion(scene_, x, std::get<scene::Restitution<Real>>(scene_.contact).coefficient).run();
+    return std::visit(
+        [&]<class Law>(const Law& law) -> MeasuredCycle<Real> {
+            if constexpr (Law::Given::is_rigid) {
+                return RigidMotion(scene_, x, law.coefficient).run();
+            } else if constexpr (std::is_same_v<Law, scene::KelvinVoigt<Real>>) {
+                return ForcedMotion(scene_, x, taylor::KelvinVoigtForce(law)).run();
+            } else if constexpr (std::is_same_v<Law, scene::HuntCrossley<Real>>) {
+                return ForcedMotion(scene_, x, taylor::HuntCrossleyForce(law)).run();
+            } else {  // a force without a series here
+                MeasuredCycle<Real> none;
+                none.outcome = Cycle<Real>::Outcome::solver_failed;
+                return none;
+            }
+        },
+        scene_.contact);
 }
 
 }  // namespace peterka::trajectory

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "trajectory/equation_of_motion.hpp"
 
@@ -14,7 +13,7 @@ Quantities quantities(const scene::Oscillator<double>& scene, const Moment& mome
     const double pull =
         trajectory::acceleration(scene, Phase::flight, x, moment.angle).value;  // u'' without a stop
     const bool presses = moment.phase == Phase::contact;
-    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
+    const bool rigid = scene::is_rigid(scene.contact);
     // at rest on a rigid stop the force balances all others
     const double force = !presses ? 0 : std::max(0.0, rigid ? pull : trajectory::contact_force(scene, x));
     return {.cart = wave,

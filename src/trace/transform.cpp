@@ -15,9 +15,8 @@ Transform::Transform(const scene::Oscillator<double>& scene, double from, double
     : scene_(scene), from_(from), to_(to), step_(step), lines_(static_cast<std::size_t>(lines)) {}
 
 void Transform::touch(double speed) {
-    const auto* rigid = std::get_if<scene::Restitution<double>>(&scene_.contact);
-    if (rigid == nullptr || now() < from_ || !(now() < to_)) return;
-    const double impulse = (1 + rigid->coefficient) * speed;
+    if (!scene::is_rigid(scene_.contact) || now() < from_ || !(now() < to_)) return;
+    const double impulse = (1 + scene_.restitution().coefficient) * speed;
     add({now() - from_, impulse, -impulse});
 }
 
@@ -25,7 +24,7 @@ void Transform::look(const Stretch& stretch) {
     const double begin = std::max(from_ - stretch.begin, 0.0);
     const double end = std::min(to_ - stretch.begin, stretch.length);
     if (!(end > begin)) return;
-    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene_.contact);
+    const bool rigid = scene::is_rigid(scene_.contact);
     constexpr double most_pieces =
         10'000;  // for the contact's own rate: in a stiffer one its first part is enough
     const double largest_frequency = step_ * static_cast<double>(lines_.size());

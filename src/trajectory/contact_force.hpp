@@ -75,40 +75,39 @@ struct Grip {
     Real growth = 0;  // relative, of that factor by delta
 };
 
+template <class Law, class Real>
+Grip<Real> grip(const Law& law, const scene::State<Real>& x) {
+    const ContactResponse<Real> f = contact_response(law, x);
+    return {.value = f.force, .by_position = f.by_position, .by_velocity = f.by_velocity};
+}
+
+template <class Real>
+Grip<Real> grip(const scene::HuntCrossley<Real>& law, const scene::State<Real>& x) {
+    return {.value = 1 + law.dissipation * x[1],
+            .by_velocity = law.dissipation,
+            .force_per_value = law.stiffness * std::pow(std::abs(x[0]), law.exponent),
+            .growth = law.exponent / x[0]};
+}
+
 template <class Real>
 Grip<Real> grip(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
-    if (const auto* law = std::get_if<scene::HuntCrossley<Real>>(&scene.contact)) {
-        return {.value = 1 + law->dissipation * x[1],
-                .by_velocity = law->dissipation,
-                .force_per_value = law->stiffness * std::pow(std::abs(x[0]), law->exponent),
-                .growth = law->exponent / x[0]};
-    }
-    const ContactResponse<Real> f = contact_response(scene, x);
-    return {.value = f.force, .by_position = f.by_position, .by_velocity = f.by_velocity};
+    return std::visit([&](const auto& law) { return grip(law, x); }, scene.contact);
 }
 
 // Whether the stop can let go while delta > 0, and whether a contact can end at delta = 0.
 template <class Real>
 bool lets_go_inside(const scene::Oscillator<Real>& scene) {
-    const auto* spring_dashpot = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact);
-    if (spring_dashpot != nullptr) return spring_dashpot->damping > 0;
-    const auto* nonlinear = std::get_if<scene::HuntCrossley<Real>>(&scene.contact);
-    return nonlinear != nullptr && nonlinear->dissipation > 0;
+    return !scene::is_rigid(scene.contact) && !scene::is_lossless(scene.contact);
 }
 template <class Real>
 bool lets_go_at_surface(const scene::Oscillator<Real>& scene) {
-    const auto* spring_dashpot = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact);
-    return spring_dashpot == nullptr || spring_dashpot->damping == 0;
+    return std::visit([](const auto& law) { return law.lets_go_at_surface(); }, scene.contact);
 }
 
 // The state next to x at which the stop just lets go, or takes hold again.
 template <class Real>
 scene::State<Real> at_release(const scene::Oscillator<Real>& scene, scene::State<Real> x) {
-    if (const auto* law = std::get_if<scene::KelvinVoigt<Real>>(&scene.contact)) {
-        x[0] = -law->damping / law->stiffness * x[1];
-    } else if (const auto* nonlinear = std::get_if<scene::HuntCrossley<Real>>(&scene.contact)) {
-        x[1] = -1 / nonlinear->dissipation;
-    }
+    std::visit([&](const auto& law) { law.move_to_release(x[0], x[1]); }, scene.contact);
     return x;
 }
 

@@ -21,7 +21,7 @@ enum class Phase : std::uint8_t { flight, contact, unloaded };
 // the hammer is in contact where it is at rest and pressed; an impact is no phase.
 template <class Real>
 Phase phase_of(const Oscillator<Real>& scene, const State<Real>& x) {
-    if (std::holds_alternative<scene::Restitution<Real>>(scene.contact)) {
+    if (scene::is_rigid(scene.contact)) {
         const bool rests = x[0] == 0 && x[1] == 0;
         return rests && RigidStop<Real>(scene).presses(0) ? Phase::contact : Phase::flight;
     }

@@ -127,9 +127,7 @@ class RigidStop {
   private:
     static constexpr Real full_turn = 2 * std::numbers::pi_v<Real>;
 
-    static Real restitution_of(const scene::Oscillator<Real>& scene) {
-        return std::get<scene::Restitution<Real>>(scene.contact).coefficient;
-    }
+    static Real restitution_of(const scene::Oscillator<Real>& scene) { return scene.restitution().coefficient; }
     static Pressing pressing_of(const scene::Oscillator<Real>& scene) {
         const Real g = scene.gap;
         Pressing pressing{.constant = -g * (1 + scene.cubic * g * g), .linear = scene.drive()};

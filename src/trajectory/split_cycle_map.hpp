@@ -149,7 +149,7 @@ inline int split_steps(const Oscillator<double>& scene, double largest_displacem
     const double share_at_stop = 3 * std::abs(scene.cubic) * reach * (std::abs(scene.gap) + cart);
     if (scene.cubic < 0 && share > 0.5) return 0;
     const double fast = std::max(1.0, scene.frequency);
-    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);  // a rigid stop isn't soft
+    const auto* voigt = scene.spring_dashpot();  // a rigid stop isn't soft
     const double second = 0.7 * std::min(share, share * share) + 0.6 * cart * share * fast * fast +
                           (voigt == nullptr ? 0.0 : 3 * share / (1 + voigt->stiffness));
     const double third = 0.1 * share_at_stop;
