@@ -55,6 +55,18 @@ def test_displacement_is_drawn_without_impacts_too(tmp_path):
     assert drawn.legend_texts() == ["unresolved", "failed"] and drawn.map_texts() == ["max 2 mm, on the map's border"]
 
 
+def test_a_quantity_that_only_the_file_knows_is_drawn_in_its_own_words_and_unit(tmp_path):
+    path = write_map(tmp_path / "a.h5", CELLS, fields={"impact_work": SPEEDS, "some_ratio": SPEEDS})
+    with SealedFile(path, "r+") as file:
+        file["impact_work"].attrs["units"] = "J"
+        file["impact_work"].attrs["long_name"] = "work of an impact"
+        file["some_ratio"].attrs["units"] = "1"
+    with PeterkaFile(path) as file:
+        assert file.quantities == ["impact_work"]
+    drawn, _ = drawn_from(path, "impact_work", tmp_path / "a.png")
+    assert drawn.figure.axes[1].get_xlabel() == "work of an impact (mJ)"
+
+
 def test_what_is_not_computed_stays_open(tmp_path):
     path = write_map(tmp_path / "a.h5", [[orbit(1, 1)] * 2, [MISSING] * 2], fields={"impulse": [[2.0] * 2, [NAN] * 2]})
     drawn, _ = drawn_from(path, "impulse", tmp_path / "a.png")

@@ -8,12 +8,14 @@ with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for 
 maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises NotDrawable.
 """
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..files.harmless import harmless
 from ..files.job_axes import axes_of_job
 from ..files.opened import NotDrawable, OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
@@ -36,6 +38,7 @@ PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
          "attractor_peak_force_ratio": REAL, "basin_share": REAL, "critical_kick": REAL}
 MAX_SLOTS = 64
+UNITS = {spellings[0] for spellings in QUANTITIES.values()} | {"N", "J"}
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
 BAND_CELLS = 2**21
 
@@ -54,8 +57,9 @@ class Axis:
 
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
-    QUANTITIES and of PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors, audit; slots,
-    the number of attractors kept for each cell (0 without [starts]), and has_kicks."""
+    """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
+    QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors,
+    audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks."""
 
     coordinates = COORDINATES  # of each kind that this class reads
 
@@ -103,6 +107,7 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
+        self.quantities += [name for name in self.data.names() if name not in QUANTITIES and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
             self.data.dataset(name, self.shape, REAL)
@@ -144,6 +149,25 @@ class PeterkaFile(OpenedFile):
         unit = self.data.attribute("units", name)
         if unit not in QUANTITIES[name]:
             raise self.refusal(f"has {name} in {shown(unit)} instead of {QUANTITIES[name][0]}")
+
+    def _is_quantity(self, name):
+        """Whether it is a number on the plane in a unit of UNITS: what later versions store is drawn, too."""
+        try:
+            self.data.dataset(name, self.shape, REAL)
+        except NotDrawable:
+            return False
+        if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
+            return False  # it names a picture's file
+        return self.data.attribute("units", name) in UNITS
+
+    def unit(self, name):
+        """Of one of the quantities."""
+        return QUANTITIES[name][0] if name in QUANTITIES else self.data.attribute("units", name)
+
+    def words(self, name):
+        """What the file says that one of the quantities is."""
+        said = self.data.attribute("long_name", name)
+        return harmless(said, None) if isinstance(said, str) else name
 
     def _check_values(self, columns):
         check_labels(self.data, columns)

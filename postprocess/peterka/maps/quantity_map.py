@@ -1,4 +1,6 @@
-"""Other numbers of the steady state over the plane of a map, where the file holds them: see TITLES.
+"""Other numbers of the steady state over the plane of a map, where the file holds them.
+
+TITLES has short words for some; of the others the file's own are shown, and its unit.
 
 Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
 """
@@ -10,7 +12,7 @@ from ..look import units
 from ..look.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
-from .map_file import QUANTITIES, PeterkaFile
+from .map_file import PeterkaFile
 
 TITLES = {
     "impact_speed": "largest impact speed",
@@ -27,13 +29,14 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
     carries, apart = field_map.has_impacts, WITHOUT_IMPACTS
     if name == "max_displacement":
         carries, apart = _proved, ("unresolved", "failed")
-    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(name, largest)), ax)
+    return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest)), ax)
 
 
 def _proved(regime, *_):
     return (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
 
 
-def _scale(name, largest):
-    factor, unit = units.with_prefix(largest, QUANTITIES[name][0])
-    return Scale(f"{TITLES[name]} ({unit})", factor, lambda value: units.amount(value, QUANTITIES[name][0]))
+def _scale(file, name, largest):
+    factor, unit = units.with_prefix(largest, file.unit(name))
+    title = TITLES.get(name) or file.words(name)
+    return Scale(f"{title} ({unit})", factor, lambda value: units.amount(value, file.unit(name)))
