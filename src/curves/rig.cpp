@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <complex>
-#include <variant>
 
 namespace peterka::curves {
 
@@ -36,12 +35,12 @@ motion::LinearEquation<double> unforced(double damping, double stiffness) {
 }
 
 double kappa_of(const scene::Oscillator<double>& scene) {
-    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);
+    const auto* voigt = scene.spring_dashpot();
     return voigt == nullptr ? 0 : voigt->stiffness;
 }
 
 double chi_of(const scene::Oscillator<double>& scene) {
-    const auto* voigt = std::get_if<scene::KelvinVoigt<double>>(&scene.contact);
+    const auto* voigt = scene.spring_dashpot();
     return voigt == nullptr ? 0 : voigt->damping;
 }
 
@@ -49,8 +48,8 @@ double chi_of(const scene::Oscillator<double>& scene) {
 
 Rig::Rig(const scene::Oscillator<double>& scene)
     : scene_(scene),
-      rigid_(std::holds_alternative<scene::Restitution<double>>(scene.contact)),
-      restitution_(rigid_ ? std::get<scene::Restitution<double>>(scene.contact).coefficient : 0),
+      rigid_(scene::is_rigid(scene.contact)),
+      restitution_(rigid_ ? scene.restitution().coefficient : 0),
       kappa_(kappa_of(scene)),
       chi_(chi_of(scene)),
       contact_damping_(scene.damping_ratio + chi_ / 2),

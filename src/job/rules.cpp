@@ -190,7 +190,7 @@ std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table) {
 }
 
 std::string rule_of_curves(const Job& job) {
-    if (std::holds_alternative<HuntCrossley>(job.contact)) {
+    if (!has_closed_form(job.contact)) {
         return "curves need contact.law = \"kelvin_voigt\" or \"restitution\"; they rest on the closed form of "
                "the motion, which a nonlinear stop has not; take one of these laws";
     }
