@@ -4,13 +4,14 @@
 #include <cmath>
 #include <variant>
 
+#include "trajectory/contact_force.hpp"
+
 namespace peterka::trajectory {
 
 namespace {
 
 using scene::HuntCrossley;
 using scene::KelvinVoigt;
-using scene::Restitution;
 
 // Integral of v dv/(1 + D v) from 0 to v: what a free hammer's speed is worth in the spring's potential.
 double work_left(double v, double dissipation) {
@@ -19,12 +20,11 @@ double work_left(double v, double dissipation) {
     return (v - std::log1p(x) / dissipation) / dissipation;
 }
 
-LinearizedContact linearized(const KelvinVoigt<double>& law, const scene::State<double>& /*x*/) {
-    return {law.damping / 2, law.stiffness};
-}
-
-LinearizedContact linearized(const Restitution<double>& /*law*/, const scene::State<double>& /*x*/) {
-    return {0, 0};
+// Of any law: the force at this state. A rigid stop has none.
+template <class Law>
+LinearizedContact linearized(const Law& law, const scene::State<double>& x) {
+    const ContactResponse<double> f = contact_response(law, x);
+    return {f.by_velocity / 2, f.by_position};
 }
 
 LinearizedContact linearized(const HuntCrossley<double>& law, const scene::State<double>& x) {
@@ -40,8 +40,20 @@ double depth_under(const KelvinVoigt<double>& law, double force) {
     return force / (1 + law.stiffness);
 }
 
-double depth_under(const Restitution<double>& /*law*/, double force) {
-    return force;
+// Of any law: where stop and springs balance the force, by halving, as forces grow with the depth; a rigid stop
+// has no force of its own.
+template <class Law>
+double depth_under(const Law& law, double force) {
+    if constexpr (Law::Given::is_rigid) return force;
+    constexpr int halvings = 60;
+    double below = 0;
+    double above = force;
+    for (int n = 0; n < halvings; ++n) {
+        const double depth = (below + above) / 2;
+        const double taken = depth + contact_response(law, scene::State<double>(depth, 0)).force;
+        (taken < force ? below : above) = depth;
+    }
+    return (below + above) / 2;
 }
 
 double depth_under(const HuntCrossley<double>& law, double force) {
