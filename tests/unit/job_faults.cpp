@@ -42,7 +42,8 @@ void replace(std::string& text, const std::string& mark, const std::string& word
     }
 }
 
-// The message, where {quoted fields} stand for all names that [output] fields takes, {fields} for those of a cell.
+// The message, where {quoted fields} and {quoted laws} stand for all names that [output] fields and contact.law
+// take, {fields} for those fields that cells have.
 std::string message_in(const std::filesystem::path& path) {
     std::vector<std::string_view> of_cells;
     for (const auto& field : Names<OptionalField>::all) {
@@ -51,6 +52,7 @@ std::string message_in(const std::filesystem::path& path) {
     std::string text = examples::content_of(path);
     replace(text, "{fields}", fmt::format("{}", fmt::join(of_cells, ", ")));
     replace(text, "{quoted fields}", quoted_list(all_names<OptionalField>()));
+    replace(text, "{quoted laws}", quoted_list(all_names<ContactLaw>()));
     return text;
 }
 

@@ -32,13 +32,13 @@ QUANTITIES = {
     "contact_power_w": ("W",),
     "max_displacement": ("m",),
 }
+UNITS = {spellings[0] for spellings in QUANTITIES.values()} | {"N", "J"}
 PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity", "peak_force_mean_ratio",
                 "peak_force_q95_ratio")
 # Of a map with [starts], on [attractor][gap_ratio][frequency_ratio]; the last one on request.
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
          "attractor_peak_force_ratio": REAL, "basin_share": REAL, "critical_kick": REAL}
 MAX_SLOTS = 64
-UNITS = {spellings[0] for spellings in QUANTITIES.values()} | {"N", "J"}
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
 BAND_CELLS = 2**21
 
@@ -56,7 +56,6 @@ class Axis:
 
 
 class PeterkaFile(OpenedFile):
-    """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors,
     audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks."""
