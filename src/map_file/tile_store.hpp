@@ -67,9 +67,9 @@ class TileStore {
     hdf5::OpenMap map_;
     parallel::Tiling tiling_;
     std::vector<quantities::Field> fields_;
-    std::int64_t samples_;                             // of a sweep, per cell and variable
+    std::int64_t samples_;                                      // of a sweep, per cell and variable
     std::vector<quantities::AttractorField> attractor_fields_;  // of a map with [starts]
-    std::int64_t kept_;                                // attractors of each cell there
+    std::int64_t kept_;                                         // attractors of each cell there
     std::vector<hdf5::Stored> datasets_;  // one per field and one per variable of which a cell has several
     hdf5::Stored checksum_;
     hdf5::Stored done_;
