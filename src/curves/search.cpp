@@ -20,19 +20,18 @@ class Search {
           most_period_(scene.job().curves.max_period),
           gaps_(scene.job().curves.gap_ratio) {}
 
-    std::optional<Findings> run() {
+    Findings run() {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
-        if (!parts) return std::nullopt;
-        map_.put_together(*parts);
+        map_.put_together(parts);
         window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_};
         cell_ = {window_.size().frequency / static_cast<double>(map_.columns() - 1),
                  window_.size().gap / static_cast<double>(map_.rows() - 1)};
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) {
             if (map_.site(cell).is_periodic(most_period_)) ++found_.periodic_cells;
         }
-        if (!trace_all(reaches_of_free_motion())) return std::nullopt;
+        trace_all(reaches_of_free_motion());
         const std::vector<Edge> edges = edges_of(map_, most_period_);
-        if (!follow_all(edges)) return std::nullopt;
+        follow_all(edges);
         count_edges(edges);
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) found_.sites.push_back(map_.site(cell));
         put_in_order();
@@ -79,7 +78,7 @@ class Search {
         return numbers;
     }
 
-    bool follow_all(const std::vector<Edge>& edges) {
+    void follow_all(const std::vector<Edge>& edges) {
         for (std::size_t next = 0; next < edges.size();) {
             std::vector<Edge> batch;
             for (; next < edges.size() && batch.size() < followed_at_once; ++next) {
@@ -88,18 +87,16 @@ class Search {
             const auto results = deal_(std::ssize(batch), [&](std::int64_t task) {
                 return follow_edge(batch[static_cast<std::size_t>(task)]);
             });
-            if (!results) return false;
             std::vector<Seed> seeds;
             for (std::size_t i = 0; i < batch.size(); ++i) {
-                NumberReader reader((*results)[i]);
+                NumberReader reader(results[i]);
                 if (reader.number() != 0) reached_.emplace_back(batch[i].from, batch[i].to);
                 if (!reader.done()) seeds.push_back(unpack_seed(reader));
             }
             found_.followed += std::ssize(batch);
-            if (!trace_all(std::move(seeds))) return false;
+            trace_all(std::move(seeds));
         }
         std::ranges::sort(reached_);
-        return true;
     }
 
     [[nodiscard]] bool is_on_known_curve(const Seed& seed) const {
@@ -121,11 +118,11 @@ class Search {
         });
     }
 
-    bool trace_all(std::vector<Seed> seeds) {
+    void trace_all(std::vector<Seed> seeds) {
         std::erase_if(seeds, [&](const Seed& seed) { return seed.point.orbit.period > most_period_; });
         while (true) {
             std::erase_if(seeds, [&](const Seed& seed) { return is_on_known_curve(seed); });
-            if (seeds.empty()) return true;
+            if (seeds.empty()) return;
             std::vector<Seed> chosen;
             std::vector<Seed> waiting;
             for (const Seed& seed : seeds) {
@@ -139,8 +136,7 @@ class Search {
                 numbers[0] = stopwatch.seconds();
                 return numbers;
             });
-            if (!results) return false;
-            for (const Numbers& numbers : *results) {
+            for (const Numbers& numbers : results) {
                 NumberReader reader(numbers);
                 const double seconds = reader.number();
                 Curve curve = unpack_curve(reader);
@@ -214,7 +210,7 @@ class Search {
 
 }  // namespace
 
-std::optional<Findings> find_curves(const scene::Scene& scene, const Deal& deal) {
+Findings find_curves(const scene::Scene& scene, const Deal& deal) {
     return Search(scene, deal).run();
 }
 

@@ -15,9 +15,9 @@
 
 namespace peterka::curves {
 
-// Has tasks 0 to count - 1 done, and gives their results in this order; none where somebody asked to stop.
+// Has tasks 0 to count - 1 done, and gives their results in this order; may throw Stopped.
 using Task = std::function<Numbers(std::int64_t task)>;
-using Deal = std::function<std::optional<std::vector<Numbers>>(std::int64_t count, const Task& task)>;
+using Deal = std::function<std::vector<Numbers>(std::int64_t count, const Task& task)>;
 
 // Edges of the coarse map; one where neither is known is unexplained.
 struct EdgeCount {
@@ -36,6 +36,6 @@ struct Findings {
     std::int64_t followed = 0;        // edges across which an orbit was followed
 };
 
-[[nodiscard]] std::optional<Findings> find_curves(const scene::Scene& scene, const Deal& deal);
+[[nodiscard]] Findings find_curves(const scene::Scene& scene, const Deal& deal);
 
 }  // namespace peterka::curves

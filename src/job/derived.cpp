@@ -31,4 +31,9 @@ HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const
             stop.dissipation_s_per_m * cart.amplitude_m * derive(hammer).omega_rad_per_s};
 }
 
+double cycles_shown(const Job& job) {
+    if (job.operating_point.frequency_ratio > 0) return static_cast<double>(job.trace.cycles);
+    return job.trace.duration_s * natural_frequency_hz(job.hammer);
+}
+
 }  // namespace peterka::job

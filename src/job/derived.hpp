@@ -28,4 +28,7 @@ struct HuntCrossleyNumbers {
 [[nodiscard]] KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer);
 [[nodiscard]] HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const Cart& cart);
 
+// That a trace shows: forcing cycles, or those of the hammer's own swinging with a cart at rest.
+[[nodiscard]] double cycles_shown(const Job& job);
+
 }  // namespace peterka::job

@@ -159,10 +159,7 @@ std::string rule_of_trace(const Job& job) {
                "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }
     if (eta == 0 && !has_rig(job)) return {};  // that is told already
-    const double cycles = eta > 0
-                              ? static_cast<double>(trace.cycles)
-                              : trace.duration_s * derive(job.hammer).omega_rad_per_s / (2 * std::numbers::pi);
-    const double samples = cycles * static_cast<double>(trace.samples_per_cycle);
+    const double samples = cycles_shown(job) * static_cast<double>(trace.samples_per_cycle);
     if (samples <= most_samples) return {};
     return fmt::format(
         "the trace would have {:.3g} samples; {:.0f} are the most that a picture could use; give fewer cycles, "

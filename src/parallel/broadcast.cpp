@@ -26,10 +26,4 @@ void broadcast(const Session& session, std::string& text) {
     checked("MPI_Bcast", MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, session.communicator()));
 }
 
-bool any_rank(const Session& session, bool here) {
-    int any = here ? 1 : 0;
-    checked("MPI_Allreduce", MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_LOR, session.communicator()));
-    return any != 0;
-}
-
 }  // namespace peterka::parallel

@@ -1,4 +1,4 @@
-// Rank 0's values for every rank, and what ranks agree on. Collective.
+// Rank 0's values for every rank. Collective.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,5 @@ namespace peterka::parallel {
 void broadcast(const Session& session, std::string& text);
 void broadcast(const Session& session, std::int64_t& number);
 void broadcast(const Session& session, double& number);
-
-// Collective: whether it is so on any rank.
-[[nodiscard]] bool any_rank(const Session& session, bool here);
 
 }  // namespace peterka::parallel

@@ -6,28 +6,30 @@
 #include "parallel/broadcast.hpp"
 #include "parallel/dealer.hpp"
 #include "parallel/worker.hpp"
-#include "support/stop_request.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::parallel {
 
 std::function<void(TileSource& tiles)> one_by_one(
-    std::function<bool(const Tile& tile, const CarryOn& carry_on)> solve_tile) {
+    std::function<void(const Tile& tile, const Look& look)> solve_tile) {
     return [solve_tile = std::move(solve_tile)](TileSource& tiles) {
-        const CarryOn carry_on = [&] { return tiles.carry_on(); };
-        while (carry_on()) {
-            const auto tile = tiles.next();
-            if (tile) {
-                try {
-                    if (!solve_tile(*tile, carry_on)) return;
-                } catch (const Stopped&) {
+        const Look look = [&] {
+            if (!tiles.carry_on()) throw Stopped();
+        };
+        try {
+            while (tiles.carry_on()) {
+                const auto tile = tiles.next();
+                if (tile) {
+                    solve_tile(*tile, look);
+                    tiles.solved(*tile);
+                } else if (tiles.ended()) {
                     return;
+                } else {
+                    wait_for_tiles();
                 }
-                tiles.solved(*tile);
-            } else if (tiles.ended()) {
-                return;
-            } else {
-                wait_for_tiles();
             }
+        } catch (const Stopped&) {
+            return;  // the tile in hand is dropped; deal_tiles tells all ranks
         }
     };
 }
@@ -36,7 +38,7 @@ void wait_for_tiles() {
     rest();
 }
 
-bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, const DealtWork& work) {
+void deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, const DealtWork& work) {
     std::int64_t all_solved = 0;
     if (session.is_root()) {
         all_solved =
@@ -47,7 +49,7 @@ bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, c
         Worker(session, tiling, work).run();
     }
     broadcast(session, all_solved);
-    return all_solved != 0;
+    if (all_solved == 0) throw Stopped();
 }
 
 }  // namespace peterka::parallel

@@ -42,19 +42,18 @@ struct DealtWork {
     std::function<void(std::int64_t cells)> on_progress;
 };
 
-// solve_tile solves one tile and stores it; it returns false if it gave the tile up because `carry_on`, to be
-// called between two cells, said so.
-using CarryOn = std::function<bool()>;
+// solve_tile solves one tile and stores it. It calls `look` between two cells, which throws Stopped where the
+// tile is to be given up.
+using Look = std::function<void()>;
 [[nodiscard]] std::function<void(TileSource& tiles)> one_by_one(
-    std::function<bool(const Tile& tile, const CarryOn& carry_on)> solve_tile);
+    std::function<void(const Tile& tile, const Look& look)> solve_tile);
 
 // Waits a moment for tiles to come, and leaves the core to others meanwhile.
 void wait_for_tiles();
 
 // Collective. `missing` holds those of the tiling's tiles that are to be solved, and counts on rank 0 alone.
-// Returns, on every rank, whether all of them were solved. A failure on any rank must end all ranks: call this
-// inside failing_ends_all.
-[[nodiscard]] bool deal_tiles(const Session& session, const Tiling& tiling, TileSet missing,
-                              const DealtWork& work);
+// Throws Stopped, on every rank, where somebody asked to stop before all of them were solved. A failure on any
+// rank must end all ranks: call this inside failing_ends_all.
+void deal_tiles(const Session& session, const Tiling& tiling, TileSet missing, const DealtWork& work);
 
 }  // namespace peterka::parallel

@@ -95,8 +95,8 @@ scene::State<double> start_from(const Ended& last, const scene::Cell& cell) {
 
 }  // namespace
 
-std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
-                                                      const std::function<bool()>& carry_on) {
+std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
+                                       const std::function<void()>& look) {
     const job::Branch branch = scene.job().sweep.branch(row);
     const auto samples = static_cast<std::size_t>(scene.job().sweep.samples);
     std::vector<BranchPoint> points(static_cast<std::size_t>(scene.columns()), {{}, SteadyMotion(samples), 0});
@@ -108,7 +108,7 @@ std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene,
         if (last) cell.start = start_from(*last, cell);
         CycleDesk desk;
         const Task<CellResult> search = solve_cell(desk, scene.job(), cell, {}, &motion);
-        if (!run(search, desk, carry_on)) return std::nullopt;
+        run(search, desk, look);
         result = search.result();
         if (motion.end && branch.direction != job::Direction::independent) {
             last = ended(cell, *motion.end);

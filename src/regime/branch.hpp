@@ -30,10 +30,9 @@ struct BranchPoint {
     double gap = 0;  // [A0]
 };
 
-// The points in the order of the axis, whatever the direction; nothing where carry_on, asked every
-// now and then, says to give up.
-[[nodiscard]] std::optional<std::vector<BranchPoint>> follow_branch(const scene::Scene& scene, std::int64_t row,
-                                                                    const std::function<bool()>& carry_on);
+// The points in the order of the axis, whatever the direction. `look`, called every now and then, may throw.
+[[nodiscard]] std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
+                                                     const std::function<void()>& look);
 
 // Marks where peak force jumps from one point to the next in the branch's direction. It changes by more than a
 // twentieth of the branch's largest one; by more than twice as much as in the steps before and after between

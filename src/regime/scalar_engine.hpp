@@ -42,21 +42,20 @@ class ScalarEngine {
     std::int64_t engine_ = 0;
 };
 
-// Runs a search to its end, or until carry_on, asked every now and then, says to give up: then false.
+// Runs a search to its end, or until `look`, called every now and then, throws.
 template <class Result>
-bool run(const Task<Result>& search, CycleDesk& desk, const std::function<bool()>& carry_on) {
-    constexpr std::size_t cycles_between_questions = 64;
+void run(const Task<Result>& search, CycleDesk& desk, const std::function<void()>& look) {
+    constexpr std::size_t cycles_between_looks = 64;
     ScalarEngine engine;
     search.start();
-    for (std::size_t cycles = cycles_between_questions; !search.done();) {
-        if (cycles >= cycles_between_questions) {
-            if (!carry_on()) return false;
+    for (std::size_t cycles = cycles_between_looks; !search.done();) {
+        if (cycles >= cycles_between_looks) {
+            look();
             cycles = 0;
         }
         cycles += desk.order().cycles;
         engine.serve(desk);
     }
-    return true;
 }
 
 // Runs a search to its end.

@@ -60,23 +60,39 @@ std::string regime_line(const Statistics& statistics, Regime regime, const char*
                        readable_share(cells, statistics.counts.cells), meaning);
 }
 
-// What a cell without a regime ran into, with the number of such cells.
+// What a cell without a regime ran into, or what a proof leaves open.
+const char* in_words(regime::Status status) {
+    using regime::Status;
+    switch (status) {
+        case Status::proved:
+            return "proved";
+        case Status::budget:
+            return "no proof within steady_state.max_cycles";
+        case Status::conservative:
+            return "nothing dissipates, so nothing settles";
+        case Status::too_many_events:
+            return "too many contacts in one cycle";
+        case Status::not_finite:
+            return "numbers grew out of range";
+        case Status::solver_failed:
+            return "the integrator gave up";
+        case Status::rounding:
+            return "rounding decides the label; the last bit of the start turns it";
+        case Status::imprecise:
+            return "the peak force may be off by more than solver.tolerance";
+        case Status::chaotic_so_far:
+            return "chaotic for max_cycles, too few in this rig to tell chaos from a long transient";
+    }
+    return "";
+}
+
+// With the number of such cells.
 std::string reasons(std::span<const std::int64_t> cells_by_status) {
-    constexpr std::array words{
-        "",
-        "no proof within steady_state.max_cycles",
-        "nothing dissipates, so nothing settles",
-        "too many contacts in one cycle",
-        "numbers grew out of range",
-        "the integrator gave up",
-        "",
-        "",
-        "chaotic for max_cycles, too few in this rig to tell chaos from a long transient"};
     std::string text;
-    for (std::size_t status = 0; status < std::min(words.size(), cells_by_status.size()); ++status) {
+    for (std::size_t status = 0; status < cells_by_status.size(); ++status) {
         if (cells_by_status[status] == 0) continue;
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", readable_count(cells_by_status[status]),
-                            words[status]);
+                            in_words(static_cast<regime::Status>(status)));
     }
     return text;
 }
@@ -91,18 +107,12 @@ std::string observed(const findings::Observed& chaos) {
 
 // What proofs leave open.
 std::string open_ends(const findings::Counts& counts) {
-    const auto cells = [&](regime::Status status) {
-        return counts.open_by_status[static_cast<std::size_t>(status)];
-    };
     std::string text;
-    if (const std::int64_t hanging = cells(regime::Status::rounding); hanging > 0) {
-        text += fmt::format("  rounding decides the label of {} of these: the last bit of the start turns it\n",
-                            readable_count(hanging));
-    }
-    if (const std::int64_t imprecise = cells(regime::Status::imprecise); imprecise > 0) {
-        text +=
-            fmt::format("  the peak force of {} of these may be off by more than solver.tolerance (status)\n",
-                        readable_count(imprecise));
+    for (std::size_t status = 1; status < counts.open_by_status.size();
+         ++status) {  // but those that are proved
+        if (counts.open_by_status[status] == 0) continue;
+        text += fmt::format("  {} of these: {}\n", readable_count(counts.open_by_status[status]),
+                            in_words(static_cast<regime::Status>(status)));
     }
     return text;
 }

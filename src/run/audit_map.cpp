@@ -87,10 +87,10 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
 
 }  // namespace
 
-bool audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+void audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
                const StopRequest& stop, map_file::MapFile& file) {
     const std::int64_t samples = map_file::audit_rows(plan.job);
-    if (samples == 0) return true;
+    if (samples == 0) return;
     file.settle();
     const map_file::AuditTable table = file.audit();
     const parallel::Tiling tiling({samples, 1});
@@ -103,17 +103,16 @@ bool audit_map(const parallel::Session& session, const RunPlan& plan, const scen
     }
     Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
                       "audit");
-    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::Look& look) {
         for (std::int64_t index = tile.row; index < tile.row + tile.size(); ++index) {
-            if (!carry_on()) return false;
+            look();
             table.write(index, audit_cell(scene, sampled_cell(scene, index, samples, file), file));
         }
-        return true;
     };
-    return parallel::deal_tiles(session, tiling, std::move(missing),
-                                {.solve = parallel::one_by_one(solve_tile),
-                                 .stop_requested = [&] { return stop.requested(); },
-                                 .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
+    parallel::deal_tiles(session, tiling, std::move(missing),
+                         {.solve = parallel::one_by_one(solve_tile),
+                          .stop_requested = [&] { return stop.requested(); },
+                          .on_progress = [&](std::int64_t solved) { progress.add(solved); }});
 }
 
 }  // namespace peterka

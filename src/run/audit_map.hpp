@@ -12,9 +12,9 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all, once all tiles are there. Returns false, on every rank, if somebody
+// Collective, inside failing_ends_all, once all tiles are there. Throws Stopped, on every rank, if somebody
 // asked to stop before the end; the audited cells are kept.
-[[nodiscard]] bool audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
-                             const StopRequest& stop, map_file::MapFile& file);
+void audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+               const StopRequest& stop, map_file::MapFile& file);
 
 }  // namespace peterka

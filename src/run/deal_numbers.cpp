@@ -4,33 +4,24 @@
 
 #include "parallel/collective.hpp"
 #include "parallel/dealing.hpp"
-#include "support/stop_if_asked.hpp"
 
 namespace peterka {
 
-std::optional<std::vector<std::vector<double>>> deal_numbers(
+std::vector<std::vector<double>> deal_numbers(
     const parallel::Session& session, const StopRequest& stop, std::int64_t count,
     const std::function<std::vector<double>(std::int64_t task)>& solve) {
     std::vector<std::vector<double>> results(static_cast<std::size_t>(count));
     if (count == 0) return results;
     std::vector<double> mine;  // task, length, numbers; and so on
-    const auto solve_task = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
-        if (!carry_on()) return false;
-        try {
-            const std::vector<double> numbers = solve(tile.row);
-            mine.insert(mine.end(), {static_cast<double>(tile.row), static_cast<double>(numbers.size())});
-            mine.insert(mine.end(), numbers.begin(), numbers.end());
-        } catch (const Stopped&) {
-            return false;
-        }
-        return true;
+    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Look& /*look*/) {
+        const std::vector<double> numbers = solve(tile.row);
+        mine.insert(mine.end(), {static_cast<double>(tile.row), static_cast<double>(numbers.size())});
+        mine.insert(mine.end(), numbers.begin(), numbers.end());
     };
-    const bool solved =
-        parallel::deal_tiles(session, parallel::Tiling({count, 1}, {1, 1}), parallel::TileSet::all(count),
-                             {.solve = parallel::one_by_one(solve_task),
-                              .stop_requested = [&] { return stop.requested(); },
-                              .on_progress = [](std::int64_t) {}});
-    if (!solved) return std::nullopt;
+    parallel::deal_tiles(session, parallel::Tiling({count, 1}, {1, 1}), parallel::TileSet::all(count),
+                         {.solve = parallel::one_by_one(solve_task),
+                          .stop_requested = [&] { return stop.requested(); },
+                          .on_progress = [](std::int64_t) {}});
     const std::vector<double> all = parallel::gather<double>(mine, session.communicator());
     for (std::span<const double> left(all); !left.empty();) {
         const auto length = static_cast<std::size_t>(left[1]);

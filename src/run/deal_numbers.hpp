@@ -11,9 +11,9 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. The results of tasks 0 to count - 1, in this order; nothing, on every
-// rank, if somebody asked to stop before the end.
-[[nodiscard]] std::optional<std::vector<std::vector<double>>> deal_numbers(
+// Collective, inside failing_ends_all. The results of tasks 0 to count - 1, in this order; throws Stopped,
+// on every rank, if somebody asked to stop before the end.
+[[nodiscard]] std::vector<std::vector<double>> deal_numbers(
     const parallel::Session& session, const StopRequest& stop, std::int64_t count,
     const std::function<std::vector<double>(std::int64_t task)>& solve);
 

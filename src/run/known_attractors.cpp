@@ -53,19 +53,16 @@ void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, pa
 
 }  // namespace
 
-std::optional<regime::AttractorTable> find_known_attractors(const parallel::Session& session,
-                                                            const scene::Scene& scene,
-                                                            const StopRequest& stop) {
+regime::AttractorTable find_known_attractors(const parallel::Session& session, const scene::Scene& scene,
+                                             const StopRequest& stop) {
     if (scene.job().kind != job::Kind::basin) return regime::AttractorTable();
     const scene::Scene pilots(pilot_job(scene.job()));
     const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
     std::vector<Found> mine;
-    const bool solved =
-        parallel::deal_tiles(session, tiling, parallel::TileSet::all(tiling.count()),
-                             {.solve = [&](auto& source) { solve_pilots(pilots, tiling, source, mine); },
-                              .stop_requested = [&] { return stop.requested(); },
-                              .on_progress = [](std::int64_t) {}});
-    if (!solved) return std::nullopt;
+    parallel::deal_tiles(session, tiling, parallel::TileSet::all(tiling.count()),
+                         {.solve = [&](auto& source) { solve_pilots(pilots, tiling, source, mine); },
+                          .stop_requested = [&] { return stop.requested(); },
+                          .on_progress = [](std::int64_t) {}});
 
     std::vector<Found> all = parallel::gather<Found>(mine, session.communicator());
     std::ranges::stable_sort(all, {}, &Found::pilot);
@@ -73,13 +70,9 @@ std::optional<regime::AttractorTable> find_known_attractors(const parallel::Sess
     found.reserve(all.size());
     for (const Found& each : all) found.push_back(each.attractor);
     const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(tiling.count());
-    std::optional<regime::AttractorTable> table;
-    try {
-        table.emplace(scene.cell(0, 0).oscillator, found, cells_each);
-    } catch (const Stopped&) {
-        table.reset();
-    }
-    if (parallel::any_rank(session, !table)) return std::nullopt;
+    regime::AttractorTable table;
+    parallel::together(session.communicator(),
+                       [&] { table = regime::AttractorTable(scene.cell(0, 0).oscillator, found, cells_each); });
     return table;
 }
 

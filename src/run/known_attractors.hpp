@@ -11,10 +11,9 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Empty for a map, each of whose cells has attractors of its own. Nothing,
-// on every rank, if somebody asked to stop before the end.
-[[nodiscard]] std::optional<regime::AttractorTable> find_known_attractors(const parallel::Session& session,
-                                                                          const scene::Scene& scene,
-                                                                          const StopRequest& stop);
+// Collective, inside failing_ends_all. Empty for a map, each of whose cells has attractors of its own. Throws
+// Stopped, on every rank, if somebody asked to stop before the end.
+[[nodiscard]] regime::AttractorTable find_known_attractors(const parallel::Session& session,
+                                                           const scene::Scene& scene, const StopRequest& stop);
 
 }  // namespace peterka

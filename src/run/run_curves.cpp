@@ -38,24 +38,30 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
     const Stopwatch wall;
     const StopRequest stop(plan.max_wall_seconds);
     const std::string hosts = host_names(session, plan);
-    ExitCode code = ExitCode::stopped_early;
+    ExitCode code = ExitCode::done;
     std::string words;
-    parallel::failing_ends_all(session, [&] {
+    const auto find_and_write = [&] {
         const scene::Scene scene(plan.job);
         const auto found = curves::find_curves(scene, [&](std::int64_t count, const curves::Task& task) {
             return deal_numbers(session, stop, count, task);
         });
-        if (!found) return;
-        code = ExitCode::done;
         if (!session.is_root()) return;
         map_file::write_whole_file(plan.file, plan.job, map_file::collect_provenance(),
-                                   {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, *found)},
+                                   {{{"omitted", omitted_text(scene)}}, curves::tables_of(scene, found)},
                                    {session.size(), wall.seconds(), hosts});
         if (plan.quiet) return;
         words = fmt::format("{}\n{}This run: {} on {} {}\nCurves file {}\nDraw it     postprocess/draw.py {}\n",
-                            curves::in_words(scene, *found), curves::speed_in_words(*found),
+                            curves::in_words(scene, found), curves::speed_in_words(found),
                             readable_duration(wall.seconds()), session.size(),
-                            session.size() == 1 ? "rank" : "ranks", plan.file.string(), plan.file.string());
+                            session.size() == 1 ? "rank" : "ranks", plan.file.string(),
+                            shell_word(plan.file.string()));
+    };
+    parallel::failing_ends_all(session, [&] {
+        try {
+            find_and_write();
+        } catch (const Stopped&) {
+            code = ExitCode::stopped_early;  // all ranks come here together
+        }
     });
     if (code == ExitCode::stopped_early && session.is_root()) {
         tell(

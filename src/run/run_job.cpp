@@ -114,21 +114,18 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
         };
         try {
             if (complete) refuse_damage(plan, file.remaining_tiles());
-            const bool all_there = complete || solve_missing_tiles(session, plan, scene, stop, file);
+            if (!complete) solve_missing_tiles(session, plan, scene, stop, file);
             solve_seconds = solving.seconds();
-            if (complete || (all_there && audit_map(session, plan, scene, stop, file))) {
-                const findings::Statistics statistics = file.statistics();
-                const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
-                if (!complete) file.finish(statistics, omitted, facts());
-                words = summary(
-                    session, plan, scene,
-                    {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)}, wall);
-                code = judge(session, plan, statistics);
-            }
-        } catch (const Stopped&) {
-            // All ranks come here together, out of a pass over the whole file (parallel::together).
-        }
-        if (code == ExitCode::stopped_early) {
+            if (!complete) audit_map(session, plan, scene, stop, file);
+            const findings::Statistics statistics = file.statistics();
+            const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
+            if (!complete) file.finish(statistics, omitted, facts());
+            words = summary(session, plan, scene,
+                            {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)},
+                            wall);
+            code = judge(session, plan, statistics);
+        } catch (const Stopped&) {  // all ranks come here together
+            if (solve_seconds == 0) solve_seconds = solving.seconds();
             if (!complete) file.record(facts());
             say_how_to_continue(session, plan, stop);
         }

@@ -9,7 +9,7 @@
 #include "job/names.hpp"
 #include "map_file/provenance.hpp"
 #include "map_file/whole_file.hpp"
-#include "parallel/broadcast.hpp"
+#include "parallel/collective.hpp"
 #include "run/solve_tasks.hpp"
 #include "run/words.hpp"
 #include "study/topic.hpp"
@@ -29,38 +29,30 @@ std::string closing_words(const Session& session, const RunPlan& plan, const Sto
     const std::string file = plan.file.string();
     return fmt::format("\nThis run: {} on {} {}\nStudy file {}\nDraw it    postprocess/draw.py {}\n",
                        readable_duration(wall.seconds()), session.size(),
-                       session.size() == 1 ? "rank" : "ranks", file, file);
+                       session.size() == 1 ? "rank" : "ranks", file, shell_word(file));
 }
 
-// The references that results are compared with take a while, too. Nothing, on every rank, if somebody asked to
-// stop.
+// The references that results are compared with take a while, too.
 std::optional<study::AnyTopic> make_topic(const Session& session, const RunPlan& plan) {
     std::optional<study::AnyTopic> topic;
-    try {
-        topic.emplace(study::make_topic(plan.job));
-    } catch (const Stopped&) {
-        topic.reset();
-    }
-    if (parallel::any_rank(session, !topic)) return std::nullopt;
+    parallel::together(session.communicator(), [&] { topic.emplace(study::make_topic(plan.job)); });
     return topic;
 }
 
+// Gives what is to be printed.
 template <study::Topic Topic>
-ExitCode run_topic(const Session& session, const RunPlan& plan, const Topic& topic, const StopRequest& stop,
-                   std::string& words) {
+std::string run_topic(const Session& session, const RunPlan& plan, const Topic& topic,
+                      const StopRequest& stop) {
     const Stopwatch wall;
     const auto results = solve_tasks(session, plan, topic, stop);
     const map_file::RunFacts facts{session.size(), wall.seconds(), host_names(session, plan)};
-    if (!results) return ExitCode::stopped_early;
-    if (!session.is_root()) return ExitCode::done;
+    if (!session.is_root()) return "";
     map_file::write_whole_file(
         plan.file, plan.job, map_file::collect_provenance(),
-        {{{"topic", std::string(job::name(plan.job.study.topic))}}, topic.tables(*results)}, facts);
-    if (!plan.quiet) {
-        words = fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
-                            topic.summary(*results), closing_words(session, plan, wall));
-    }
-    return ExitCode::done;
+        {{{"topic", std::string(job::name(plan.job.study.topic))}}, topic.tables(results)}, facts);
+    if (plan.quiet) return "";
+    return fmt::format("\n{}\n{}{}", plan.job.title.empty() ? "(no title)" : plan.job.title,
+                       topic.summary(results), closing_words(session, plan, wall));
 }
 
 }  // namespace
@@ -72,13 +64,15 @@ ExitCode run_study(const Session& session, const RunPlan& plan) {
     }
     parallel::on_root(session, [&] { map_file::require_place(plan.file, largest_study); });
     const StopRequest stop(plan.max_wall_seconds);
-    ExitCode code = ExitCode::stopped_early;
+    ExitCode code = ExitCode::done;
     std::string words;
     parallel::failing_ends_all(session, [&] {
-        const auto topic = make_topic(session, plan);
-        if (!topic) return;
-        code =
-            std::visit([&](const auto& each) { return run_topic(session, plan, each, stop, words); }, *topic);
+        try {
+            const auto topic = make_topic(session, plan);
+            words = std::visit([&](const auto& each) { return run_topic(session, plan, each, stop); }, *topic);
+        } catch (const Stopped&) {
+            code = ExitCode::stopped_early;  // all ranks come here together
+        }
     });
     if (code == ExitCode::stopped_early && session.is_root()) {
         tell(

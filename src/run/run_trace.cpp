@@ -22,10 +22,10 @@ namespace peterka {
 namespace {
 
 // Far above what the samples and the spectra take [bytes].
-std::int64_t largest_trace(const job::Trace& trace, double cycles) {
+std::int64_t largest_trace(const job::Job& job) {
     constexpr double columns = 12 * sizeof(double);
-    const double samples = cycles * static_cast<double>(trace.samples_per_cycle) +
-                           static_cast<double>(trace.impact_samples + trace::most_lines);
+    const double samples = job::cycles_shown(job) * static_cast<double>(job.trace.samples_per_cycle) +
+                           static_cast<double>(job.trace.impact_samples + trace::most_lines);
     return 2'000'000 + static_cast<std::int64_t>(samples * columns);
 }
 
@@ -90,9 +90,7 @@ ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
         if (plan.existing == map_file::Existing::complete && !plan.map_cell) {
             return print_complete(plan);
         }
-        const job::Trace& trace = plan.job.trace;
-        const double natural = trace.duration_s * scene::scales_of(plan.job).frequency_rad_per_s / 6;
-        map_file::require_place(plan.file, largest_trace(trace, static_cast<double>(trace.cycles) + natural));
+        map_file::require_place(plan.file, largest_trace(plan.job));
         std::string words;
         try {
             words = run_alone(plan, session.size(), hosts);

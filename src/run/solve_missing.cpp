@@ -82,11 +82,10 @@ class RefinedRegions {
 
 // Branches of a sweep, one after the other.
 std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& scene, MapFile& file) {
-    return parallel::one_by_one([&](const Tile& tile, const parallel::CarryOn& carry_on) {
+    return parallel::one_by_one([&](const Tile& tile, const parallel::Look& look) {
         const Stopwatch stopwatch;
-        const auto points = regime::follow_branch(scene, tile.row, carry_on);
-        if (points) file.write_branch(tile, *points, stopwatch.seconds());
-        return points.has_value();
+        const auto points = regime::follow_branch(scene, tile.row, look);
+        file.write_branch(tile, points, stopwatch.seconds());
     });
 }
 
@@ -101,7 +100,7 @@ parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan
 
 }  // namespace
 
-bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scene::Scene& scene,
+void solve_missing_tiles(const Session& session, const RunPlan& plan, const scene::Scene& scene,
                          const StopRequest& stop, MapFile& file) {
     const bool refines = plan.job.refine.levels > 0;
     const parallel::Tiling tiling =
@@ -109,22 +108,21 @@ bool solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     parallel::TileSet missing = find_missing_tiles(session, plan, file);
     if (refines) missing = refine::regions_with(missing, file.tiling(), tiling);
     const std::int64_t cells_missing = parallel::cells_in(missing, tiling);
-    if (cells_missing == 0) return true;
+    if (cells_missing == 0) return;
     Progress progress(progress_style(session, plan), plan.job.cells(), plan.job.cells() - cells_missing);
-    const auto known = find_known_attractors(session, scene, stop);
-    if (!known) return false;
+    const regime::AttractorTable known = find_known_attractors(session, scene, stop);
     RefinedRegions regions(plan.job, file);
     const TileWork work = refines ? regions.work() : whole_tiles(file);
-    const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, *known, work, source); };
+    const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, known, work, source); };
     const bool sweeps = plan.job.kind == job::Kind::sweep;
-    return parallel::deal_tiles(session, tiling, std::move(missing),
-                                {.solve = sweeps ? whole_branches(scene, file) : solve,
-                                 .stop_requested = [&] { return stop.requested(); },
-                                 .on_progress =
-                                     [&](std::int64_t solved) {
-                                         file.require_presence();
-                                         progress.add(solved);
-                                     }});
+    parallel::deal_tiles(session, tiling, std::move(missing),
+                         {.solve = sweeps ? whole_branches(scene, file) : solve,
+                          .stop_requested = [&] { return stop.requested(); },
+                          .on_progress =
+                              [&](std::int64_t solved) {
+                                  file.require_presence();
+                                  progress.add(solved);
+                              }});
 }
 
 }  // namespace peterka

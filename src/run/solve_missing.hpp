@@ -9,9 +9,8 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Returns false, on every rank, if somebody asked to stop before the end.
-[[nodiscard]] bool solve_missing_tiles(const parallel::Session& session, const RunPlan& plan,
-                                       const scene::Scene& scene, const StopRequest& stop,
-                                       map_file::MapFile& file);
+// Collective, inside failing_ends_all. Throws Stopped, on every rank, if somebody asked to stop before the end.
+void solve_missing_tiles(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
+                         const StopRequest& stop, map_file::MapFile& file);
 
 }  // namespace peterka

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +15,11 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Nothing, on every rank, if somebody asked to stop before the end.
+// Collective, inside failing_ends_all. Throws Stopped, on every rank, if somebody asked to stop before the end.
 template <study::Topic Topic>
-[[nodiscard]] std::optional<std::vector<typename Topic::Result>> solve_tasks(const parallel::Session& session,
-                                                                             const RunPlan& plan,
-                                                                             const Topic& topic,
-                                                                             const StopRequest& stop) {
+[[nodiscard]] std::vector<typename Topic::Result> solve_tasks(const parallel::Session& session,
+                                                              const RunPlan& plan, const Topic& topic,
+                                                              const StopRequest& stop) {
     using Result = typename Topic::Result;
     struct Solved {
         std::int64_t task = 0;
@@ -31,16 +29,13 @@ template <study::Topic Topic>
     const parallel::Tiling tiling({tasks, 1}, {1, 1});
     std::vector<Solved> mine;
     Progress progress(progress_style(session, plan), tasks, 0, "compare");
-    const auto solve_task = [&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
-        if (!carry_on()) return false;
+    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Look& /*look*/) {
         mine.push_back({tile.row, topic.solve(tile.row)});
-        return true;
     };
-    const bool solved = parallel::deal_tiles(session, tiling, parallel::TileSet::all(tasks),
-                                             {.solve = parallel::one_by_one(solve_task),
-                                              .stop_requested = [&] { return stop.requested(); },
-                                              .on_progress = [&](std::int64_t done) { progress.add(done); }});
-    if (!solved) return std::nullopt;
+    parallel::deal_tiles(session, tiling, parallel::TileSet::all(tasks),
+                         {.solve = parallel::one_by_one(solve_task),
+                          .stop_requested = [&] { return stop.requested(); },
+                          .on_progress = [&](std::int64_t done) { progress.add(done); }});
     std::vector<Result> results(static_cast<std::size_t>(tasks));
     for (const Solved& each : parallel::gather<Solved>(mine, session.communicator())) {
         results[static_cast<std::size_t>(each.task)] = each.result;

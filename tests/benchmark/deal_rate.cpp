@@ -73,16 +73,16 @@ ExitCode run(const Session& session, std::int64_t tiles) {
     std::vector<double> waits;
     const Stopwatch wall;
     const double before = processor_seconds();
-    const bool done = parallel::deal_tiles(session, tiling, apart,
-                                           {.solve =
-                                                [&](TileSource& source) {
-                                                    if (session.is_root())
-                                                        only_serve(source);
-                                                    else
-                                                        waits = take_all(source);
-                                                },
-                                            .stop_requested = [] { return false; },
-                                            .on_progress = [](std::int64_t) {}});
+    parallel::deal_tiles(session, tiling, apart,
+                         {.solve =
+                              [&](TileSource& source) {
+                                  if (session.is_root())
+                                      only_serve(source);
+                                  else
+                                      waits = take_all(source);
+                              },
+                          .stop_requested = [] { return false; },
+                          .on_progress = [](std::int64_t) {}});
     const double busy = processor_seconds() - before;
     const double mine = session.is_root() ? 0 : median(waits);
     double longest = 0;
@@ -93,7 +93,7 @@ ExitCode run(const Session& session, std::int64_t tiles) {
         fmt::print("{:>6}{:>10}{:>14.0f}{:>14.3f}{:>14.3f}\n", session.size(), tiles, count / wall.seconds(),
                    1e6 * busy / count, 1e6 * longest);
     }
-    return done ? ExitCode::done : ExitCode::internal;
+    return ExitCode::done;
 }
 
 }  // namespace

@@ -70,20 +70,24 @@ ExitCode run(const Session& session, const Task& task) {
     std::int64_t progress_cells = 0;
     std::int64_t own_tiles = 0;
     const parallel::DealtWork work{
-        .solve = parallel::one_by_one([&](const parallel::Tile& tile, const parallel::CarryOn& carry_on) {
+        .solve = parallel::one_by_one([&](const parallel::Tile& tile, const parallel::Look& look) {
             if (own_tiles == 2) fail_if_asked(session, task);
             for (int cell = 0; cell < 4; ++cell) {
-                if (!carry_on()) return false;
+                look();
                 count_up(tile.index);
             }
             ++solved[static_cast<std::size_t>(tile.index)];
             ++own_tiles;
-            return true;
         }),
         .stop_requested = [&] { return task.what == "stop" && session.rank() == task.rank && own_tiles >= 2; },
         .on_progress = [&](std::int64_t cells) { progress_cells += cells; },
     };
-    const bool finished = parallel::deal_tiles(session, tiling, tiles_to_do(task), work);
+    bool finished = true;
+    try {
+        parallel::deal_tiles(session, tiling, tiles_to_do(task), work);
+    } catch (const Stopped&) {
+        finished = false;
+    }
     sum_up(session, finished, solved, progress_cells);
     return finished ? ExitCode::done : ExitCode::stopped_early;
 }

@@ -11,6 +11,7 @@
 #include "regime/branch.hpp"
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace peterka::regime {
 namespace {
@@ -25,12 +26,8 @@ job::Job sweep_job(double gap, double from, double to, std::int64_t points, Dire
     return job;
 }
 
-bool always() {
-    return true;
-}
-
 std::vector<BranchPoint> branch(const job::Job& job) {
-    return follow_branch(scene::Scene(job), 0, always).value();
+    return follow_branch(scene::Scene(job), 0, [] {});
 }
 
 bool is(const CellResult& cell, int impacts, int period) {
@@ -215,10 +212,13 @@ TEST(Branch, AFailedPointIsData) {
 }
 
 TEST(Branch, GivesUpWhenAskedTo) {
-    int questions = 0;
+    int looks = 0;
     const scene::Scene scene(sweep_job(0, 1.4, 2.4, 51, Direction::up));
-    EXPECT_FALSE(follow_branch(scene, 0, [&] { return ++questions < 4; }).has_value());
-    EXPECT_EQ(questions, 4);
+    const auto look = [&] {
+        if (++looks == 4) throw Stopped();
+    };
+    EXPECT_THROW((void)follow_branch(scene, 0, look), Stopped);
+    EXPECT_EQ(looks, 4);
 }
 
 std::vector<BranchPoint> with_forces(const std::vector<double>& forces, Regime regime) {

@@ -63,8 +63,8 @@ TEST(Summary, RegimesWithSharesAndOnlyThoseThatOccur) {
     EXPECT_TRUE(contains(line_with(text, "no impact"), "60.0 %")) << text;
     EXPECT_TRUE(contains(line_with(text, "chaotic  "), "for the 370 to 1,234 cycles that were observed"))
         << text;
-    EXPECT_TRUE(contains(text, "rounding decides the label of 6 of these")) << text;
-    EXPECT_TRUE(contains(text, "the peak force of 2 of these may be off")) << text;
+    EXPECT_TRUE(contains(text, "6 of these: rounding decides the label")) << text;
+    EXPECT_TRUE(contains(text, "2 of these: the peak force may be off by more than")) << text;
     EXPECT_FALSE(contains(text, "sustained")) << text;
 }
 
@@ -73,6 +73,17 @@ TEST(Summary, CellsWithoutARegimeComeWithReasons) {
     EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: no proof within steady_state.max_cycles")) << text;
     EXPECT_TRUE(contains(line_with(text, "unresolved"), "1: nothing dissipates")) << text;
     EXPECT_TRUE(contains(line_with(text, "failed"), "1: numbers grew out of range")) << text;
+}
+
+TEST(Summary, NoStatusIsLeftWithoutWords) {
+    for (std::size_t status = 1; status < cell::status_names.size(); ++status) {
+        findings::Statistics statistics = statistics_of_a_hundred_cells();
+        statistics.counts.unresolved_by_status = {};
+        statistics.counts.unresolved_by_status[status] = 4321;
+        const std::string line = line_with(summary(statistics), "4,321: ");
+        EXPECT_TRUE(contains(line, "unresolved")) << cell::status_names[status];
+        EXPECT_FALSE(line.ends_with("4,321: ")) << cell::status_names[status];
+    }
 }
 
 TEST(Summary, ClassesByFrequency) {
