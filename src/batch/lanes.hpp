@@ -79,7 +79,7 @@ constexpr Field after(Field field, std::size_t places) {
     return static_cast<Field>(index_of(field) + places);
 }
 constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
-// Those that don't change from cycle to cycle: the first of them hang on the gap always.
+// Those that don't change from cycle to cycle: the first of them depend on the gap always.
 constexpr std::size_t gap_fields = index_of(Field::frequency);
 constexpr std::size_t cell_fields = index_of(Field::delta_0);
 

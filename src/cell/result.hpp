@@ -87,7 +87,7 @@ bool same_label(const Result<a_units>& a, const Result<b_units>& b) {
     return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
 }
 
-// Whether a motion of this regime repeats itself, so that its numbers hang on no window.
+// Whether a motion of this regime repeats itself, so that its numbers depend on no window.
 inline bool has_period(Regime regime) {
     return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
 }

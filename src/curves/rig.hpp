@@ -3,7 +3,7 @@
 //
 //     delta'' + 2 b delta' + w2 delta = eta^2 sin(eta tau) - g,
 // with b = zeta, w2 = 1 in flight, and b = zeta + chi/2, w2 = 1 + kappa while a spring-dashpot stop presses.
-// A small change of the state is carried by the leg's flow, which hangs on its length alone, and at an event by
+// A small change of the state is carried by the leg's flow, which depends on its length alone, and at an event by
 // its saltation matrix: [[1, 0], [-chi, 1]] at the touch of a spring-dashpot stop,
 // [[-r, 0], [(1 + r) a/v, -r]] with a = eta^2 sin(theta) - g at that of a rigid one; 1 elsewhere.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace peterka::curves {
 
-// Where a leg ends, and what that hangs on.
+// Where a leg ends, and what that depends on.
 struct LegEnd {
     State<double> state;
     Jacobian<double> by_start;  // the flow
@@ -89,7 +89,7 @@ class Rig {
     double kappa_ = 0;
     double chi_ = 0;
     double contact_damping_ = 0;
-    motion::LinearMotion<double> flight_;  // for their flows, which hang on no place
+    motion::LinearMotion<double> flight_;  // for their flows, which depend on no place
     motion::LinearMotion<double> contact_;
 };
 

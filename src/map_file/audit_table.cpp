@@ -34,7 +34,7 @@ constexpr hdf5::Variable columns[] = {
     {"period", hdf5::Number::int32, -1, "1", "period q of z = p/q by it in forcing cycles"},
     {"peak_force_ratio", hdf5::Number::float64, regime::unknown, "1", "peak impact force over hammer weight by it, F/(m g0)"},
     {force_error, hdf5::Number::float64, regime::unknown, "1", "relative error of the map's peak force against it; NaN where there is nothing to compare"},
-    {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label hangs on rounding; NaN where they agree"},
+    {sensitivity, hdf5::Number::float64, regime::unknown, "1", "where labels differ: ln of the largest growth of a perturbation in either run; above about 20 the label depends on rounding; NaN where they agree"},
     {agrees, hdf5::Number::int8, not_audited, "", "whether regime and p/q of the map are the same", agreeing_names},
 };
 constexpr hdf5::Variable start_columns[] = {

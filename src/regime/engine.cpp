@@ -14,7 +14,7 @@ namespace {
 // frequency, or where a contact that lasts for a whole cycle would take more steps than an implicit method ever
 // does.
 bool contact_is_stiff(const scene::Oscillator<double>& scene) {
-    // an impact at the cart's speed or so, for laws whose rates hang on it
+    // an impact at the cart's speed or so, for laws whose rates depend on it
     const double response = trajectory::response_length(scene);
     const scene::State<double> impact(trajectory::static_depth(scene, response + std::abs(scene.gap)),
                                       response * std::max(1.0, scene.frequency));
@@ -116,7 +116,7 @@ void EngineByReach::choose(double largest_displacement) {
 }
 
 bool EngineByReach::must_change(double reached) {
-    constexpr int most_changes = 2;  // one does, unless the reach itself hangs on the kicks
+    constexpr int most_changes = 2;  // one does, unless the reach itself depends on the kicks
     if (changes_ == most_changes || !goes_too_far(scene_, settings_, reached)) return false;
     ++changes_;
     choose(reached);

@@ -81,7 +81,7 @@ class Growth {
         if (square > 1e60 || square < 1e-60) normalise();
     }
 
-    // ln G, see ErrorGrowth. Above about 20 a label hangs on rounding.
+    // ln G, see ErrorGrowth. Above about 20 a label depends on rounding.
     [[nodiscard]] double sensitivity() const { return errors_.largest(); }
     [[nodiscard]] double exponent() const { return mean_; }  // per forcing cycle
     // Mean of -ln |det J| per cycle: how fast whatever lies together in the plane of states is drawn together.

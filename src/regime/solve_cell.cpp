@@ -140,7 +140,7 @@ class Solution {
     }
 
     // Keeps every term, in a search with this tolerance; an orbit found has the one asked for. The engine and
-    // its steps hang on the largest displacement.
+    // its steps depend on the largest displacement.
     Task<CellResult> with_all_terms(double largest_displacement, double tolerance) {
         EngineByReach engine(cell_.oscillator, solver_, largest_displacement, tolerance);
         CellResult result;

@@ -171,7 +171,8 @@ class Words {
                                 value(band.first), value(band.last));
         }
         if (found.bands.size() > widest.size()) {
-            text += fmt::format(" and {} narrower ones", found.bands.size() - widest.size());
+            const std::size_t others = found.bands.size() - widest.size();
+            text += fmt::format(" and {} narrower {}", others, others == 1 ? "band" : "bands");
         }
         return text;
     }

@@ -18,7 +18,7 @@ using map_file::AuditRow;
 using quantities::StoredCell;
 using regime::Regime;
 
-// The largest force of a motion without a period hangs on the window in which it was observed.
+// The largest force of a motion without a period depends on the window in which it was observed.
 double force_error(const StoredCell& cell, const StoredCell& again) {
     const bool settled = again.regime == Regime::periodic || again.regime == Regime::sustained_contact;
     if (!settled || !regime::same_label(cell, again) || !(again.peak_force > 0)) return regime::unknown;

@@ -2,7 +2,7 @@
 // the limit of an infinitely stiff stop.
 //
 // An engine agrees where its claim (regime, p, q) is that of the reference and its peak force is within ten
-// times the tolerance asked for; next to grazing and to bifurcations, where forces and regimes hang on the
+// times the tolerance asked for; next to grazing and to bifurcations, where forces and regimes depend on the
 // scene's last digits, within ten times what the tolerance changes when gap or frequency are wrong by it. An
 // engine says why not where it is unresolved or failed, with a status. A claim that the reference contradicts
 // is wrong, and so is any claim about a motion that the reference never saw settle.

@@ -118,7 +118,7 @@ def test_complete_map_has_no_notice(tmp_path):
 def test_edge_of_no_impact_is_drawn_only_with_a_damping_ratio(tmp_path, attributes, present):
     with PeterkaFile(write_map(tmp_path / "a.h5", **attributes)) as file:
         drawn = Drawn(peterka_map.draw(file), tmp_path / "a.png")
-    assert ("edge of no impact" in drawn.legend_texts()) == present
+    assert ("free swing grazes the stop" in drawn.legend_texts()) == present
     assert len(drawn.map_axes.lines) == present
 
 

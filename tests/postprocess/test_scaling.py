@@ -211,7 +211,7 @@ def test_the_picture_shows_the_replays_and_what_was_measured(tmp_path):
     solid = [line for line in ax.lines if line.get_linestyle() == "-"]
     assert len({line.get_marker() for line in solid}) == len(curves), "in grey the marker tells"
     legend = [text.get_text() for text in figure.axes[-1].get_legend().get_texts()]
-    assert legend == ["$4.1\\cdot10^{3}$ cells", "$10^{5}$ cells", "$10^{6}$ cells", "rank 0 serves at once", "measured"]
+    assert legend == ["$4.1\\cdot10^{3}$ cells", "$10^{5}$ cells", "$10^{6}$ cells", "rank 0 answers without delay", "measured"]
     assert "330 000 runs a second" in " ".join(figure._suptitle.get_text().split())
     box, page = figure.axes[-1].get_legend().get_window_extent(), figure.bbox
     assert page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0
@@ -270,7 +270,7 @@ CHANCE = 1e-3 * (0.2 + np.random.default_rng(5).exponential(1.0, (40, 40)) ** 2)
 
 
 def lead_of_a_slow_rank_0(one_replay):
-    """By how much more efficient it is at most than one that serves at once: which it can only be by chance."""
+    """By how much more efficient it is at most than one that answers without delay: which it can only be by chance."""
     costs = TileCosts(CHANCE)
     slow, at_once = Machine(3e-6, 2e-6, 5e-4), Machine(0.0, 2e-6, 5e-4)
     return max(one_replay(costs, ranks, slow).efficiency / one_replay(costs, ranks, at_once).efficiency - 1

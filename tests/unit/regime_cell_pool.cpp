@@ -68,7 +68,7 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
     return results;
 }
 
-// Both engines round differently. A label may hang on that where a perturbation grew by e^20 (the fractal
+// Both engines round differently. A label may depend on that where a perturbation grew by e^20 (the fractal
 // boundaries of chaos), and nowhere else.
 TEST(CellPool, LabelsAWholeMapAsTheScalarEngineDoes) {
     const scene::Scene scene(linear_job(60, 50));

@@ -27,7 +27,7 @@ constexpr Fault faults[] = {{Outcome::too_many_events, Status::too_many_events},
                             {Outcome::solver_failed, Status::solver_failed},
                             {Outcome::inside_stop, Status::solver_failed}};
 
-// What engines hand over with a fault hangs on the engine; here the worst.
+// What engines hand over with a fault depends on the engine; here the worst.
 Cycle<double> broken_cycle(Outcome outcome) {
     Cycle<double> cycle;
     cycle.outcome = outcome;

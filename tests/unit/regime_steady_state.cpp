@@ -68,7 +68,7 @@ TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
             if (passage.touched) last = cycle;
             x = passage.end;
         }
-        if (cell.sensitivity > 15) continue;  // chaos on the way: the cycle hangs on rounding
+        if (cell.sensitivity > 15) continue;  // chaos on the way: the cycle depends on rounding
         EXPECT_EQ(cell.last_impact, last) << velocity;
         found.insert(last);
     }

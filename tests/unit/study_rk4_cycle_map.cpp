@@ -51,7 +51,7 @@ TEST(Rk4CycleMap, HasOrderFourWithEvents) {
     EXPECT_LT(fine.impact_time, 1e-12);
 }
 
-// The error of a single step count hangs on where the event falls in its step: a mean over many counts.
+// The error of a single step count depends on where the event falls in its step: a mean over many counts.
 double mean_error_without_events(int about) {
     double sum = 0;
     constexpr int counts = 40;

@@ -7,7 +7,7 @@ from ..maps.reduce import class_picture
 from .starts import depends_on_start
 
 WIDTH = 3.7  # in
-NAMES = ["same from all starts", "depends on the start", "no start decided but chaotic"]
+NAMES = ["same from all starts", "depends on the start", "chaotic or undecided from every start"]
 COLOURS = ["#F2F2F2", "#0072B2", "#1A1A1A"]
 
 

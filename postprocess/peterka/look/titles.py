@@ -27,7 +27,7 @@ def write_title(figure, file, extra="", ax=None):
         use_everywhere(figure)
     elif lines:
         ax.set_title("\n".join(lines), fontsize=SIZE, parse_math=False)
-    # The layout is made of labels, which hang on the layout: a first round here, the second one when it is saved.
+    # The layout is made of labels, which depend on the layout: a first round here, the second one when it is saved.
     figure.draw_without_rendering()
 
 

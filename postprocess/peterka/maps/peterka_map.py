@@ -1,6 +1,6 @@
 """The Peterka map: the class of z = p/q over Omega/omega and gap/A0 (the paper's Fig. 22), or over any other axes.
 
-The dashed line is the edge of no impact of a hammer at rest in its steady state, gap/A0 = P: the amplitude P of the
+Along the dashed line the free swing of the hammer grazes the stop in its steady state, gap/A0 = P: the amplitude P of the
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
 stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
 
@@ -116,7 +116,7 @@ def _draw_edge_of_no_impact(ax, file):
 
 
 def _edge_entry(file):
-    return [] if _damping_ratio(file) is None else [Line2D([], [], label="edge of no impact", **EDGE_LOOK)]
+    return [] if _damping_ratio(file) is None else [Line2D([], [], label="free swing grazes the stop", **EDGE_LOOK)]
 
 
 def _damping_ratio(file):

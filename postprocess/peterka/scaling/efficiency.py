@@ -1,7 +1,7 @@
 """Parallel efficiency against ranks: the measured tiles dealt again to any number of ranks (dealing), for maps of
 several sizes, and next to it what was measured.
 
-Dotted: rank 0 serves at once. Where a line leaves its dotted one, rank 0 is what the others wait for; where the dotted
+Dotted: rank 0 answers without delay. Where a line leaves its dotted one, rank 0 is what the others wait for; where the dotted
 one falls, there are too few tiles for so many ranks.
 """
 
@@ -29,7 +29,7 @@ class Curve:
     cells: int
     tiles: tuple  # rows and columns
     replays: list  # of dealing.Replay
-    ideal: list  # the same with a rank 0 that serves at once
+    ideal: list  # the same with a rank 0 that answers without delay
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ def draw(record, curves, measured, machine):
     handles = [Line2D([], [], color=COLOURS[number % len(COLOURS)], marker=MARKERS[number % len(MARKERS)],
                       markersize=3.5, linewidth=1.1, label=f"{_power(one.cells)} cells")
                for number, one in enumerate(curves)]
-    handles.append(Line2D([], [], color="#555555", linestyle=":", linewidth=1.0, label="rank 0 serves at once"))
+    handles.append(Line2D([], [], color="#555555", linestyle=":", linewidth=1.0, label="rank 0 answers without delay"))
     if measured:
         handles.append(Line2D([], [], **_MEASURED, label="measured"))
     figure, (ax,) = axes.diagram(WIDTH, HEIGHT, handles)

@@ -11,7 +11,7 @@ from math import ceil, sqrt
 from .dealing import deal_size, typical
 from .tile_costs import TileCosts
 
-BEST_PART = 0.9  # efficiency over that of a rank 0 that serves at once, below which there is something to remedy
+BEST_PART = 0.9  # efficiency over that of a rank 0 that answers without delay, below which there is something to remedy
 BUSY = 0.8  # share of its time that rank 0 may spend on serving
 GROUP_SIZES = (100, 200, 500, 1000)  # ranks
 
