@@ -12,6 +12,7 @@
 #include "regime/solve_cell.hpp"
 #include "report/audit_summary.hpp"
 #include "report/axis_words.hpp"
+#include "report/regime_words.hpp"
 #include "report/starts_inside.hpp"
 #include "report/starts_summary.hpp"
 #include "report/sweep_summary.hpp"
@@ -50,123 +51,6 @@ std::string heading(const SummaryInput& input) {
 std::string starts(const SummaryInput& input) {
     const std::string inside = starts_inside(input.scene);
     return inside.empty() ? "" : fmt::format("{}\n", inside);
-}
-
-std::string regime_line(const Statistics& statistics, Regime regime, const char* name,
-                        const std::string& meaning) {
-    const std::int64_t cells = statistics.cells_of(regime);
-    if (cells == 0) return "";
-    return fmt::format("  {:<18}{:>14}{:>9}   {}\n", name, readable_count(cells),
-                       readable_share(cells, statistics.counts.cells), meaning);
-}
-
-// What a cell without a regime ran into, or what a proof leaves open.
-const char* in_words(regime::Status status) {
-    using regime::Status;
-    switch (status) {
-        case Status::proved:
-            return "proved";
-        case Status::budget:
-            return "no proof within steady_state.max_cycles";
-        case Status::conservative:
-            return "nothing dissipates, so nothing settles";
-        case Status::too_many_events:
-            return "too many contacts in one cycle";
-        case Status::not_finite:
-            return "numbers grew out of range";
-        case Status::solver_failed:
-            return "the integrator gave up";
-        case Status::rounding:
-            return "rounding decides the label; the last bit of the start turns it";
-        case Status::imprecise:
-            return "the peak force may be off by more than solver.tolerance";
-        case Status::chaotic_so_far:
-            return "chaotic for max_cycles, too few in this rig to tell chaos from a long transient";
-    }
-    return "";
-}
-
-// With the number of such cells.
-std::string reasons(std::span<const std::int64_t> cells_by_status) {
-    std::string text;
-    for (std::size_t status = 0; status < cells_by_status.size(); ++status) {
-        if (cells_by_status[status] == 0) continue;
-        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", readable_count(cells_by_status[status]),
-                            in_words(static_cast<regime::Status>(status)));
-    }
-    return text;
-}
-
-std::string observed(const findings::Observed& chaos) {
-    if (chaos.most == 0) return "filled from chaotic cells around";
-    const std::string cycles = chaos.fewest == chaos.most
-                                   ? readable_count(chaos.most)
-                                   : readable_count(chaos.fewest) + " to " + readable_count(chaos.most);
-    return fmt::format("chaotic for the {} cycles that were observed; it may settle later", cycles);
-}
-
-// What proofs leave open.
-std::string open_ends(const findings::Counts& counts) {
-    std::string text;
-    for (std::size_t status = 1; status < counts.open_by_status.size();
-         ++status) {  // but those that are proved
-        if (counts.open_by_status[status] == 0) continue;
-        text += fmt::format("  {} of these: {}\n", readable_count(counts.open_by_status[status]),
-                            in_words(static_cast<regime::Status>(status)));
-    }
-    return text;
-}
-
-std::string regimes(const SummaryInput& input) {
-    const Statistics& statistics = input.findings.statistics;
-    return "\nWhat the hammer settles into\n" +
-           regime_line(statistics, Regime::no_impact, "no impact", "it swings without reaching the stop") +
-           regime_line(statistics, Regime::periodic, "periodic",
-                       "z = p/q: p impacts in q forcing cycles, for ever") +
-           regime_line(statistics, Regime::chaotic, "chaotic", observed(statistics.chaos)) +
-           regime_line(statistics, Regime::sustained_contact, "sustained contact", "it stays on the stop") +
-           regime_line(statistics, Regime::unresolved, "unresolved",
-                       reasons(statistics.counts.unresolved_by_status)) +
-           regime_line(statistics, Regime::failed, "failed", reasons(statistics.counts.failed_by_status)) +
-           open_ends(statistics.counts);
-}
-
-std::string most_frequent_classes(const Statistics& statistics) {
-    using Entry = std::pair<findings::ImpactClass, std::int64_t>;
-    constexpr std::size_t shown = 6;
-    std::vector<Entry> classes(statistics.periodic_cells.begin(), statistics.periodic_cells.end());
-    if (classes.empty()) return "";
-    std::ranges::stable_sort(classes, std::ranges::greater{}, &Entry::second);
-
-    std::string text = "  most frequent z: ";
-    for (std::size_t i = 0; i < std::min(shown, classes.size()); ++i) {
-        const auto& [impact_class, cells] = classes[i];
-        text += fmt::format("{}{}/{} {}", i == 0 ? "" : ", ", impact_class.impacts, impact_class.period,
-                            readable_share(cells, statistics.counts.cells));
-    }
-    if (classes.size() > shown) text += fmt::format(" and {} more", classes.size() - shown);
-    return text + "\n";
-}
-
-// How long impacts last that end, and who sees them in a run of so many cycles.
-std::string transients(const SummaryInput& input) {
-    const findings::Transients& ends = input.findings.statistics.transients;
-    if (!input.scene.job().output.has(job::OptionalField::last_impact)) return "";
-    if (ends.ended == 0) return "\nNo cell strikes the stop first and ends without impact.\n";
-    const double mean = static_cast<double>(ends.cycles) / static_cast<double>(ends.ended);
-    std::string text = fmt::format(
-        "\nImpacts that end\n  {} end without impact after {:.4g} cycles with impacts on "
-        "average, {} at most\n  still impacting after",
-        ends.ended == 1 ? "1 cell" : readable_count(ends.ended) + " cells", mean, readable_count(ends.longest));
-    const char* separator = " ";
-    for (std::size_t n = 0; n < findings::Transients::looks.size(); ++n) {
-        const std::int64_t look = findings::Transients::looks[n];
-        if (look >= input.scene.job().steady_state.max_cycles) break;
-        text += fmt::format("{}{} cycles: {}", separator, readable_count(look),
-                            readable_share(ends.impacting[n], ends.cells));
-        separator = ", ";
-    }
-    return text + "\n";
 }
 
 // A largest value at the border of what was looked at may go on growing beyond.
@@ -267,10 +151,10 @@ std::string omitted(const SummaryInput& input) {
 std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
-    return heading(input) + starts(input) + regimes(input) + most_frequent_classes(input.findings.statistics) +
-           starts_summary(input.scene.job(), input.findings.statistics.starts) + transients(input) +
-           forces(input) + sweep_text(input.scene, input.findings.branches) + effort(input) + audit(input) +
-           omitted(input) +
+    return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
+           starts_summary(input.scene.job(), input.findings.statistics.starts) +
+           transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
+           sweep_text(input.scene, input.findings.branches) + effort(input) + audit(input) + omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

@@ -1,0 +1,17 @@
+// What the cells of a map settle into, and what their proofs leave open.
+#pragma once
+
+#include <string>
+
+#include "findings/statistics.hpp"
+#include "findings/transients.hpp"
+#include "job/job.hpp"
+
+namespace peterka {
+
+[[nodiscard]] std::string regimes_in_words(const findings::Statistics& statistics);
+
+// How long impacts last that end, and who sees them in a run of so many cycles. Empty where nobody asked.
+[[nodiscard]] std::string transients_in_words(const job::Job& job, const findings::Transients& ends);
+
+}  // namespace peterka
