@@ -15,7 +15,7 @@ using motion::LinearMotion;
 using motion::Moment;
 using motion::Probe;
 using trajectory::first_crossing;
-using Outcome = trajectory::Search<double>::Outcome;
+using Outcome = trajectory::Crossing<double>::Outcome;
 
 // The same legs and events as those of trajectory/linear_legs.hpp and rigid_legs.hpp, with their times kept.
 class Walk {

@@ -11,9 +11,9 @@ namespace peterka::curves {
 
 namespace {
 
-class Search {
+class CurveSearch {
   public:
-    Search(const scene::Scene& scene, const Deal& deal)
+    CurveSearch(const scene::Scene& scene, const Deal& deal)
         : deal_(deal),
           rig_(scene.cell(0, 0).oscillator),
           map_(scene),
@@ -211,7 +211,7 @@ class Search {
 }  // namespace
 
 Findings find_curves(const scene::Scene& scene, const Deal& deal) {
-    return Search(scene, deal).run();
+    return CurveSearch(scene, deal).run();
 }
 
 }  // namespace peterka::curves

@@ -25,9 +25,9 @@ struct Candidate {
 };
 
 // Goes through this rank's share once, stopping at each cell that is still unexplained.
-class Search {
+class UnexplainedCells {
   public:
-    Search(const TileStore& tiles, parallel::Share share)
+    UnexplainedCells(const TileStore& tiles, parallel::Share share)
         : tiles_(tiles), next_tile_(share.first), end_(share.end) {}
 
     [[nodiscard]] Candidate next(std::span<const findings::Attractor> known) {
@@ -62,10 +62,10 @@ class Search {
 std::vector<findings::Attractor> find_attractors(const TileStore& tiles, parallel::Share share,
                                                  MPI_Comm communicator) {
     std::vector<findings::Attractor> known;
-    Search search(tiles, share);
+    UnexplainedCells unexplained(tiles, share);
     while (std::ssize(known) < attractor_capacity) {
         Candidate mine;
-        parallel::together(communicator, [&] { mine = search.next(known); });
+        parallel::together(communicator, [&] { mine = unexplained.next(known); });
         const std::vector<Candidate> all = parallel::gather<Candidate>(std::span(&mine, 1), communicator);
         const Candidate lowest = *std::ranges::min_element(all, {}, &Candidate::place);
         if (lowest.place == Candidate{}.place) break;

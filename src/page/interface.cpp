@@ -105,12 +105,12 @@ void give_points(const std::vector<scene::State<double>>& states) {
     }
 }
 
-void give_samples(const std::vector<trace::Moment>& moments) {
+void give_samples(const std::vector<trace::Instant>& instants) {
     samples.clear();
     const trace::Carrier carrier = live->carrier();
-    for (const trace::Moment& moment : moments) {
-        const trace::Quantities q = trace::quantities(carrier.scene, moment);
-        samples.insert(samples.end(), {moment.time, q.cart, q.relative, q.relative_velocity, q.force});
+    for (const trace::Instant& instant : instants) {
+        const trace::Quantities q = trace::quantities(carrier.scene, instant);
+        samples.insert(samples.end(), {instant.time, q.cart, q.relative, q.relative_velocity, q.force});
     }
 }
 
@@ -165,7 +165,7 @@ const double* peterka_points() {
 int peterka_follow(int steady, int cycles, int samples_per_cycle) {
     motion_start = steady > 0 ? live->steady_start() : live->start();
     motion = follow(live->carrier(), motion_start, cycles, samples_per_cycle);
-    give_samples(motion.moments);
+    give_samples(motion.instants);
     give_points(motion.points);
     give_impacts();
     give_multipliers(motion.jacobian);

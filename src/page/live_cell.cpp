@@ -44,16 +44,16 @@ Motion follow(const trace::Carrier& carrier, const scene::State<double>& start, 
         motion.points.push_back(cycle.end);
         motion.jacobian = cycle.jacobian * motion.jacobian;
     });
-    motion.moments = sampler.moments();
+    motion.instants = sampler.instants();
     trace::Impacts impacts(length);
     pass(carrier, start, cycles, impacts, [](const Cycle<double>&) {});
     motion.impacts = impacts.all();
     return motion;
 }
 
-std::vector<trace::Moment> look_closely(const trace::Carrier& carrier, const scene::State<double>& start,
-                                        const Motion& motion, std::size_t impact, std::int64_t samples,
-                                        double width) {
+std::vector<trace::Instant> look_closely(const trace::Carrier& carrier, const scene::State<double>& start,
+                                         const Motion& motion, std::size_t impact, std::int64_t samples,
+                                         double width) {
     constexpr double share_before = 1.0 / 3;
     const trace::Impact& seen = motion.impacts[impact];
     const double contact = seen.end - seen.time;
@@ -62,7 +62,7 @@ std::vector<trace::Moment> look_closely(const trace::Carrier& carrier, const sce
         trace::plan_window(impact, seen.time, contact > 0 ? 3 * contact : width, share_before, samples,
                            carrier.scene.period() * static_cast<double>(motion.cycles)));
     pass(carrier, start, motion.cycles, window, [](const Cycle<double>&) {});
-    return window.moments();
+    return window.instants();
 }
 
 LiveCell::LiveCell(const job::Job& job, std::size_t points)

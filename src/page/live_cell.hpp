@@ -16,7 +16,7 @@ namespace peterka::page {
 // Forcing cycles in a row, as far as the engine follows them.
 struct Motion {
     std::int64_t cycles = 0;
-    std::vector<trace::Moment> moments;        // evenly spaced, both ends included
+    std::vector<trace::Instant> instants;      // evenly spaced, both ends included
     std::vector<trace::Impact> impacts;        // that begin within these cycles
     std::vector<scene::State<double>> points;  // (delta, delta') at the end of each cycle
     scene::Jacobian<double> jacobian = scene::Jacobian<double>::Identity();  // of the end by the start
@@ -27,9 +27,9 @@ Motion follow(const trace::Carrier& carrier, const scene::State<double>& start, 
 
 // The impact with this index of the motion followed: a third of the samples before its first touch. As wide as
 // three times its contact; `width` tau where it takes no time or never ends.
-std::vector<trace::Moment> look_closely(const trace::Carrier& carrier, const scene::State<double>& start,
-                                        const Motion& motion, std::size_t impact, std::int64_t samples,
-                                        double width);
+std::vector<trace::Instant> look_closely(const trace::Carrier& carrier, const scene::State<double>& start,
+                                         const Motion& motion, std::size_t impact, std::int64_t samples,
+                                         double width);
 
 class LiveCell {
   public:

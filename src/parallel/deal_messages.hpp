@@ -1,9 +1,9 @@
 // What rank 0 and the other ranks say to each other while tiles are dealt. Not for use outside the dealing.
 //
 // A worker reports when it wants a run, when it has nothing left to do, and now and then in between. Rank 0
-// answers a wish with an order once it looks and has a run, and ends with one order without tiles; the worker's
-// last report says it has left. A worker always has a receive posted for the next order, so a send of rank 0
-// never waits for a worker's computing.
+// answers a request with an order once it looks and has a run, and ends with one order without tiles; the
+// worker's last report says it has left. A worker always has a receive posted for the next order, so a send of
+// rank 0 never waits for a worker's computing.
 #pragma once
 
 #include <mpi.h>

@@ -12,7 +12,7 @@ Dealer::Dealer(const Session& session, const Tiling& tiling, TilePool pool, cons
       tiling_(tiling),
       pool_(std::move(pool)),
       work_(work),
-      workers_(static_cast<std::size_t>(session.size() - 1)),
+      remotes_(static_cast<std::size_t>(session.size() - 1)),
       tiles_missing_(pool_.remaining()) {}
 
 bool Dealer::run() {
@@ -62,7 +62,7 @@ void Dealer::serve() {
     while (!waiting_.empty() && pool_.remaining() > 0 && !stopping_) {
         const Turns run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
         send_order(waiting_.front(), {run});
-        worker_of(waiting_.front()).tiles_owed += run.size();
+        remote_of(waiting_.front()).tiles_owed += run.size();
         waiting_.pop_front();
     }
 }
@@ -77,12 +77,12 @@ bool Dealer::take_report() {
     Report report;
     checked("MPI_Recv", MPI_Recv(&report, words<Report>, MPI_INT64_T, status.MPI_SOURCE, report_tag,
                                  communicator, MPI_STATUS_IGNORE));
-    Worker& worker = worker_of(status.MPI_SOURCE);
-    for (; worker.orders_wanted < report.orders_wanted; ++worker.orders_wanted) {
+    Remote& remote = remote_of(status.MPI_SOURCE);
+    for (; remote.orders_wanted < report.orders_wanted; ++remote.orders_wanted) {
         waiting_.push_back(status.MPI_SOURCE);
     }
-    worker.tiles_owed -= report.tiles_done;
-    worker.has_left = report.has_left != 0;
+    remote.tiles_owed -= report.tiles_done;
+    remote.has_left = report.has_left != 0;
     stopping_ = stopping_ || report.wants_stop != 0;
     count_solved(report.tiles_done, report.cells_done);
     return true;
@@ -98,11 +98,11 @@ void Dealer::count_solved(std::int64_t tiles, std::int64_t cells) {
 }
 
 bool Dealer::anyone_computes() const {
-    return std::ranges::any_of(workers_, [](const Worker& worker) { return worker.tiles_owed > 0; });
+    return std::ranges::any_of(remotes_, [](const Remote& remote) { return remote.tiles_owed > 0; });
 }
 
 bool Dealer::all_have_left() const {
-    return std::ranges::all_of(workers_, [](const Worker& worker) { return worker.has_left; });
+    return std::ranges::all_of(remotes_, [](const Remote& remote) { return remote.has_left; });
 }
 
 }  // namespace peterka::parallel

@@ -20,7 +20,7 @@ class Dealer : private TileSource {
     [[nodiscard]] bool run();
 
   private:
-    struct Worker {
+    struct Remote {
         std::int64_t orders_wanted = 0;
         std::int64_t tiles_owed = 0;  // sent, and not yet solved
         bool has_left = false;
@@ -42,13 +42,13 @@ class Dealer : private TileSource {
     void count_solved(std::int64_t tiles, std::int64_t cells);
     [[nodiscard]] bool anyone_computes() const;
     [[nodiscard]] bool all_have_left() const;
-    [[nodiscard]] Worker& worker_of(int rank) { return workers_[static_cast<std::size_t>(rank - 1)]; }
+    [[nodiscard]] Remote& remote_of(int rank) { return remotes_[static_cast<std::size_t>(rank - 1)]; }
 
     const Session& session_;
     const Tiling& tiling_;
     TilePool pool_;
     const DealtWork& work_;
-    std::vector<Worker> workers_;  // by rank, beginning with rank 1
+    std::vector<Remote> remotes_;  // by rank, beginning with rank 1
     std::deque<int> waiting_;      // ranks that want a run, first come, first served
     std::int64_t tiles_missing_;
     bool stopping_ = false;

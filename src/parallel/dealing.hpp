@@ -36,7 +36,7 @@ struct DealtWork {
     // Solves tiles until the source has ended and all are solved, or it says not to carry on. To be made with
     // one_by_one where tiles are solved one after the other.
     std::function<void(TileSource& tiles)> solve;
-    // Whether this rank was asked to stop; one rank's wish stops all.
+    // Whether this rank was asked to stop; one rank's request stops all.
     std::function<bool()> stop_requested;
     // On rank 0: so many more cells were solved, by any rank.
     std::function<void(std::int64_t cells)> on_progress;

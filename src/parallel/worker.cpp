@@ -32,7 +32,7 @@ void Worker::run() {
     report();
 }
 
-// Rank 0 ends the work, after a wish to stop too.
+// Rank 0 ends the work, after a request to stop too.
 void Worker::await_dismissal() {
     while (!dismissed_) {
         carry_on();

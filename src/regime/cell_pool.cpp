@@ -38,22 +38,22 @@ struct CellPool::Cell : Reused {
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
     double seconds = 0;
-    double paid_before = 0;  // by each cell of the group, when this one came
+    double charged_before = 0;  // by each cell of the group, when this one came
 
-    [[nodiscard]] Wish wish() const { return {desk.order().recorder != nullptr, desk.order().cycles}; }
+    [[nodiscard]] Request request() const { return {desk.order().recorder != nullptr, desk.order().cycles}; }
     // A batch measures peak forces at most.
     [[nodiscard]] bool fits_batch() const {
-        return batch && !(wish().measures && desk.order().recorder->records_contacts());
+        return batch && !(request().measures && desk.order().recorder->records_contacts());
     }
 };
 
 struct CellPool::Group {
-    Group(const Wish& its_wish, const scene::Oscillator<double>& its_rig, const Batch& batch)
-        : wish(its_wish), kind(batch), rig(its_rig), map(rig, few_cells, batch.steps, batch.springs) {}
+    Group(const Request& its_request, const scene::Oscillator<double>& its_rig, const Batch& batch)
+        : request(its_request), kind(batch), rig(its_rig), map(rig, few_cells, batch.steps, batch.springs) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
-    [[nodiscard]] bool goes_far() const { return wish.cycles > 1; }
+    [[nodiscard]] bool goes_far() const { return request.cycles > 1; }
     [[nodiscard]] bool is_full() const {
         // linear springs are what most cells have, and so the first to be many
         const bool many_come = kind.springs == batch::Springs::linear;
@@ -62,18 +62,18 @@ struct CellPool::Group {
 
     // Carries all cells through the cycles that they wait for.
     void advance() {
-        if (!goes_far()) return map.advance({.measure = wish.measures, .jacobian = true});
-        if (course.size() < cells.size() * wish.cycles) course.resize(cells.size() * wish.cycles);
+        if (!goes_far()) return map.advance({.measure = request.measures, .jacobian = true});
+        if (course.size() < cells.size() * request.cycles) course.resize(cells.size() * request.cycles);
         largest_force.assign(cells.size(), 0);
         largest_displacement.assign(cells.size(), 0);
-        for (std::size_t n = 0; n < wish.cycles; ++n) {
-            map.advance({.measure = wish.measures, .jacobian = true});
+        for (std::size_t n = 0; n < request.cycles; ++n) {
+            map.advance({.measure = request.measures, .jacobian = true});
             for (std::size_t slot = 0; slot < cells.size(); ++slot) {
-                trajectory::Cycle<double>& cycle = course[slot * wish.cycles + n];
+                trajectory::Cycle<double>& cycle = course[slot * request.cycles + n];
                 cycle = map.cycle(slot);
                 // a cell that failed idles below the stop
                 if (cycle.outcome != trajectory::Cycle<double>::Outcome::done) map.set_state(slot, {-1, 0});
-                if (!wish.measures) continue;
+                if (!request.measures) continue;
                 largest_force[slot] = std::max(largest_force[slot], map.peak_force(slot));
                 largest_displacement[slot] = std::max(largest_displacement[slot], map.displacement_bound(slot));
             }
@@ -85,18 +85,18 @@ struct CellPool::Group {
         trajectory::Recorder<double>* recorder = desk.order().recorder;
         if (!goes_far()) {
             const trajectory::Cycle<double> cycle = map.cycle(slot);
-            if (wish.measures) {
+            if (request.measures) {
                 recorder->cycles(cycle.impacts, map.peak_force(slot), map.displacement_bound(slot));
             }
             return desk.serve({&cycle, 1});
         }
-        auto cycles = std::span(course).subspan(slot * wish.cycles, wish.cycles);
+        auto cycles = std::span(course).subspan(slot * request.cycles, request.cycles);
         const auto failed = std::ranges::find_if(cycles, [](const trajectory::Cycle<double>& cycle) {
             return cycle.outcome != trajectory::Cycle<double>::Outcome::done;
         });
         if (failed != cycles.end())
             cycles = cycles.first(static_cast<std::size_t>(failed - cycles.begin()) + 1);
-        if (wish.measures) {
+        if (request.measures) {
             int impacts = 0;
             for (const auto& cycle : cycles) impacts += cycle.impacts;
             recorder->cycles(impacts, largest_force[slot], largest_displacement[slot]);
@@ -104,7 +104,7 @@ struct CellPool::Group {
         desk.serve(cycles);
     }
 
-    Wish wish;
+    Request request;
     Batch kind;
     scene::Oscillator<double> rig;  // that its lanes share
     batch::BatchedCycleMap map;
@@ -113,7 +113,7 @@ struct CellPool::Group {
     std::vector<trajectory::Cycle<double>> course;
     std::vector<double> largest_force;
     std::vector<double> largest_displacement;
-    double paid = 0;  // by each cell that was there all the time [s]
+    double charged = 0;  // by each cell that was there all the time [s]
     double last_step_seconds = 0;
 };
 
@@ -171,14 +171,14 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 }
 
 CellPool::Group& CellPool::group_for(const Cell& cell) {
-    const Wish wish = cell.wish();
+    const Request request = cell.request();
     const auto suits = [&](const Group& group) {
-        return group.wish == wish && group.kind == *cell.batch &&
+        return group.request == request && group.kind == *cell.batch &&
                (rigs_ == scene::Rigs::one || scene::same_rig(group.rig, cell.desk.scene()));
     };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return *found;
-    return groups_.emplace_back(wish, cell.desk.scene(), *cell.batch);
+    return groups_.emplace_back(request, cell.desk.scene(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
@@ -190,11 +190,11 @@ void CellPool::enter(std::unique_ptr<Cell> cell) {
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
     } else {
-        board(std::move(cell));
+        enqueue(std::move(cell));
     }
 }
 
-void CellPool::board(std::unique_ptr<Cell> cell) {
+void CellPool::enqueue(std::unique_ptr<Cell> cell) {
     const scene::Oscillator<double>& scene = cell->desk.scene();
     Group& group = group_for(*cell);
     group.map.add(scene.frequency, scene.gap, cell->desk.order().from);
@@ -226,8 +226,8 @@ void CellPool::step_of_lines() {
 }
 
 void CellPool::advance(Group& group) {
-    // Each cell pays for the step before: those that leave in this one paid for it when they came.
-    group.paid += group.last_step_seconds / static_cast<double>(group.cells.size());
+    // Each cell is charged for the step before: those that leave in this one were charged when they came.
+    group.charged += group.last_step_seconds / static_cast<double>(group.cells.size());
     const Stopwatch stopwatch;
     group.advance();
     // from the back: the cell that takes the slot of one that leaves has been served already
@@ -240,7 +240,7 @@ void CellPool::serve(Group& group, std::size_t slot) {
     group.tell(slot);
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
-    if (cell.wish() != group.wish) return move(group, slot);
+    if (cell.request() != group.request) return move(group, slot);
     group.map.set_state(slot, cell.desk.order().from);
 }
 
@@ -248,7 +248,7 @@ std::unique_ptr<CellPool::Cell> CellPool::take_out(Group& group, std::size_t slo
     std::unique_ptr<Cell> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
     group.cells.pop_back();
-    cell->seconds += group.paid - cell->paid_before;
+    cell->seconds += group.charged - cell->charged_before;
     return cell;
 }
 
@@ -258,11 +258,11 @@ std::unique_ptr<CellPool::Cell> CellPool::leave(Group& group, std::size_t slot) 
 }
 
 void CellPool::put_in(Group& group, std::unique_ptr<Cell> cell) {
-    cell->paid_before = group.paid;
+    cell->charged_before = group.charged;
     group.cells.push_back(std::move(cell));
 }
 
-// To the batch of its new wish.
+// To the batch of its new request.
 void CellPool::move(Group& from, std::size_t slot) {
     Group& to = group_for(*from.cells[slot]);
     to.map.take(from.map, slot);

@@ -70,14 +70,14 @@ class CellPool {
     };
     static std::optional<Batch> batch_of(const CycleDesk& desk);
     // Of a group: peak forces cost time, and cells that go far are seldom looked at.
-    struct Wish {
+    struct Request {
         bool measures;
         std::size_t cycles;  // at once
-        friend bool operator==(const Wish&, const Wish&) = default;
+        friend bool operator==(const Request&, const Request&) = default;
     };
     [[nodiscard]] Group& group_for(const Cell& cell);
     void enter(std::unique_ptr<Cell> cell);
-    void board(std::unique_ptr<Cell> cell);
+    void enqueue(std::unique_ptr<Cell> cell);
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();

@@ -121,27 +121,27 @@ ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state,
       at_rest_(std::max(1e-9, 100 * noise) * magnitude(orbit.point())),
       error_(state - orbit.point()) {}
 
-ConvergenceTest::Verdict ConvergenceTest::advance(const Point& state, EventPattern pattern) {
+ConvergenceTest::Standing ConvergenceTest::advance(const Point& state, EventPattern pattern) {
     constexpr int needed_in_a_row = 2;
     constexpr int allowed_failures = 12;
 
     const Point before = error_;
     error_ = state - orbit_.point();
-    if (pattern != orbit_.pattern) return Verdict::refuted;
+    if (pattern != orbit_.pattern) return Standing::refuted;
     const double remainder = norm_(error_ - orbit_.jacobian * before);
     const bool at_rest =
         std::max(before.lpNorm<Eigen::Infinity>(), error_.lpNorm<Eigen::Infinity>()) < at_rest_;
     if (at_rest || remainder <= (1 - norm_.contraction()) / 2 * norm_(before)) {
-        return ++in_a_row_ >= needed_in_a_row ? Verdict::proved : Verdict::open;
+        return ++in_a_row_ >= needed_in_a_row ? Standing::proved : Standing::open;
     }
     in_a_row_ = 0;
     const bool grows = norm_(error_) > norm_(before);
-    return grows || ++failures_ >= allowed_failures ? Verdict::refuted : Verdict::open;
+    return grows || ++failures_ >= allowed_failures ? Standing::refuted : Standing::open;
 }
 
-ConvergenceTest::Verdict ConvergenceTest::follow(const Passage& cycle) {
+ConvergenceTest::Standing ConvergenceTest::follow(const Passage& cycle) {
     pattern_ = append(pattern_, cycle.pattern);
-    if (++followed_ < orbit_.period()) return Verdict::open;
+    if (++followed_ < orbit_.period()) return Standing::open;
     followed_ = 0;
     return advance(cycle.end, std::exchange(pattern_, 0));
 }

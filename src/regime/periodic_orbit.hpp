@@ -51,16 +51,16 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
 // for good.
 class ConvergenceTest {
   public:
-    enum class Verdict { open, proved, refuted };
+    enum class Standing { open, proved, refuted };
 
     // noise: relative error of a cycle beyond rounding.
     ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise);
 
     [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
     // The state one orbit period later, and the pattern of the cycles in between.
-    Verdict advance(const Point& state, EventPattern pattern);
+    Standing advance(const Point& state, EventPattern pattern);
     // One cycle more. It stays open up to the end of a period.
-    Verdict follow(const Passage& cycle);
+    Standing follow(const Passage& cycle);
 
   private:
     PeriodicOrbit orbit_;

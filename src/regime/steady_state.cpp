@@ -147,7 +147,7 @@ class Search {
     bool converged(const PeriodicOrbit& orbit) {
         const std::int64_t q = orbit.period();
         ConvergenceTest past(orbit, recurrence_.state(2 * q), map_.noise());
-        using enum ConvergenceTest::Verdict;
+        using enum ConvergenceTest::Standing;
         if (past.advance(recurrence_.state(q), recurrence_.pattern(q, q)) == open &&
             past.advance(recurrence_.state(), recurrence_.pattern(q)) == proved) {
             return true;
@@ -158,9 +158,9 @@ class Search {
 
     // Whether the trajectory is proved to converge to the orbit found.
     bool converges(const Passage& last_cycle) {
-        const auto verdict = test_->follow(last_cycle);
-        if (verdict == ConvergenceTest::Verdict::refuted) test_.reset();
-        return verdict == ConvergenceTest::Verdict::proved;
+        const auto standing = test_->follow(last_cycle);
+        if (standing == ConvergenceTest::Standing::refuted) test_.reset();
+        return standing == ConvergenceTest::Standing::proved;
     }
 
     // None where the orbit turns out not to be stable after all, or not to have the contacts that were seen.

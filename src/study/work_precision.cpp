@@ -63,7 +63,7 @@ WorkPrecision::WorkPrecision(const job::Job& job)
       force_ratio_(scene::scales_of(job).force_ratio()),
       runs_(runs(scene::oscillator_of(job).cubic != 0, study_.tolerances, study_.steps_per_cycle)) {
     for (std::size_t n = 0; n < study_.frequency_ratio.size(); ++n) {
-        Cell cell{scene::oscillator_of(job), {0, 0}};
+        Trial cell{scene::oscillator_of(job), {0, 0}};
         cell.scene.frequency = study_.frequency_ratio[n];
         cell.scene.gap = study_.gap_ratio[n];
         cell.start = {-cell.scene.gap, -cell.scene.frequency};  // at rest

@@ -42,7 +42,7 @@ class WorkPrecision {
     [[nodiscard]] std::string summary(std::span<const Result> results) const;
 
   private:
-    struct Cell {
+    struct Trial {
         Oscillator<double> scene;
         State<double> start;
     };
@@ -63,7 +63,7 @@ class WorkPrecision {
     job::SteadyState budget_;
     double force_ratio_;  // F/(m g0) per F/(k A0)
     std::vector<Run> runs_;
-    std::vector<Cell> cells_;
+    std::vector<Trial> cells_;
     mutable std::vector<std::optional<Orbit>> orbits_;
     mutable std::optional<BatchTrial> batch_trial_;
 };

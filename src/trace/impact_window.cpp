@@ -25,7 +25,7 @@ void ImpactWindow::leave(const trajectory::ImpactRecord<double>& /*impact*/) {
     lasts_ = false;
 }
 
-Moment ImpactWindow::moment(const Stretch& stretch, double time) const {
+Instant ImpactWindow::instant(const Stretch& stretch, double time) const {
     return {stretch.begin + time, scene_.frequency * (stretch.from + time), stretch.state_at(time),
             stretch.phase};
 }
@@ -37,19 +37,19 @@ void ImpactWindow::look(const Stretch& stretch) {
 
 void ImpactWindow::sample(const Stretch& stretch) {
     const bool has_touched = touches_ > plan_.impact;
-    while (std::ssize(moments_) < plan_.before + plan_.after) {
-        const std::int64_t from_touch = std::ssize(moments_) - plan_.before;
+    while (std::ssize(instants_) < plan_.before + plan_.after) {
+        const std::int64_t from_touch = std::ssize(instants_) - plan_.before;
         if (from_touch >= 0 && !has_touched) return;  // whatever rounding says of the times
         const double time = plan_.touch_time + plan_.step * static_cast<double>(from_touch);
         if (!(time < stretch.end())) return;
-        moments_.push_back(moment(stretch, std::clamp(time - stretch.begin, 0.0, stretch.length)));
+        instants_.push_back(instant(stretch, std::clamp(time - stretch.begin, 0.0, stretch.length)));
     }
 }
 
 // The largest of a grid first, then the zero of the slope next to it.
 void ImpactWindow::raise_peak(const Stretch& stretch) {
     constexpr int pieces = 256;
-    const auto force = [&](double time) { return quantities(scene_, moment(stretch, time)).force; };
+    const auto force = [&](double time) { return quantities(scene_, instant(stretch, time)).force; };
     const auto grid = [&](int n) { return stretch.length * n / pieces; };
     int top = 0;
     for (int n = 1; n <= pieces; ++n) {
@@ -57,7 +57,7 @@ void ImpactWindow::raise_peak(const Stretch& stretch) {
     }
     double rising = grid(std::max(top - 1, 0));
     double falling = grid(std::min(top + 1, pieces));
-    const auto rises = [&](double time) { return force_slope(scene_, moment(stretch, time)) > 0; };
+    const auto rises = [&](double time) { return force_slope(scene_, instant(stretch, time)) > 0; };
     double time = grid(top);
     if (rises(rising) && !rises(falling)) {
         for (int halving = 0; halving < 60; ++halving) {
@@ -67,7 +67,7 @@ void ImpactWindow::raise_peak(const Stretch& stretch) {
     }
     if (force(time) <= largest_) return;
     largest_ = force(time);
-    peak_ = moment(stretch, time);
+    peak_ = instant(stretch, time);
 }
 
 }  // namespace peterka::trace

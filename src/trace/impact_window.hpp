@@ -27,9 +27,9 @@ class ImpactWindow : public Watcher {
   public:
     ImpactWindow(const scene::Oscillator<double>& scene, const WindowPlan& plan) : scene_(scene), plan_(plan) {}
 
-    [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
+    [[nodiscard]] const std::vector<Instant>& instants() const { return instants_; }
     // The largest force of the impact, found on the motion itself; not for a rigid stop.
-    [[nodiscard]] const Moment& peak() const { return peak_; }
+    [[nodiscard]] const Instant& peak() const { return peak_; }
 
     void touch(double speed) override;
     void leave(const trajectory::ImpactRecord<double>& impact) override;
@@ -38,12 +38,12 @@ class ImpactWindow : public Watcher {
     void look(const Stretch& stretch) override;
     void sample(const Stretch& stretch);
     void raise_peak(const Stretch& stretch);
-    [[nodiscard]] Moment moment(const Stretch& stretch, double time) const;  // since the stretch began
+    [[nodiscard]] Instant instant(const Stretch& stretch, double time) const;  // since the stretch began
 
     scene::Oscillator<double> scene_;
     WindowPlan plan_;
-    std::vector<Moment> moments_;
-    Moment peak_;
+    std::vector<Instant> instants_;
+    Instant peak_;
     double largest_ = 0;
     std::size_t touches_ = 0;
     bool lasts_ = false;  // the impact of the plan

@@ -1,4 +1,4 @@
-// What is shown of a moment of the motion, from the engine's state by the equation of motion.
+// What is shown of an instant of the motion, from the engine's state by the equation of motion.
 //
 //     x'' = -2 zeta u' - u - r - f,   x = u + y,   y = sin(eta tau):   see scene/oscillator.hpp.
 // Lengths in A0, times in 1/omega, forces in k A0.
@@ -8,7 +8,7 @@
 
 namespace peterka::trace {
 
-struct Moment {
+struct Instant {
     double time = 0;   // tau since the trace began
     double angle = 0;  // of the forcing
     State<double> state = State<double>::Zero();
@@ -27,9 +27,9 @@ struct Quantities {
     [[nodiscard]] double hammer_velocity() const { return relative_velocity + cart_velocity; }
 };
 
-[[nodiscard]] Quantities quantities(const scene::Oscillator<double>& scene, const Moment& moment);
+[[nodiscard]] Quantities quantities(const scene::Oscillator<double>& scene, const Instant& instant);
 
 // Derivative of the force in time, while the stop presses and is not rigid.
-[[nodiscard]] double force_slope(const scene::Oscillator<double>& scene, const Moment& moment);
+[[nodiscard]] double force_slope(const scene::Oscillator<double>& scene, const Instant& instant);
 
 }  // namespace peterka::trace

@@ -10,28 +10,28 @@ Sampler::Sampler(const scene::Oscillator<double>& scene, double length, std::int
     constexpr double rounding = 1e-9;  // of a sample's distance: the last one lies at the end
     const double last = std::floor(length / period_ * static_cast<double>(per_cycle_) + rounding);
     count_ = static_cast<std::size_t>(last) + 1;
-    moments_.reserve(count_);
+    instants_.reserve(count_);
 }
 
 double Sampler::next_in_cycle() const {
-    const auto in_cycle = static_cast<std::int64_t>(moments_.size()) % per_cycle_;
+    const auto in_cycle = static_cast<std::int64_t>(instants_.size()) % per_cycle_;
     return period_ * static_cast<double>(in_cycle) / static_cast<double>(per_cycle_);
 }
 
 void Sampler::look(const Stretch& stretch) {
     const std::int64_t cycle = std::llround(stretch.cycle_begin / period_);
     const double end = stretch.from + stretch.length;
-    while (moments_.size() < count_ && static_cast<std::int64_t>(moments_.size()) / per_cycle_ == cycle) {
+    while (instants_.size() < count_ && static_cast<std::int64_t>(instants_.size()) / per_cycle_ == cycle) {
         const double time = next_in_cycle();
         if (!(time < end)) return;
         const double inside = std::max(0.0, time - stretch.from);
-        moments_.push_back(
+        instants_.push_back(
             {stretch.cycle_begin + time, frequency_ * time, stretch.state_at(inside), stretch.phase});
     }
 }
 
 void Sampler::finish(const State<double>& end, Phase phase) {
-    if (moments_.size() < count_) moments_.push_back({cycle_begin() + period_, 0, end, phase});
+    if (instants_.size() < count_) instants_.push_back({cycle_begin() + period_, 0, end, phase});
 }
 
 }  // namespace peterka::trace

@@ -13,8 +13,8 @@ class Sampler : public Watcher {
   public:
     Sampler(const scene::Oscillator<double>& scene, double length, std::int64_t samples_per_cycle);
 
-    // A moment of contact shows the force after its jump.
-    [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
+    // An instant of contact shows the force after its jump.
+    [[nodiscard]] const std::vector<Instant>& instants() const { return instants_; }
     void finish(const State<double>& end, Phase phase) override;
 
   private:
@@ -25,7 +25,7 @@ class Sampler : public Watcher {
     double frequency_;
     std::int64_t per_cycle_;
     std::size_t count_;  // in all
-    std::vector<Moment> moments_;
+    std::vector<Instant> instants_;
 };
 
 }  // namespace peterka::trace

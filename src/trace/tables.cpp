@@ -44,14 +44,14 @@ void add_columns(std::vector<Table>& tables, const char* group, std::span<const 
 }
 
 struct Shown {
-    Moment moment;
+    Instant instant;
     Quantities is;
 };
 
-std::vector<Shown> shown(const std::vector<Moment>& moments, const scene::Oscillator<double>& scene) {
+std::vector<Shown> shown(const std::vector<Instant>& instants, const scene::Oscillator<double>& scene) {
     std::vector<Shown> rows;
-    rows.reserve(moments.size());
-    for (const Moment& moment : moments) rows.push_back({moment, quantities(scene, moment)});
+    rows.reserve(instants.size());
+    for (const Instant& instant : instants) rows.push_back({instant, quantities(scene, instant)});
     return rows;
 }
 
@@ -62,8 +62,8 @@ std::vector<Column<Shown>> columns_of_motion(const Scales& scales, double period
     const double acceleration = speed * scales.frequency_rad_per_s;
     const double force = scales.force_ratio();
     return {
-        {real("time", "s", "time since the trace began"), [=](const Shown& row) { return row.moment.time * per_omega; }},
-        {real("cycle", "1", "the same in forcing cycles, or in natural periods where the cart is at rest"), [=](const Shown& row) { return row.moment.time / period; }},
+        {real("time", "s", "time since the trace began"), [=](const Shown& row) { return row.instant.time * per_omega; }},
+        {real("cycle", "1", "the same in forcing cycles, or in natural periods where the cart is at rest"), [=](const Shown& row) { return row.instant.time / period; }},
         {real("hammer_displacement_ratio", "1", "displacement of the hammer over cart amplitude, x/A0"), [](const Shown& row) { return row.is.hammer(); }},
         {real("cart_displacement_ratio", "1", "displacement of the cart over its amplitude, y/A0"), [](const Shown& row) { return row.is.cart; }},
         {real("relative_displacement_ratio", "1", "displacement of the hammer in the cart over cart amplitude, (x - y)/A0; the stop is at gap_ratio"), [](const Shown& row) { return row.is.relative; }},
@@ -133,8 +133,8 @@ void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& s
     const double touch = trace.impacts[hardest.index].time;
     auto columns = columns_of_motion(scales, scene.period());
     columns.push_back({real("time_from_touch", "s", "time since the first touch of this impact"),
-                       [=](const Shown& row) { return (row.moment.time - touch) * per_omega; }});
-    const auto rows = shown(hardest.moments, scene);
+                       [=](const Shown& row) { return (row.instant.time - touch) * per_omega; }});
+    const auto rows = shown(hardest.instants, scene);
     add_columns<Shown>(tables, "/impact", rows, columns);
     const auto scalar = [&](const Variable& variable, double value) {
         tables.push_back({{"/impact", variable, {}}, {value}});
@@ -158,7 +158,7 @@ void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& s
 std::vector<Table> tables_of(const Trace& trace, const Scales& scales) {
     std::vector<Table> tables;
     const auto& scene = trace.course.scene;
-    const auto rows = shown(trace.moments, scene);
+    const auto rows = shown(trace.instants, scene);
     add_columns<Shown>(tables, "/", rows, columns_of_motion(scales, scene.period()));
     if (!trace.impacts.empty()) {
         std::vector<Counted> counted;

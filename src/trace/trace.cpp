@@ -35,7 +35,7 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
                         plan_window(index, impact.time, width_of_window(scene, course, impact), share_before,
                                     scene.job().trace.impact_samples, course.length));
     follow(course, window);
-    HardImpact seen{index, window.moments(), window.peak(), {}};
+    HardImpact seen{index, window.instants(), window.peak(), {}};
     const bool is_last = index + 1 == trace.impacts.size();
     const double next_touch = is_last ? course.length : trace.impacts[index + 1].time;
     if (impact.end > impact.time && next_touch > impact.end) {
@@ -48,11 +48,11 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
 
 Trace make_trace(const scene::Scene& scene) {
     Trace trace{
-        .course = prepare(scene), .totals = {}, .moments = {}, .impacts = {}, .hardest = {}, .spectrum = {}};
+        .course = prepare(scene), .totals = {}, .instants = {}, .impacts = {}, .hardest = {}, .spectrum = {}};
     const Course& course = trace.course;
     Sampler sampler(course.scene, course.length, scene.job().trace.samples_per_cycle);
     trace.totals = follow(course, sampler);
-    trace.moments = sampler.moments();
+    trace.instants = sampler.instants();
     Impacts impacts(course.length);
     follow(course, impacts);
     trace.impacts = impacts.all();

@@ -15,8 +15,8 @@ namespace peterka::trace {
 // The hardest impact seen closely.
 struct HardImpact {
     std::size_t index = 0;  // among all impacts
-    std::vector<Moment> moments;
-    Moment peak;  // meaningless on a rigid stop
+    std::vector<Instant> instants;
+    Instant peak;  // meaningless on a rigid stop
     std::optional<Spectrum>
         spectrum;  // where the impact is over within the trace; of the flight, as far as that
 };
@@ -24,7 +24,7 @@ struct HardImpact {
 struct Trace {
     Course course;
     trajectory::Totals<double> totals;  // of all cycles begun
-    std::vector<Moment> moments;
+    std::vector<Instant> instants;
     std::vector<Impact> impacts;
     std::optional<HardImpact> hardest;
     Spectrum spectrum;

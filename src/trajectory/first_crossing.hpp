@@ -21,7 +21,7 @@ using motion::Moment;
 using motion::Probe;
 
 template <class Real>
-struct Search {
+struct Crossing {
     enum class Outcome { crossing, none, exhausted, not_finite };
     Outcome outcome = Outcome::none;
     Moment<Real> moment;  // the crossing, or the last point looked at
@@ -55,7 +55,7 @@ Real safe_step(Real value, Real slope, Real curvature, const typename Probe<Real
 // Newton's method with curvature, where the slope keeps its sign up to the crossing. False where it doesn't
 // converge.
 template <class Real>
-bool polish(const Leg<Real>& leg, const Probe<Real>& probe, Real step, Search<Real>& search) {
+bool polish(const Leg<Real>& leg, const Probe<Real>& probe, Real step, Crossing<Real>& search) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     Moment<Real>& m = search.moment;
     for (Real last = step;;) {
@@ -73,13 +73,13 @@ bool polish(const Leg<Real>& leg, const Probe<Real>& probe, Real step, Search<Re
 // Looks in (from.time, end] of the leg. What lies within the rounding error of zero counts as zero: a start
 // there is left, and a hop that rises no higher is none.
 template <class Real>
-Search<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, const Moment<Real>& from,
-                            Real end) {
+Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, const Moment<Real>& from,
+                              Real end) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     constexpr int budget = 100'000;  // far beyond any physical leg; an endless search becomes data of the cell
-    using Outcome = typename Search<Real>::Outcome;
+    using Outcome = typename Crossing<Real>::Outcome;
 
-    Search<Real> search{Outcome::none, from, 0};
+    Crossing<Real> search{Outcome::none, from, 0};
     Moment<Real>& m = search.moment;
     bool may_polish = true;
     while (search.evaluations < budget) {

@@ -63,7 +63,7 @@ class LinearLegs {
           peak_(force(), contact_) {}
 
     struct LegEnd {
-        typename Search<Real>::Outcome outcome;
+        typename Crossing<Real>::Outcome outcome;
         Phase next;
         Moment<Real> moment;
     };
@@ -90,7 +90,7 @@ class LinearLegs {
 template <class Real>
 typename LinearLegs<Real>::LegEnd LinearLegs<Real>::end_of_leg(Phase phase, const Leg<Real>& leg,
                                                                Real end) const {
-    using Outcome = typename Search<Real>::Outcome;
+    using Outcome = typename Crossing<Real>::Outcome;
     if (phase == Phase::unloaded) {
         const auto out = first_crossing(leg, leave_, leg.start(), end);
         const bool leaves = out.outcome == Outcome::crossing;
@@ -140,7 +140,7 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>*
 
 template <class Real>
 bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    using Outcome = typename Search<Real>::Outcome;
+    using Outcome = typename Crossing<Real>::Outcome;
     constexpr int most_events = 20'000;  // a cycle with more contacts than this has left physics
 
     Cycle<Real>& cycle = journey.cycle;

@@ -53,7 +53,7 @@ class RigidLegs {
         const Real slopes = 1 / (flight_.natural_frequency() + 2 * flight_.equation().damping);
         return std::min(slopes, course_.stop().ahead_to_pressing(theta) / scene_.frequency);
     }
-    [[nodiscard]] Search<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
+    [[nodiscard]] Crossing<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
     bool fly(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
     Oscillator<Real> scene_;
@@ -63,24 +63,24 @@ class RigidLegs {
 };
 
 template <class Real>
-Search<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Real left) const {
+Crossing<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Real left) const {
     const Moment<Real>& start = leg.start();
     if (!from_rest(leg)) return first_crossing(leg, touch_, start, left);
     const Real away = std::min(std::numbers::pi_v<Real> / flight_.natural_frequency(),
                                course_.stop().ahead_to_pressing(theta) / scene_.frequency);
-    if (away >= left) return {Search<Real>::Outcome::none, leg.at(left), 0};
+    if (away >= left) return {Crossing<Real>::Outcome::none, leg.at(left), 0};
     return first_crossing(leg, touch_, leg.at(away), left);
 }
 
 // Until the next impact, which it leaves to be done, or the end. False where the journey ends before its time.
 template <class Real>
 bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    using Outcome = typename Search<Real>::Outcome;
+    using Outcome = typename Crossing<Real>::Outcome;
     Cycle<Real>& cycle = journey.cycle;
     const Real theta = scene_.frequency * journey.time;
     const Leg<Real> leg(flight_, cycle.end, theta);
     const Real left = end_time - journey.time;
-    const Search<Real> touch = next_touch(leg, theta, left);
+    const Crossing<Real> touch = next_touch(leg, theta, left);
     if (touch.outcome == Outcome::exhausted) return journey.stop(Cycle<Real>::Outcome::too_many_events);
     const bool hits = touch.outcome == Outcome::crossing;
     const Moment<Real> end = hits ? touch.moment : leg.at(left);

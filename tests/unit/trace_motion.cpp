@@ -92,9 +92,9 @@ TEST(Trace, HasTheForcesPerCycleOfTheMap) {
     EXPECT_NEAR(cell.peak_force_q95, std::max(one, other), 1e-9 * one);
 }
 
-double energy(const Moment& moment, const scene::Oscillator<double>& scene) {
-    const double u = moment.state[0] + scene.gap;
-    return (moment.state[1] * moment.state[1] + u * u) / 2;
+double energy(const Instant& instant, const scene::Oscillator<double>& scene) {
+    const double u = instant.state[0] + scene.gap;
+    return (instant.state[1] * instant.state[1] + u * u) / 2;
 }
 
 TEST(Trace, BalancesEnergy) {
@@ -105,8 +105,8 @@ TEST(Trace, BalancesEnergy) {
         ASSERT_GT(trace.impacts.size(), 5U);
         double into_stop = 0;
         for (const Impact& impact : trace.impacts) into_stop += impact.record.work;
-        const double gained = energy(trace.moments.back(), trace.course.scene) -
-                              energy(trace.moments.front(), trace.course.scene);
+        const double gained = energy(trace.instants.back(), trace.course.scene) -
+                              energy(trace.instants.front(), trace.course.scene);
         const double scale = trace.totals.drive_work + into_stop;
         EXPECT_NEAR(gained, trace.totals.drive_work - trace.totals.damper_work - into_stop, 1e-11 * scale);
     }
@@ -119,11 +119,11 @@ TEST(Trace, IsTheSameByEveryEngine) {
     for (const auto engine : {job::EngineChoice::split, job::EngineChoice::cvode, job::EngineChoice::arkode}) {
         job.solver.engine = engine;
         const Trace other = trace_of(job);
-        ASSERT_EQ(other.moments.size(), exact.moments.size());
+        ASSERT_EQ(other.instants.size(), exact.instants.size());
         ASSERT_EQ(other.impacts.size(), exact.impacts.size());
-        for (std::size_t n = 0; n < exact.moments.size(); ++n) {
-            EXPECT_EQ(other.moments[n].time, exact.moments[n].time);
-            EXPECT_LT((other.moments[n].state - exact.moments[n].state).norm(), 1e-6) << n;
+        for (std::size_t n = 0; n < exact.instants.size(); ++n) {
+            EXPECT_EQ(other.instants[n].time, exact.instants[n].time);
+            EXPECT_LT((other.instants[n].state - exact.instants[n].state).norm(), 1e-6) << n;
         }
     }
 }
@@ -138,14 +138,14 @@ TEST(Trace, OfSplitSpringsShowsTheMotionAndNotItsKicks) {
     job.solver.tolerance = 1e-6;  // few kicks
     job.solver.engine = job::EngineChoice::split;
     const Trace split = trace_of(job);
-    EXPECT_NEAR(split.moments.front().state[1] + split.course.scene.frequency, 1, 1e-14);
+    EXPECT_NEAR(split.instants.front().state[1] + split.course.scene.frequency, 1, 1e-14);
     job.solver.engine = job::EngineChoice::cvode;
     job.solver.tolerance = 1e-10;
     const Trace whole = trace_of(job);
-    ASSERT_EQ(whole.moments.size(), split.moments.size());
+    ASSERT_EQ(whole.instants.size(), split.instants.size());
     for (std::size_t n = 0; n < 40; ++n) {  // before the first impact
-        EXPECT_EQ(split.moments[n].phase, trajectory::Phase::flight);
-        EXPECT_NEAR(split.moments[n].state[1], whole.moments[n].state[1], 1e-6) << n;
+        EXPECT_EQ(split.instants[n].phase, trajectory::Phase::flight);
+        EXPECT_NEAR(split.instants[n].state[1], whole.instants[n].state[1], 1e-6) << n;
     }
 }
 
@@ -153,17 +153,17 @@ TEST(Trace, HasAsManySamplesOfTheHardestImpactAsAskedFor) {
     for (const std::int64_t samples : {10, 999, 1000, 2000}) {
         job::Job job = traced(2, 0);
         job.trace.impact_samples = samples;
-        EXPECT_EQ(std::ssize(trace_of(job).hardest->moments), samples);
+        EXPECT_EQ(std::ssize(trace_of(job).hardest->instants), samples);
     }
 }
 
 TEST(Trace, SamplesEvenlyFromEndToEnd) {
     const Trace trace = trace_of(traced(2, 0, 3));
-    ASSERT_EQ(trace.moments.size(), 601U);
-    for (std::size_t n = 0; n < trace.moments.size(); ++n) {
-        EXPECT_NEAR(trace.moments[n].time, static_cast<double>(n) / 200 * std::numbers::pi, 1e-12);
+    ASSERT_EQ(trace.instants.size(), 601U);
+    for (std::size_t n = 0; n < trace.instants.size(); ++n) {
+        EXPECT_NEAR(trace.instants[n].time, static_cast<double>(n) / 200 * std::numbers::pi, 1e-12);
     }
-    EXPECT_LT((trace.moments.back().state - trace.moments.front().state).norm(), 1e-9);  // the orbit closes
+    EXPECT_LT((trace.instants.back().state - trace.instants.front().state).norm(), 1e-9);  // the orbit closes
 }
 
 TEST(Trace, ShowsTheJumpOfTheForceAtTouch) {
@@ -171,10 +171,10 @@ TEST(Trace, ShowsTheJumpOfTheForceAtTouch) {
     const HardImpact& hardest = *trace.hardest;
     const Impact& impact = trace.impacts[hardest.index];
     const auto touch = std::ranges::find_if(
-        hardest.moments, [&](const Moment& moment) { return std::abs(moment.time - impact.time) < 1e-12; });
-    ASSERT_NE(touch, hardest.moments.end());
-    ASSERT_NE(touch, hardest.moments.begin());
-    const auto force = [&](const Moment& moment) { return quantities(trace.course.scene, moment).force; };
+        hardest.instants, [&](const Instant& instant) { return std::abs(instant.time - impact.time) < 1e-12; });
+    ASSERT_NE(touch, hardest.instants.end());
+    ASSERT_NE(touch, hardest.instants.begin());
+    const auto force = [&](const Instant& instant) { return quantities(trace.course.scene, instant).force; };
     EXPECT_NEAR(force(*touch) / force_at_touch(trace.course.scene, impact.speed), 1, 1e-12);
     EXPECT_EQ(force(*(touch - 1)), 0);
 }
@@ -184,11 +184,13 @@ TEST(Trace, AcceleratesAsItMoves) {
     job::Job job = traced(1.7, 5, 1);
     job.trace.samples_per_cycle = 2000;
     const Trace trace = trace_of(job);
-    const double step = trace.moments[1].time;
-    for (std::size_t n = 1; n + 1 < trace.moments.size(); n += 97) {
-        const auto x = [&](std::size_t i) { return quantities(trace.course.scene, trace.moments[i]).hammer(); };
+    const double step = trace.instants[1].time;
+    for (std::size_t n = 1; n + 1 < trace.instants.size(); n += 97) {
+        const auto x = [&](std::size_t i) {
+            return quantities(trace.course.scene, trace.instants[i]).hammer();
+        };
         EXPECT_NEAR((x(n + 1) - 2 * x(n) + x(n - 1)) / (step * step),
-                    quantities(trace.course.scene, trace.moments[n]).acceleration, 1e-4);
+                    quantities(trace.course.scene, trace.instants[n]).acceleration, 1e-4);
     }
 }
 

@@ -9,10 +9,10 @@ namespace peterka::trajectory {
 namespace {
 
 using motion::LinearMotion;
-using Outcome = Search<double>::Outcome;
+using Outcome = Crossing<double>::Outcome;
 
 // x = cos(t - 2) - level: touches zero at t = 2 when level is 1.
-Search<double> search_cosine(double level, double end = 6.0) {
+Crossing<double> search_cosine(double level, double end = 6.0) {
     const LinearMotion<double> motion({0, 1, -level, 0, 1});
     const Leg<double> leg(motion, {std::cos(2.0) - level, std::sin(2.0)}, 0);
     const Probe<double> probe({.position = 1}, motion);

@@ -151,12 +151,12 @@ TEST(Recorder, ImpactsMayLastAcrossTheEndOfACycle) {
     const Probe<double> release({.position = -15, .velocity = -0.5}, contact);
     const Leg<double> first(contact, x, 0);
     const auto out = first_crossing(first, release, first.start(), scene.period());
-    ASSERT_EQ(out.outcome, Search<double>::Outcome::crossing);
+    ASSERT_EQ(out.outcome, Crossing<double>::Outcome::crossing);
     const Leg<double> back(flight, out.moment.state, scene.frequency * out.moment.time);
     const Probe<double> touch({.position = 1}, flight);
     const auto left = first_crossing(back, Probe<double>({.position = -1}, flight), back.start(), 10.0);
     const auto in = first_crossing(back, touch, left.moment, scene.period());
-    ASSERT_EQ(in.outcome, Search<double>::Outcome::crossing);
+    ASSERT_EQ(in.outcome, Crossing<double>::Outcome::crossing);
     const double duration = scene.period() - in.moment.time;
     EXPECT_NEAR(totals.contact_time, duration, 1e-9);
     EXPECT_NEAR(totals.impact_speed, in.moment.state[1], 1e-9);

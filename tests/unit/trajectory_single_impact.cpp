@@ -36,7 +36,7 @@ TEST_P(SingleImpact, LosesSpeedByTheRestitution) {
     const Probe<double> release({.position = -stiffness, .velocity = -oscillator.kelvin_voigt().damping},
                                 contact);
     const auto end = first_crossing(leg, release, leg.start(), 1.0);
-    ASSERT_EQ(end.outcome, Search<double>::Outcome::crossing);
+    ASSERT_EQ(end.outcome, Crossing<double>::Outcome::crossing);
     EXPECT_NEAR(-end.moment.state[1], GetParam().restitution, 1e-12);
     EXPECT_LE(end.evaluations, 40);
     if (GetParam().damping_ratio < 1) {
