@@ -14,6 +14,7 @@
 #include "map_file/samples.hpp"
 #include "map_file/seal.hpp"
 #include "map_file/survey.hpp"
+#include "map_file/tile_bytes.hpp"
 #include "parallel/collective.hpp"
 #include "support/readable.hpp"
 #include "support/stop_if_asked.hpp"
