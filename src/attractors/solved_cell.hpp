@@ -12,7 +12,7 @@ using cell::CellAttractor;
 struct SolvedCell {
     cell::CellResult cell;                  // from [start]
     std::vector<CellAttractor> attractors;  // by share, then regime, q, p and force; no more than the job keeps
-    std::vector<regime::CellResult> ends = {};  // of each start, in their order, for who asks
+    std::vector<cell::CellResult> ends = {};  // of each start, in their order, for who asks
 };
 
 }  // namespace peterka::attractors
