@@ -13,6 +13,7 @@ namespace peterka::findings {
 namespace {
 
 using regime::Regime;
+using regime::same_attractor;
 
 quantities::StoredCell orbit(std::int32_t impacts, std::int32_t period, double displacement, double velocity,
                              double force = 1) {
