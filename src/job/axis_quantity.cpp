@@ -79,13 +79,15 @@ struct Quantities {
         Start start;
         collect("hammer", hammer);
         collect("cart", cart);
-        collect("contact", KelvinVoigt());
-        collect("contact", Restitution());
-        collect("contact", HuntCrossley());
+        collect_laws(static_cast<const Contact*>(nullptr));
         collect("start", start);
     }
 
   private:
+    template <class... Laws>
+    void collect_laws(const std::variant<Laws...>* /*contact*/) {
+        (collect("contact", Laws()), ...);
+    }
     template <typename Part>
     void collect(const char* table, Part part) {
         const std::size_t before = numbers.size();

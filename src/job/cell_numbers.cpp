@@ -2,34 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
-#include <stdexcept>
-#include <string>
+#include <string_view>
 #include <variant>
 
 #include "job/axis.hpp"
 #include "job/axis_key.hpp"
 #include "job/derived.hpp"
+#include "job/number_walker.hpp"
+#include "job/schema_rig.hpp"
 
 namespace peterka::job {
 namespace {
 
-struct Named {
+struct Settable {
     std::string_view key;
     void (*set)(CellNumbers&, double);
 };
 
-// The stop has the law to which the number belongs: axes over others are refused (table_reader_axes.cpp).
-template <auto Member>
-constexpr auto set_of_stop = [](CellNumbers& cell, double value) {
-    const auto set = []<class Stop>(double Stop::*member, Contact& contact, double to) {
-        if (auto* stop = std::get_if<Stop>(&contact)) stop->*member = to;
-    };
-    set(Member, cell.contact, value);
-};
-
 // clang-format off
-constexpr Named named[] = {
+constexpr Settable named[] = {
     {"frequency_ratio", [](CellNumbers& cell, double value) { cell.place.frequency_ratio = value; cell.place.frequency_hz.reset(); }},
     {"frequency_hz", [](CellNumbers& cell, double value) { cell.place.frequency_hz = value; }},
     {"gap_ratio", [](CellNumbers& cell, double value) { cell.place.gap_ratio = value; cell.place.gap_m.reset(); }},
@@ -38,21 +31,47 @@ constexpr Named named[] = {
     {"velocity_ratio", [](CellNumbers& cell, double value) { cell.start.velocity_ratio = value; }},
     {"start.displacement_ratio", [](CellNumbers& cell, double value) { cell.start.displacement_ratio = value; }},
     {"start.velocity_ratio", [](CellNumbers& cell, double value) { cell.start.velocity_ratio = value; }},
-    {"hammer.mass_kg", [](CellNumbers& cell, double value) { cell.hammer.mass_kg = value; }},
-    {"hammer.natural_frequency_hz", [](CellNumbers& cell, double value) { cell.hammer.natural_frequency_hz = value; cell.hammer.stiffness_n_per_m.reset(); }},
-    {"hammer.stiffness_n_per_m", [](CellNumbers& cell, double value) { cell.hammer.stiffness_n_per_m = value; cell.hammer.natural_frequency_hz.reset(); }},
-    {"hammer.damping_ns_per_m", [](CellNumbers& cell, double value) { cell.hammer.damping_ns_per_m = value; cell.hammer.damping_ratio.reset(); }},
-    {"hammer.damping_ratio", [](CellNumbers& cell, double value) { cell.hammer.damping_ratio = value; cell.hammer.damping_ns_per_m.reset(); }},
-    {"hammer.cubic_stiffness_n_per_m3", [](CellNumbers& cell, double value) { cell.hammer.cubic_stiffness_n_per_m3 = value; }},
-    {"cart.amplitude_m", [](CellNumbers& cell, double value) { cell.cart.amplitude_m = value; }},
-    {"contact.stiffness_n_per_m", set_of_stop<&KelvinVoigt::stiffness_n_per_m>},
-    {"contact.damping_ns_per_m", set_of_stop<&KelvinVoigt::damping_ns_per_m>},
-    {"contact.coefficient", set_of_stop<&Restitution::coefficient>},
-    {"contact.stiffness_n_per_m_pow_n", set_of_stop<&HuntCrossley::stiffness_n_per_m_pow_n>},
-    {"contact.exponent", set_of_stop<&HuntCrossley::exponent>},
-    {"contact.dissipation_s_per_m", set_of_stop<&HuntCrossley::dissipation_s_per_m>},
 };
 // clang-format on
+
+// Sets one number of a table of the job, by the name that the schema has for it. A stop of another law has no
+// such number: axes over those are refused (table_reader_axes.cpp).
+class NumberSetter : public NumberWalker {
+  public:
+    NumberSetter(std::string_view name, double value) : name_(name), value_(value) {}
+
+    void number(const Key& key, double& number, const Range<double>& /*range*/) {
+        if (key.name == name_) number = value_;
+    }
+    void either(const Alternative& first, const Alternative& second, std::string_view /*meaning*/) {
+        choose(first, second);
+        choose(second, first);
+    }
+
+  private:
+    void choose(const Alternative& one, const Alternative& other) {
+        if (one.key.name != name_) return;
+        one.value = value_;
+        other.value.reset();
+    }
+
+    std::string_view name_;
+    double value_;
+};
+
+// Whether the job has such a table.
+bool set_in_table(CellNumbers& numbers, std::string_view table, NumberSetter setter) {
+    if (table == "hammer") {
+        describe(setter, numbers.hammer);
+    } else if (table == "cart") {
+        describe(setter, numbers.cart);
+    } else if (table == "contact") {
+        std::visit([&](auto& stop) { describe(setter, stop); }, numbers.contact);
+    } else {
+        return false;
+    }
+    return true;
+}
 
 }  // namespace
 
@@ -69,9 +88,12 @@ CellNumbers numbers_in(const Job& job) {
 }
 
 void set_number(CellNumbers& numbers, std::string_view key, double value) {
-    const auto* found = std::ranges::find(named, key, &Named::key);
-    if (found == std::end(named)) throw std::logic_error("no axis runs over " + std::string(key));
-    found->set(numbers, value);
+    const auto* found = std::ranges::find(named, key, &Settable::key);
+    if (found != std::end(named)) return found->set(numbers, value);
+    const std::size_t dot = std::min(key.find('.'), key.size() - 1);
+    if (!set_in_table(numbers, key.substr(0, dot), {key.substr(dot + 1), value}))
+        std::abort();  // a fault of the program: no job names such an axis (and the page's engine has no
+                       // exceptions)
 }
 
 CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column) {

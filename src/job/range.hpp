@@ -5,10 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "job/toml_text.hpp"
-
 namespace peterka::job {
 
 template <typename Number>
@@ -18,13 +14,7 @@ struct Range {
     std::string_view reason;
 
     [[nodiscard]] bool contains(Number value) const { return low <= value && value <= high; }
-    [[nodiscard]] std::string text() const {
-        const std::string first = toml_text(low);
-        const std::string last = toml_text(high);
-        if (low == high) return "the value " + first;
-        if (high == std::numeric_limits<Number>::max()) return fmt::format("a value of {} or more", first);
-        return fmt::format("a value from {} to {}", first, last);
-    }
+    [[nodiscard]] std::string text() const;  // in range.cpp, for double and std::int64_t
 };
 
 template <typename Number>

@@ -1,6 +1,9 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <type_traits>
 #include <variant>
 
 #include "job/axis_key.hpp"
@@ -9,21 +12,20 @@
 namespace peterka::scene {
 namespace {
 
-struct SameNumbers {
-    bool operator()(const KelvinVoigt<double>& a, const KelvinVoigt<double>& b) const {
-        return a.stiffness == b.stiffness && a.damping == b.damping;
-    }
-    bool operator()(const Restitution<double>& a, const Restitution<double>& b) const {
-        return a.coefficient == b.coefficient;
-    }
-    bool operator()(const HuntCrossley<double>& a, const HuntCrossley<double>& b) const {
-        return a.stiffness == b.stiffness && a.exponent == b.exponent && a.dissipation == b.dissipation;
-    }
-    template <class One, class Other>
-    bool operator()(const One&, const Other&) const {
+// A law is nothing but its numbers.
+template <class Law>
+auto numbers_of(const Law& law) {
+    static_assert(sizeof(Law) % sizeof(double) == 0);
+    return std::bit_cast<std::array<double, sizeof(Law) / sizeof(double)>>(law);
+}
+
+bool same_numbers(const ContactLaw<double>& a, const ContactLaw<double>& b) {
+    const auto same = []<class One, class Other>(const One& one, const Other& other) {
+        if constexpr (std::is_same_v<One, Other>) return numbers_of(one) == numbers_of(other);
         return false;
-    }
-};
+    };
+    return std::visit(same, a, b);
+}
 
 bool any_differs(const job::Job& job) {
     const auto corners = job::numbers_at_corners(job);
@@ -36,7 +38,7 @@ bool any_differs(const job::Job& job) {
 
 bool same_rig(const Oscillator<double>& a, const Oscillator<double>& b) {
     return a.damping_ratio == b.damping_ratio && a.cubic == b.cubic && a.cubic_form == b.cubic_form &&
-           std::visit(SameNumbers{}, a.contact, b.contact);
+           same_numbers(a.contact, b.contact);
 }
 
 Scene::Scene(const job::Job& job)
