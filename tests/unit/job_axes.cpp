@@ -177,8 +177,8 @@ TEST(Axes, ASweepRunsOverAnyOfThem) {
 
 TEST(Axes, UnknownOnesGetTheNearestName) {
     EXPECT_COMPLAINT(map_text(axis_table("contact.dampling_ns_per_m", 1, 2) + axis_table("gap_ratio", 0, 1)),
-                     "unknown table [axes.contact.dampling_ns_per_m]; what is not understood would silently do "
-                     "nothing; did you mean [axes.contact.damping_ns_per_m]?");
+                     "unknown table [axes.contact.dampling_ns_per_m]; it would have no effect; "
+                     "did you mean [axes.contact.damping_ns_per_m]?");
     EXPECT_COMPLAINT(map_text(axis_table("solver.tolerance", 1, 2) + axis_table("gap_ratio", 0, 1)),
                      "unknown table [axes.solver.tolerance]");
 }
