@@ -13,7 +13,8 @@ CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& kn
           has_starts_ ? regime::CellPool::Findings::handed_on : regime::CellPool::Findings::dropped) {}
 
 void CellCrowd::add(std::int64_t row, std::int64_t column, std::int64_t number) {
-    if (!has_starts_) return pool_.add(row, column, number);  // a single search, which nobody asks what it found
+    if (!has_starts_)
+        return pool_.add(row, column, number);  // a single search, which nobody asks what it found
     auto open = std::make_unique<Open>(CellSearch(setting_, row, column));
     Open& cell = *cells_.emplace(number, std::move(open)).first->second;
     begin_next(number, cell);
