@@ -14,6 +14,7 @@
 #include "parallel/checked.hpp"
 #include "parallel/dealing.hpp"
 #include "parallel/session.hpp"
+#include "support/stop_if_asked.hpp"
 
 namespace {
 
