@@ -44,11 +44,13 @@ class ReusedMemory {
         AllWaiting() = default;
         AllWaiting(const AllWaiting&) = delete;
         AllWaiting& operator=(const AllWaiting&) = delete;
+#ifndef __wasm__  // the engine in a page has one thread, which never ends
         ~AllWaiting() {
             for (Waiting* next : first) {
                 while (next != nullptr) ::operator delete(std::exchange(next, next->next));
             }
         }
+#endif
         std::array<Waiting*, classes + 1> first{};
     };
     static AllWaiting& waiting() {
