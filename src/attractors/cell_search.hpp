@@ -1,8 +1,8 @@
 // One cell of a map: its start, and, where the job has [starts], all of these, in rounds.
 //
 // The searches of a round know the attractors that rounds before it found, and end in their proven
-// neighbourhoods (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't depend on how
-// long others take. [start] itself is solved as in a map without [starts].
+// neighbourhoods (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't depend on
+// how long others take. [start] itself is solved as in a map without [starts].
 #pragma once
 
 #include <cstdint>

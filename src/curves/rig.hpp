@@ -3,8 +3,8 @@
 //
 //     delta'' + 2 b delta' + w2 delta = eta^2 sin(eta tau) - g,
 // with b = zeta, w2 = 1 in flight, and b = zeta + chi/2, w2 = 1 + kappa while a spring-dashpot stop presses.
-// A small change of the state is carried by the leg's flow, which depends on its length alone, and at an event by
-// its saltation matrix: [[1, 0], [-chi, 1]] at the touch of a spring-dashpot stop,
+// A small change of the state is carried by the leg's flow, which depends on its length alone, and at an event
+// by its saltation matrix: [[1, 0], [-chi, 1]] at the touch of a spring-dashpot stop,
 // [[-r, 0], [(1 + r) a/v, -r]] with a = eta^2 sin(theta) - g at that of a rigid one; 1 elsewhere.
 #pragma once
 

@@ -1,7 +1,7 @@
 // All curves of a window: from the edges of a coarse map to seeds, and from seeds to curves, each one once.
 //
-// What is dealt to ranks are tasks whose results depend on their numbers alone, and what follows from all results
-// is worked out by each rank by itself: so nothing depends on the number of ranks.
+// What is dealt to ranks are tasks whose results depend on their numbers alone, and what follows from all
+// results is worked out by each rank by itself: so nothing depends on the number of ranks.
 #pragma once
 
 #include <cstdint>

@@ -82,8 +82,7 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
     }
     const auto keys = axis_keys(law);
     const std::string_view meant = nearest(axis.key, keys);
-    return fmt::format("unknown table [axes.{}]; it would have no effect; {}",
-                       axis.key,
+    return fmt::format("unknown table [axes.{}]; it would have no effect; {}", axis.key,
                        meant.empty() ? fmt::format("[axes] takes {}", fmt::join(keys, ", "))
                                      : fmt::format("did you mean [axes.{}]?", meant));
 }

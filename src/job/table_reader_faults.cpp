@@ -36,8 +36,7 @@ void TableReader::finish() {
                      : fmt::format("unknown key {}{}", toml_key(name),
                                    path_.empty() ? " at the top level" : fmt::format(" in [{}]", path_));
         fault(name, is_table ? entry.value.where : entry.where,
-              fmt::format("{}; it would have no effect; {}", what,
-                          suggestion(name, is_table)));
+              fmt::format("{}; it would have no effect; {}", what, suggestion(name, is_table)));
     }
 }
 

@@ -47,7 +47,8 @@ bool has_batch(const scene::Oscillator<double>& scene, Engine engine);
 bool may_use_batch(const scene::Oscillator<double>& scene, const job::Solver& solver);
 
 // The engine that keeps every term of a scene, for a motion whose reach shows only once it has been followed:
-// the kicks of `split` depend on that. What the job names, or the cheapest that is fit for the cubic's strength.
+// the kicks of `split` depend on that. What the job names, or the cheapest that is fit for the cubic's
+// strength.
 //     do follow(engine.settings()); while (engine.must_change(reach));
 class EngineByReach {
   public:

@@ -55,7 +55,7 @@ void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, pa
 
 regime::AttractorTable find_known_attractors(const parallel::Session& session, const scene::Scene& scene,
                                              const StopRequest& stop) {
-    if (scene.job().kind != job::Kind::basin) return regime::AttractorTable();
+    if (scene.job().kind != job::Kind::basin) return {};
     const scene::Scene pilots(pilot_job(scene.job()));
     const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
     std::vector<Found> mine;

@@ -1,6 +1,6 @@
 // For libFuzzer: no text crashes the reader of jobs or hangs it, and a job that is sound comes back equal from
-// its resolved text. Lines "#! --set KEY=VALUE" are taken as overrides, as in tests/job/bad. The text is read from
-// a file in the current folder, where the rigs are that jobs name.
+// its resolved text. Lines "#! --set KEY=VALUE" are taken as overrides, as in tests/job/bad. The text is read
+// from a file in the current folder, where the rigs are that jobs name.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
