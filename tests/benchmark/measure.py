@@ -267,8 +267,7 @@ class Labels:
             self.regime, self.impacts, self.period, self.cycles = (
                 opened[name][:] for name in ("regime", "impacts", "period", "cycles"))
             eta, gap = opened["frequency_ratio"][:], opened["gap_ratio"][:]
-        with open(ROOT / JOB, "rb") as job:
-            hammer = tomllib.load(job)["hammer"]
+            hammer = tomllib.loads(opened.attrs["job"])["hammer"]  # with the numbers of its rig
         zeta = hammer["damping_ns_per_m"] / (4 * np.pi * hammer["mass_kg"] * hammer["natural_frequency_hz"])
         amplitude = eta**2 / np.hypot(1 - eta**2, 2 * zeta * eta)
         self.comes_free = gap[:, None] > amplitude[None, :]
