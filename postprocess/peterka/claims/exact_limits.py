@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
+from ..maps.curves_file import RIG, SAME_GAP, WORDS
+
 FILE = "curves_170mm"
-SAME_GAP = 1e-6  # A0
-RIG = ("hammer", "cart", "contact")
-KINDS = {"fold": "fold", "period_doubling": "period doubling", "grazing": "grazing"}
 
 
 @dataclass(frozen=True)
@@ -29,7 +28,7 @@ def limits(folder, plane, found, z, row=0):
 
 
 def _borders(folder, plane, z, row, hz, step):
-    return [Limit(border.frequency_ratio * plane.natural_frequency_hz, KINDS[border.curve.kind])
+    return [Limit(border.frequency_ratio * plane.natural_frequency_hz, WORDS[border.curve.kind])
             for border in _crossings(folder, plane)
             if abs(border.gap_ratio - plane.rows[row]) < SAME_GAP and _bounds(border.curve, z)
             and abs(border.frequency_ratio * plane.natural_frequency_hz - hz) <= step]

@@ -12,6 +12,9 @@ from .map_file import PeterkaFile
 KINDS = ("fold", "period_doubling", "grazing")
 SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
 MAX_POINTS = 10_000_000
+WORDS = {kind: kind.replace("_", " ") for kind in KINDS}
+SAME_GAP = 1e-6  # A0: a gap that a curve was asked for, and one of a sweep or a map's row
+RIG = ("hammer", "cart", "contact")  # the tables of a job that a file's curves must share with what they are held against
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,8 @@ from matplotlib.lines import Line2D
 
 from ..files.opened import NotDrawable
 from ..files.regimes import NO_IMPACT, PERIODIC
-from ..maps.curves_file import CurvesFile
+from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
 from ..maps.curves_map import COLOURS, LOOKS
-
-SAME_GAP = 1e-6  # A0
-RIG = ("hammer", "cart", "contact")
-WORDS = {"fold": "fold", "period_doubling": "period doubling", "grazing": "grazing"}
 
 
 @dataclass(frozen=True)
