@@ -6,7 +6,6 @@ import os
 from contextlib import contextmanager
 
 import numpy as np
-from scipy.io import savemat
 
 from .cells import bands, fields_of, regime_word, sides_of
 
@@ -57,6 +56,8 @@ def write_matlab(file, path):
     variables = {field.name: np.concatenate([piece[field.name] for piece in pieces]) for field in fields}
     for side in sides:
         variables |= {side.name: side.values, side.ratio_name: side.ratios}
+    from scipy.io import savemat  # it takes long to load, and few ask for it
+
     with _whole(path, "wb") as out:
         savemat(out, variables | {"title": file.title}, oned_as="row", long_field_names=True)
 

@@ -2,7 +2,7 @@
 
 checked_hdf5, own_objects, seal   single attributes and datasets of a file nobody vouches for; its checksums
 opened     a file of any kind with a checked header
-dataset    a file as an xarray.Dataset, and a dataset as what the readers read
+dataset, dataset_content   a file as an xarray.Dataset, and a dataset as what the readers read
 regimes    the numbers of `regime`
 csv_table  tables that people write: CSV with commas, semicolons or tabs
 harmless   texts out of a file, made safe to show

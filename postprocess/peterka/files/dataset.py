@@ -1,10 +1,8 @@
-"""A file of peterka as an xarray.Dataset, and such a dataset as what the checked readers read.
+"""A file of peterka as an xarray.Dataset.
 
 Names are those of the file, what lies in a group with the group's before it: "attractors/cells". Coordinates are those
 of the file; numbers are the stored ones, regime -128 where a cell isn't computed. Values are read when they are used.
 """
-
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -12,7 +10,7 @@ import xarray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
-from .checked_hdf5 import CheckedFile, NotDrawable, check_range, is_number, meanings
+from .checked_hdf5 import CheckedFile
 
 
 class _Stored(BackendArray):
@@ -51,55 +49,3 @@ def _dimensions(name, dataset):
         return (name,)
     return tuple("/".join(filter(None, [group, scale.keys()[0] if len(scale) else f"{name}_{side}"]))
                  for side, scale in enumerate(dataset.dims))
-
-
-class DatasetContent:
-    """A dataset in the place of a CheckedFile: the readers check it as they check a file."""
-
-    may_be_part = True  # of its file, by sel or isel
-
-    def __init__(self, dataset: xarray.Dataset):
-        self._dataset = dataset
-        self.path = Path(dataset.encoding.get("source") or f"{dataset.attrs.get('title') or 'dataset'}.h5")
-
-    def close(self):
-        """The dataset belongs to its owner."""
-
-    def verify(self):
-        """Its file was verified when it was opened."""
-
-    def refusal(self, reason):
-        return NotDrawable(f"the dataset of {self.path} {reason}")
-
-    def attribute(self, name, of="/"):
-        attributes = self._dataset.attrs if of == "/" else self._dataset[of].attrs
-        value = attributes.get(name)
-        return value if isinstance(value, str) or is_number(value) else None
-
-    def names(self):
-        return sorted({str(name).split("/")[0] for name in self._dataset.variables})
-
-    def has(self, name):
-        return any(known == name or str(known).startswith(f"{name}/") for known in self._dataset.variables)
-
-    def dataset(self, name, shape, kinds):
-        """The variable, of this shape (None: any) and of one of these kinds of numbers."""
-        if name not in self._dataset.variables:
-            raise self.refusal(f"has no dataset {name}")
-        values = self._dataset.variables[name]
-        if values.dtype.kind not in kinds:
-            raise self.refusal(f"has {name} of type {values.dtype}")
-        if shape is not None and values.shape != shape:
-            raise self.refusal(f"has {name} of shape {values.shape} instead of {shape}")
-        return values
-
-    def values(self, name, rows):
-        values = np.asarray(self._dataset.variables[name][rows].values)
-        check_range(self, name, values)
-        return values
-
-    def words(self, name):
-        return meanings(self, name, np.ravel(self._dataset[name].attrs.get("flag_values", ())))
-
-    def text(self, name):
-        return []

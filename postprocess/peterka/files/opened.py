@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from .checked_hdf5 import LARGEST, CheckedFile, NotDrawable, is_number, shown
-from .dataset import DatasetContent
+from .dataset_content import DatasetContent
 from .harmless import harmless
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]

@@ -84,6 +84,7 @@ def save(figure, path):
     kind = path.suffix[1:]
     try:
         figure.savefig(unfinished, format=kind, dpi=figure.dpi, metadata=METADATA[kind])
+        figure.set_layout_engine("none")  # other formats have the same layout: making it takes longer than drawing
         os.replace(unfinished, path)
     finally:
         unfinished.unlink(missing_ok=True)

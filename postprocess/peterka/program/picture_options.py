@@ -2,7 +2,6 @@
 
 import argparse
 
-from ..files.dataset import dataset_of
 from ..files.opened import OpenedFile
 from ..look.axes import si_scale
 from ..look.style import PALETTES, UNITS
@@ -75,6 +74,8 @@ def zoomed(file: OpenedFile, zoom: tuple | None, in_si: bool) -> OpenedFile:
     names = _axes(file)
     if len(zoom) > 2 * len(names):
         raise file.refusal(f"is of kind {file.kind}; --zoom takes {2 * len(names)} numbers there")
+    from ..files.dataset import dataset_of  # xarray takes long to load
+
     data = dataset_of(file.data)
     for name, low, high in zip(names, zoom[::2], zoom[1::2]):
         scale = si_scale(file, name) if in_si else None

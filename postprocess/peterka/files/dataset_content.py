@@ -1,0 +1,67 @@
+"""An xarray.Dataset of a file as what the checked readers read. It is used here, not made: programs that read files alone
+needn't wait for xarray to load.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .checked_hdf5 import NotDrawable, check_range, is_number, meanings
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class DatasetContent:
+    """A dataset in the place of a CheckedFile: the readers check it as they check a file."""
+
+    may_be_part = True  # of its file, by sel or isel
+
+    def __init__(self, dataset: xarray.Dataset):
+        self._dataset = dataset
+        self.path = Path(dataset.encoding.get("source") or f"{dataset.attrs.get('title') or 'dataset'}.h5")
+
+    def close(self):
+        """The dataset belongs to its owner."""
+
+    def verify(self):
+        """Its file was verified when it was opened."""
+
+    def refusal(self, reason):
+        return NotDrawable(f"the dataset of {self.path} {reason}")
+
+    def attribute(self, name, of="/"):
+        attributes = self._dataset.attrs if of == "/" else self._dataset[of].attrs
+        value = attributes.get(name)
+        return value if isinstance(value, str) or is_number(value) else None
+
+    def names(self):
+        return sorted({str(name).split("/")[0] for name in self._dataset.variables})
+
+    def has(self, name):
+        return any(known == name or str(known).startswith(f"{name}/") for known in self._dataset.variables)
+
+    def dataset(self, name, shape, kinds):
+        """The variable, of this shape (None: any) and of one of these kinds of numbers."""
+        if name not in self._dataset.variables:
+            raise self.refusal(f"has no dataset {name}")
+        values = self._dataset.variables[name]
+        if values.dtype.kind not in kinds:
+            raise self.refusal(f"has {name} of type {values.dtype}")
+        if shape is not None and values.shape != shape:
+            raise self.refusal(f"has {name} of shape {values.shape} instead of {shape}")
+        return values
+
+    def values(self, name, rows):
+        values = np.asarray(self._dataset.variables[name][rows].values)
+        check_range(self, name, values)
+        return values
+
+    def words(self, name):
+        return meanings(self, name, np.ravel(self._dataset[name].attrs.get("flag_values", ())))
+
+    def text(self, name):
+        return []
