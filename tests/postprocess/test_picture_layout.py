@@ -13,7 +13,7 @@ from peterka.scaling.dealing import Machine
 from peterka.scaling.run_record import read_record
 from peterka.measurements.points import Measurements, Point
 from picture_samples import (
-    ALL_CLASSES, CHAOTIC, FAILED, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, orbit, write_audit, write_basin, write_map,
+    ALL_CLASSES, CHAOTIC, FAILED, MISSING, NO_IMPACT, PLAIN, SUSTAINED, UNRESOLVED, orbit, write_audit, write_basin, write_map,
 )
 from picture_texts import drawn_texts, faults_of_layout
 from sealing import SealedFile
@@ -127,6 +127,26 @@ def test_a_sweep_with_measured_points_and_many_jumps(tmp_path, monkeypatch):
     points = [Point(FREQUENCY[3], 25.0, -4.0, 0.0, "measured at 9 Hz"), Point(FREQUENCY[-1], 30.0, -2.0, 1.5, "the last one"),
               Point(FREQUENCY[0], 10.0, -3.0, 1.5, "the first one"), Point(1.1, None, None, None, "an edge")]
     all_sound(path, monkeypatch, measured=Measurements(points, []))
+
+
+@pytest.mark.parametrize("count", [8, 40, 160])
+def test_many_points_with_labels_over_maps(tmp_path, monkeypatch, count):
+    """No text meets another one, or a mark; what has no room is left out."""
+    cells = np.repeat(np.repeat(np.array(PLAIN), 12, axis=0), 12, axis=1)
+    path = write_map(tmp_path / "a.h5", cells)
+    random = np.random.default_rng(count)
+    points = [Point(*random.uniform((1, 10), (4, 60)), None, random.uniform(0, 3), f"point {n}", "mine") for n in range(count)]
+    with open_file(path) as file:
+        for name in ("map", "force_all"):
+            figure = figure_of(pictures_of(file, measured=Measurements(points, []))[name](file))
+            sound(figure, monkeypatch)
+            (ax,) = [ax for ax in figure.axes if ax.texts]
+            places = ax.transData.transform([(point.frequency, point.gap) for point in points])
+            texts = [text for text in drawn_texts(figure, monkeypatch) if text[0] in [own.get_text() for own in ax.texts]]
+            assert [text for text, box in texts if any(box.contains(*place) for place in places)] == []
+            words = [text for text, _ in texts]
+            assert sum(word.startswith("point") for word in words) >= min(count, 20)
+            assert sum(not word.startswith("point") for word in words) >= 1
 
 
 @pytest.mark.parametrize("title, size", CASES)

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.ticker import NullFormatter, NullLocator
 
-from . import style
+from . import seen, style
 from .coordinates import label
 from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
 from .fills import fill, textured
@@ -151,12 +151,14 @@ def number_log_scale(axis):
 
 
 def name_areas(ax, reduced, names):
-    """Writes a class's name into its largest rectangle, where that is large enough to hold it.
+    """Writes a class's name into its largest rectangle without a mark that is to be seen, where that is large enough to
+    hold it.
 
     `names` maps a class number of the image to (text, colour of the class)."""
+    marked = _marked(ax, reduced)
     for number, (text, colour) in names.items():
         colour = fill(colour).colour
-        window = _largest_window(reduced.image == number, LETTER_SHARE * len(text))
+        window = _largest_window(reduced.image == number, marked, LETTER_SHARE * len(text))
         if window is not None:
             (left, right), (low, high) = window
             xs, ys = reduced.column_edges[[left, right]], reduced.row_edges[[low, high]]
@@ -170,12 +172,23 @@ def letter_colour(background):
     return "black" if 0.2126 * red + 0.7152 * green + 0.0722 * blue > GREY_BOUNDARY else "white"
 
 
-def _largest_window(mask, smallest, purity=0.97):
-    """The largest window, in the proportions of the whole, of which the share `purity` is True.
+def _marked(ax, reduced):
+    """The cells of the image beneath marks that are to be seen."""
+    cells = np.zeros(reduced.image.shape, dtype=bool)
+    for box in seen.boxes(ax):
+        (left, low), (right, high) = ax.transData.inverted().transform([box.min, box.max])
+        rows, columns = (slice(max(0, np.searchsorted(edges, first, side="right") - 1), np.searchsorted(edges, last))
+                         for edges, first, last in ((reduced.row_edges, low, high), (reduced.column_edges, left, right)))
+        cells[rows, columns] = True
+    return cells
+
+
+def _largest_window(mask, marked, smallest, purity=0.97):
+    """The largest window, in the proportions of the whole, of which the share `purity` is True, and none is `marked`.
 
     Returns its borders ((left, right), (low, high)) in cells; None if it is below `smallest` of the whole's sides."""
     total = np.zeros(np.add(mask.shape, 1), dtype=np.int64)
-    total[1:, 1:] = mask.cumsum(axis=0).cumsum(axis=1)
+    total[1:, 1:] = np.where(marked, -mask.size, mask).cumsum(axis=0).cumsum(axis=1)
     found = None
     low, high = smallest, 1.0
     for _ in range(8):

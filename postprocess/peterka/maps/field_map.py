@@ -82,6 +82,7 @@ def draw(file, field, ax=None, measured=NOTHING_MEASURED):
         marks.draw_over_map(ax, file, measured.points, lambda force: mesh.to_rgba(force * scale.factor))
     if file.kind == "map":  # in a basin all starts of an orbit share the largest value
         _mark(ax, peak, scale.text(peak.value))
+    marks.name_over_map(ax, file, measured.points)
     return ax
 
 

@@ -42,11 +42,12 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     if chatter:
         ax.plot(*_dots(chatter), **CHATTER_LOOK)
     _draw_edge_of_no_impact(ax, file)
+    if measured.points:
+        marks.draw_over_map(ax, file, measured.points)
     axes.name_areas(ax, reduced, _names_to_write(counts))
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax=ax)
-    if measured.points:
-        marks.draw_over_map(ax, file, measured.points)
+    marks.name_over_map(ax, file, measured.points)
     return ax
 
 

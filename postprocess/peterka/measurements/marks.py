@@ -5,7 +5,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..look import axes
-from ..look.notes import SEEN, write_beside
+from ..look.notes import write_beside
+from ..look.seen import SEEN
 
 SHAPES, FACES = "Dos^vP<>", ("white", "black", "#AAAAAA")  # 24 pairs
 EDGE = {"markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.9, "linestyle": "none"}
@@ -40,8 +41,8 @@ def draw(ax, points, quantities, everyone=None, zorder=6.0):
 
 
 def draw_over_map(ax, file, points, colour_of=None):
-    """Marks over the plane of a map, labels beside them; `colour_of`: a colour for each force [F/(m g)]."""
-    quantities = [{"frequency_ratio": "frequency", "gap_ratio": "gap"}[axis.name] for axis in (file.columns, file.rows)]
+    """Marks over the plane of a map; `colour_of`: a colour for each force [F/(m g)]."""
+    quantities = _quantities(file)
     limits = ax.get_xlim(), ax.get_ylim()
     draw(ax, points, quantities)
     shapes = looks(points)
@@ -50,9 +51,17 @@ def draw_over_map(ax, file, points, colour_of=None):
         if colour_of is not None and point.force is not None:
             ax.plot(*place, zorder=6.2, clip_on=False, **shapes[point.series] | {"markerfacecolor": colour_of(point.force)})
     ax.set(xlim=limits[0], ylim=limits[1])
+
+
+def name_over_map(ax, file, points):
+    """Labels beside these marks, where they have room: once all else is written."""
     for point in points:
         if point.label:
-            write_beside(ax, *(getattr(point, quantity) for quantity in quantities), point.label)
+            write_beside(ax, *(getattr(point, quantity) for quantity in _quantities(file)), point.label)
+
+
+def _quantities(file):
+    return [{"frequency_ratio": "frequency", "gap_ratio": "gap"}[axis.name] for axis in (file.columns, file.rows)]
 
 
 def vertical_marks(ax, points):
