@@ -7,6 +7,7 @@
 run, check, open, draw, picture_names, JobError and PeterkaError are what users call. Each package is about one thing and
 imports only those above it:
 
+arrays     kinds of arrays, for hints
 files      any file of peterka, checked before anything in it is believed: HDF5, seals, headers, numbers of regimes
 look       what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
 measurements   points that somebody measured, and how they look over sweeps and maps

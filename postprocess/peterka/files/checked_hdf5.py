@@ -8,6 +8,7 @@ verify() compares the whole of it with its checksums. Every refusal is a NotDraw
 import os
 import re
 from pathlib import Path
+from typing import Any, BinaryIO, Protocol, TypeGuard
 
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
@@ -15,6 +16,7 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 import h5py
 import numpy as np
 
+from ..arrays import Integers
 from . import own_objects, seal
 from .harmless import harmless
 
@@ -32,13 +34,36 @@ class NotDrawable(Exception):
     """The file cannot be drawn; the message says why in one line."""
 
 
+class Content(Protocol):
+    """What the readers read: a file, or a dataset in its place. The members are told of at CheckedFile."""
+
+    path: Path
+    may_be_part: bool
+
+    def refusal(self, reason: str) -> NotDrawable: ...
+
+    def attribute(self, name: str, of: str = "/") -> str | int | float | None: ...
+
+    def names(self) -> list[str]: ...
+
+    def has(self, name: str) -> bool: ...
+
+    def dataset(self, name: str, shape: tuple[int, ...] | None, kinds: str) -> Any: ...
+
+    def values(self, name: str, rows: Any) -> Any: ...
+
+    def words(self, name: str) -> dict[int, str]: ...
+
+    def text(self, name: str) -> list[str]: ...
+
+
 class CheckedFile:
     """An open HDF5 file, all of whose objects are its own; close() it."""
 
     may_be_part = False  # of a file
-    _raw = None
+    _raw: BinaryIO | None = None
 
-    def __init__(self, path):
+    def __init__(self, path: str | os.PathLike) -> None:
         self.path = Path(path)
         self._file = self._open()
         try:
@@ -49,13 +74,15 @@ class CheckedFile:
             self.close()
             raise
 
-    def close(self):
+    def close(self) -> None:
+        """It can't be read any more."""
         self._file.close()
         if self._raw:
             self._raw.close()
 
-    def verify(self):
+    def verify(self) -> None:
         """Reads the file once and compares it with its checksums."""
+        assert self._raw is not None
         try:
             with own_objects.bounded_memory(self._size):
                 seal.verify(self._file, self._raw, self._storages)
@@ -64,11 +91,11 @@ class CheckedFile:
         except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
-    def refusal(self, reason):
+    def refusal(self, reason: str) -> NotDrawable:
         """The exception to raise: 'FILE reason'."""
         return NotDrawable(f"{self.path} {reason}")
 
-    def attribute(self, name, of="/"):
+    def attribute(self, name: str, of: str = "/") -> str | int | float | None:
         """A scalar attribute of the root, or of a dataset that was checked before, as str, int or float; None where it
         is absent or anything else."""
         try:
@@ -82,12 +109,12 @@ class CheckedFile:
             value = value.decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
-    def numbers(self):
+    def numbers(self) -> dict[str, h5py.Dataset]:
         """Names of all datasets of numbers, with the groups' before them: {name: dataset}."""
         names = [path.lstrip("/") for path, storage in self._storages.items() if storage is not None]
         return {name: self.dataset(name, None, NUMBERS) for name in names if self._own(name).dtype.kind in NUMBERS}
 
-    def attributes(self, of="/"):
+    def attributes(self, of: str = "/") -> dict[str, Any]:
         """{name: value} of the root's or a dataset's plain attributes, texts and numbers, and lists of numbers."""
         try:
             with own_objects.bounded_memory(self._size):
@@ -99,21 +126,21 @@ class CheckedFile:
         plain = {name: self.attribute(name, of) for name in found}
         return lists | {name: value for name, value in plain.items() if value is not None and name not in OF_SCALES}
 
-    def names(self):
+    def names(self) -> list[str]:
         """Of all that lies at the root."""
         try:
             return sorted(self._file)
         except _ERRORS:
             return []
 
-    def has(self, name):
+    def has(self, name: str) -> bool:
         """Whether there is anything of this name; dataset() then says whether it may be read."""
         try:
             return name in self._file
         except _ERRORS:
             return False
 
-    def dataset(self, name, shape, kinds):
+    def dataset(self, name: str, shape: tuple[int, ...] | None, kinds: str) -> h5py.Dataset:
         """The dataset `name`, of this shape (None: any) and of one of these kinds of numbers, stored in this file."""
         try:
             dataset = self._own(name)
@@ -127,7 +154,7 @@ class CheckedFile:
         except _ERRORS as error:
             raise self.refusal(f"is damaged: {name} cannot be opened ({_first_line(error)})") from error
 
-    def values(self, name, rows):
+    def values(self, name: str, rows: Any) -> Any:
         """These rows (a slice, or () for a scalar) of a dataset that was checked before."""
         try:
             values = self._file[name][rows]
@@ -136,7 +163,7 @@ class CheckedFile:
         check_range(self, name, values)
         return values
 
-    def words(self, name):
+    def words(self, name: str) -> dict[int, str]:
         """{number: word} of a dataset of flags that was checked before, from its flag_values and flag_meanings."""
         try:
             with own_objects.bounded_memory(self._size):
@@ -145,7 +172,7 @@ class CheckedFile:
             numbers = np.array([])
         return meanings(self, name, numbers)
 
-    def text(self, name):
+    def text(self, name: str) -> list[str]:
         """A scalar text as its printable lines; none where there is no such text."""
         try:
             dataset = self._own(name)
@@ -160,7 +187,7 @@ class CheckedFile:
             return self._file[name]
         raise self.refusal(f"has no dataset {name}")
 
-    def _own_storages(self):
+    def _own_storages(self) -> dict[str, own_objects.Storage | None]:
         try:
             return own_objects.storages(self._file, self._size)
         except own_objects.NotOwn as reason:
@@ -168,7 +195,7 @@ class CheckedFile:
         except (*_ERRORS, RecursionError) as error:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
-    def _open(self):
+    def _open(self) -> h5py.File:
         if not self.path.exists():
             raise self.refusal("does not exist")
         if self.path.is_dir():
@@ -183,13 +210,13 @@ class CheckedFile:
             raise self.refusal("is cut short" if "truncated" in str(error) else "is not an HDF5 file") from error
 
 
-def check_range(data, name, values):
+def check_range(data: Content, name: str, values: Any) -> None:
     """Refuses numbers out of `data` that are none of this program."""
     if values.dtype.kind in REAL and np.any(np.isfinite(values) & (np.abs(values) > LARGEST)):
         raise data.refusal(f"has a {name} beyond {LARGEST:g}, which is no number of this program")
 
 
-def meanings(data, name, numbers):
+def meanings(data: Content, name: str, numbers: Integers) -> dict[int, str]:
     """{number: word} of a dataset of flags out of `data`, of its flag_values and flag_meanings."""
     text = data.attribute("flag_meanings", name)
     words = text.split() if isinstance(text, str) else []
@@ -201,11 +228,12 @@ def meanings(data, name, numbers):
     return dict(zip(numbers.tolist(), words))
 
 
-def is_number(value):
+def is_number(value: object) -> TypeGuard[int | float]:
+    """Whether it is one number, numpy's or Python's; True and False are none."""
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
 
 
-def shown(value):
+def shown(value: object) -> str:
     """A value out of the file, short and in one line, for a message."""
     return re.sub(r"\s+", " ", repr(value))[:60]
 

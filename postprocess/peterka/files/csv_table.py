@@ -6,6 +6,7 @@ have decimal commas. Empty lines and lines that begin with # are passed over. Wh
 
 import csv
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,14 +23,14 @@ class CsvTable:
 
     path: Path
     names: tuple[str, ...]
-    rows: list
+    rows: list[tuple[int, dict[str, str]]]
     decimal_commas: bool
 
-    def refusal(self, reason, line=None):
+    def refusal(self, reason: str, line: int | None = None) -> NotDrawable:
         """The exception to raise: 'FILE:line reason'."""
         return NotDrawable(f"{self.path}{'' if line is None else f':{line}'} {reason}")
 
-    def number(self, line, cells, name):
+    def number(self, line: int, cells: dict[str, str], name: str) -> float | None:
         """The finite number in a cell; None where it is empty."""
         text = cells[name].strip()
         if not text:
@@ -43,7 +44,7 @@ class CsvTable:
         return number
 
 
-def read_csv_table(path, known, what, largest_bytes):
+def read_csv_table(path: Path, known: Collection[str], what: str, largest_bytes: int) -> CsvTable:
     """The table of a file; `known` are the names that columns may have, `what` says what the rows are."""
     text = _text(path, what, largest_bytes)
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
@@ -64,7 +65,7 @@ def read_csv_table(path, known, what, largest_bytes):
     return CsvTable(path, names, rows, separator != ",")
 
 
-def column_names(path):
+def column_names(path: Path) -> list[str]:
     """Those that the file's first line has, whatever they mean."""
     try:
         with open(path, encoding="utf-8-sig", errors="replace") as file:

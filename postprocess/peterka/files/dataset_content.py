@@ -5,7 +5,7 @@ needn't wait for xarray to load.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,31 +20,35 @@ class DatasetContent:
 
     may_be_part = True  # of its file, by sel or isel
 
-    def __init__(self, dataset: xarray.Dataset):
+    def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset
         self.path = Path(dataset.encoding.get("source") or f"{dataset.attrs.get('title') or 'dataset'}.h5")
 
-    def close(self):
+    def close(self) -> None:
         """The dataset belongs to its owner."""
 
-    def verify(self):
+    def verify(self) -> None:
         """Its file was verified when it was opened."""
 
-    def refusal(self, reason):
+    def refusal(self, reason: str) -> NotDrawable:
+        """The exception to raise: 'the dataset of FILE reason'."""
         return NotDrawable(f"the dataset of {self.path} {reason}")
 
-    def attribute(self, name, of="/"):
+    def attribute(self, name: str, of: str = "/") -> str | int | float | None:
+        """As CheckedFile.attribute."""
         attributes = self._dataset.attrs if of == "/" else self._dataset[of].attrs
         value = attributes.get(name)
         return value if isinstance(value, str) or is_number(value) else None
 
-    def names(self):
+    def names(self) -> list[str]:
+        """Of all that lies at the root."""
         return sorted({str(name).split("/")[0] for name in self._dataset.variables})
 
-    def has(self, name):
+    def has(self, name: str) -> bool:
+        """Whether there is a variable of this name, or a group."""
         return any(known == name or str(known).startswith(f"{name}/") for known in self._dataset.variables)
 
-    def dataset(self, name, shape, kinds):
+    def dataset(self, name: str, shape: tuple[int, ...] | None, kinds: str) -> xarray.Variable:
         """The variable, of this shape (None: any) and of one of these kinds of numbers."""
         if name not in self._dataset.variables:
             raise self.refusal(f"has no dataset {name}")
@@ -55,13 +59,16 @@ class DatasetContent:
             raise self.refusal(f"has {name} of shape {values.shape} instead of {shape}")
         return values
 
-    def values(self, name, rows):
+    def values(self, name: str, rows: Any) -> Any:
+        """These rows (a slice, or () for a scalar) of a variable that was checked before."""
         values = np.asarray(self._dataset.variables[name][rows].values)
         check_range(self, name, values)
         return values
 
-    def words(self, name):
+    def words(self, name: str) -> dict[int, str]:
+        """{number: word} of a variable of flags that was checked before."""
         return meanings(self, name, np.ravel(self._dataset[name].attrs.get("flag_values", ())))
 
-    def text(self, name):
+    def text(self, name: str) -> list[str]:
+        """None: a dataset has numbers alone."""
         return []

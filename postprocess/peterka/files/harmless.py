@@ -6,7 +6,7 @@ _MARKUP = frozenset("&<>\"'`*_{}[]#!|~\\$:@")
 _NAMES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}  # as everybody writes them
 
 
-def harmless(text, longest=LONGEST, page=False):
+def harmless(text: object, longest: int | None = LONGEST, page: bool = False) -> str:
     """One line of printable letters: controls, breaks and marks that turn the direction of writing are shown as such (\\x1b),
     and what is longer than so many letters (None: any) is cut. `page`: as a piece of Markdown or HTML that says the same."""
     text = "".join(map(_shown, str(text)[: None if longest is None else longest + 1]))

@@ -3,7 +3,7 @@
 import tomllib
 
 
-def axes_of_job(text):
+def axes_of_job(text: object) -> list[str]:
     """["contact_stiffness_n_per_m", "gap_ratio"] of a job's text; [] where it tells of none."""
     try:
         tables = tomllib.loads(text).get("axes", {}) if isinstance(text, str) else {}

@@ -3,13 +3,22 @@
 What cannot be drawn raises NotDrawable. Use it, or a class made of it, in a `with` block.
 """
 
+from __future__ import annotations
+
+import os
 from functools import cached_property
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
 from .checked_hdf5 import LARGEST, CheckedFile, NotDrawable, is_number, shown
 from .dataset_content import DatasetContent
 from .harmless import harmless
+
+if TYPE_CHECKING:
+    import xarray
+
+    Source = str | os.PathLike | xarray.Dataset
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
@@ -21,9 +30,12 @@ STANDARD_GRAVITY = 9.80665  # m/s^2
 class OpenedFile:
     """`kind` is one of KINDS; a subclass checks its own content in check_content()."""
 
-    def __init__(self, source):
+    computed: float  # share of it, 0 to 1, told by a subclass
+
+    def __init__(self, source: Source) -> None:
         """`source`: the path of a file, or an xarray.Dataset of one."""
-        self.data = DatasetContent(source) if hasattr(source, "data_vars") else CheckedFile(source)
+        self.data: CheckedFile | DatasetContent = (
+            CheckedFile(source) if isinstance(source, (str, os.PathLike)) else DatasetContent(source))
         self.path = self.data.path
         self.refusal = self.data.refusal
         try:
@@ -35,39 +47,39 @@ class OpenedFile:
             self.data.close()
             raise
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.data.close()
 
-    def check_content(self):
+    def check_content(self) -> None:
         """Nothing beyond the header."""
 
     @cached_property
-    def title(self):
+    def title(self) -> str:
         """One harmless line; the name of the file where it has no title."""
         text = self.data.attribute("title")
         return harmless((text.strip() if isinstance(text, str) else "") or self.path.stem)
 
-    def number(self, name):
+    def number(self, name: str) -> float | None:
         """A root attribute that is a finite number of some reasonable size, as float; None where it is absent or anything
         else."""
         value = self.data.attribute(name)
         return float(value) if is_number(value) and np.isfinite(value) and abs(value) <= LARGEST else None
 
-    def positive(self, name):
+    def positive(self, name: str) -> float | None:
         """The same for a number that must be above zero, and by which others are divided."""
         value = self.number(name)
         return value if value is not None and value >= 1 / LARGEST else None
 
     @property
-    def newtons(self):
+    def newtons(self) -> float | None:
         """N in the hammer's weight; None where the file doesn't tell."""
         mass = self.positive("hammer_mass_kg")
         return mass * STANDARD_GRAVITY if mass else None
 
-    def _checked_kind(self):
+    def _checked_kind(self) -> str:
         layout, kind = self.data.attribute("peterka_layout"), self.data.attribute("peterka_kind")
         if layout is None:
             raise self.refusal("is HDF5, but not a peterka file (no attribute peterka_layout)")

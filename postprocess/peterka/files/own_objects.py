@@ -6,6 +6,7 @@ So a file can't ask for more memory than it is long, and can't make this program
 
 import os
 import resource
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -32,18 +33,19 @@ class Storage:
     begin: int
     size: int
     value_bytes: int
-    shape: tuple | None = None
-    chunk: tuple | None = None
+    shape: tuple[int, ...] | None = None
+    chunk: tuple[int, ...] | None = None
     stacked: bool = False
 
     @property
-    def grid(self):
-        """Chunks down and across."""
+    def grid(self) -> tuple[int, ...]:
+        """Chunks down and across, of what is chunked."""
+        assert self.shape is not None and self.chunk is not None
         return tuple(-(-side // step) for side, step in zip(self.shape[:2], self.chunk[:2]))
 
 
 @contextmanager
-def bounded_memory(file_size):
+def bounded_memory(file_size: int) -> Iterator[None]:
     """For reading attributes: a text of any length says how long it is, and HDF5 takes that much before it looks."""
     soft, hard = resource.getrlimit(resource.RLIMIT_AS)
     with open("/proc/self/statm", encoding="ascii") as pages:
@@ -57,14 +59,15 @@ def bounded_memory(file_size):
         resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
 
 
-def storages(file, file_size):
+def storages(file: h5py.File, file_size: int) -> dict[str, Storage | None]:
     """{path: Storage or None for a group} of all objects, each group before what is in it, in the order of the names'
     bytes. Raises NotOwn."""
-    found = {"/": None}
+    found: dict[str, Storage | None] = {"/": None}
     addresses = {_address(file["/"])}
     _walk(file["/"], "", found, addresses, file_size)
-    end, last = 1, None  # the file begins with its superblock
-    for path, storage in sorted(((p, s) for p, s in found.items() if s and s.size), key=lambda item: item[1].begin):
+    end, last = 1, ""  # the file begins with its superblock
+    stored = [(path, storage) for path, storage in found.items() if storage and storage.size]
+    for path, storage in sorted(stored, key=lambda item: item[1].begin):
         if storage.begin < end or storage.begin + storage.size > file_size:
             raise NotOwn(f"keeps {path.lstrip('/')} where {last or 'nothing of it'} lies")
         end, last = storage.begin + storage.size, path.lstrip("/")

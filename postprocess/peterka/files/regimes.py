@@ -1,12 +1,17 @@
 """The numbers of `regime` in a file, and what belongs to them."""
 
+from collections.abc import Mapping
+
 import numpy as np
+
+from ..arrays import Integers
+from .checked_hdf5 import Content
 
 NAMES = ("no impact", "periodic", "chaotic", "sustained contact", "unresolved", "failed")
 NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED_CONTACT, UNRESOLVED, FAILED, NOT_COMPUTED = 0, 1, 2, 3, 4, 5, -128
 
 
-def check_labels(data, columns):
+def check_labels(data: Content, columns: Mapping[str, Integers]) -> None:
     """Refuses arrays of regime, impacts and period that are no labels.
 
     `data` is the file they come from; `columns` {name: integer array}, all of one shape."""

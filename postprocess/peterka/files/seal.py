@@ -4,13 +4,19 @@ The seal, /summary/checksum, is XXH3 (64 bits) of the sequence of bytes that src
 not finished has none; then /summary/frame vouches for its attributes and coordinates.
 """
 
+from collections.abc import Mapping
+from typing import Any, BinaryIO
+
 import h5py
 import numpy as np
+from numpy.typing import NDArray
+
+from .own_objects import Storage
 
 try:
     import xxhash
 except ImportError:  # told where a file is verified
-    xxhash = None
+    xxhash = None  # type: ignore[assignment]
 
 SEAL, FRAME, FINISHED = "/summary/checksum", "/summary/frame", "/summary/finished"
 ATTRACTOR, RUN = "/attractor", "/run"
@@ -22,7 +28,7 @@ class Broken(Exception):
     """What is wrong, without the file's name."""
 
 
-def verify(file, raw, storages):
+def verify(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None]) -> None:
     """`raw`: the same file's bytes, open; `storages`: of own_objects. Raises Broken."""
     if xxhash is None:
         raise Broken("can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)")
@@ -35,7 +41,7 @@ def verify(file, raw, storages):
     _verify_tiles(file, raw, storages)
 
 
-def seal_of(file, raw, storages, whole=True):
+def seal_of(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None], whole: bool = True) -> int:
     """Of the whole file, or of its frame: without the bytes of datasets that are no coordinates."""
     total = xxhash.xxh3_64()
     for path in storages:  # in the order of the seal
@@ -49,11 +55,11 @@ def seal_of(file, raw, storages, whole=True):
     return total.intdigest()
 
 
-def tile_checksums(file, raw, storages):
+def tile_checksums(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | None]) -> NDArray[np.uint64]:
     """Of all tiles, in their order; none where nothing is kept in tiles."""
     if not any(_is_in_tiles(path, storages) for path in storages):
         return np.zeros(0, np.uint64)
-    fields = [storages["/" + name] for name in _names_as_made(file) if _is_in_tiles("/" + name, storages)]
+    fields: list[Any] = [storages["/" + name] for name in _names_as_made(file) if _is_in_tiles("/" + name, storages)]
     if any((field.shape[:2], field.chunk[:2]) != (fields[0].shape[:2], fields[0].chunk[:2]) for field in fields):
         raise Broken("is damaged: its tiles are not of one size")
     return np.array([xxhash.xxh3_64_intdigest(tile) for tile in _tiles(raw, fields)], np.uint64)

@@ -4,15 +4,21 @@ Axes are ratios in the paper's notation; a second scale gives Hz and mm where th
 they are, without interpolation, between their borders: linear or logarithmic. Sizes are for one journal column.
 """
 
+from collections.abc import Callable, Mapping, Sequence
+
 import matplotlib.patheffects as patheffects
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.colors import ListedColormap, to_rgb
+from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
 from . import seen, style
 from .coordinates import label
+from .drawn import AtPoint, Growing, Image, InUnits, Plane
 from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
-from .fills import fill, textured
+from .fills import Fill, fill, textured
 from .frames import NOT_COMPUTED_HATCH, diagram, legend_patch, stack  # noqa: F401
 from .linear_ticks import LinearNumbers, LinearTicks
 from .log_ticks import LogNumbers, LogTicks
@@ -22,7 +28,7 @@ LETTER_SHARE = 0.033  # width of a 9 pt letter over the width of the map
 GREY_BOUNDARY = 0.35  # relative luminance above which black letters read better than white ones
 
 
-def label_axes(ax, file):
+def label_axes(ax: Axes, file: Plane) -> None:
     """Axis labels and scales; on top and at the right in Hz, mm and m/s where the file gives frequency and amplitude."""
     for axis, ticks, which in ((file.columns, ax.xaxis, "x"), (file.rows, ax.yaxis, "y")):
         getattr(ax, f"set_{which}label")(label(axis.name))
@@ -35,7 +41,8 @@ def label_axes(ax, file):
             _set_ticks(getattr(scale, f"{side}axis"), axis.log)
 
 
-def second_scale(ax, side, label_and_factor, place=None):
+def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None,
+                 place: str | float | None = None) -> Axes | None:
     """A scale of the side "x" or "y" in other units, given by its (label, factor from those of the axis): opposite to the
     axis, or, where pictures are in SI alone, in its place; none where `label_and_factor` is None or pictures are in
     ratios alone. `place`: where, if not there. Returns its Axes or None."""
@@ -55,7 +62,7 @@ def second_scale(ax, side, label_and_factor, place=None):
     return scale
 
 
-def si_scale(file, name):
+def si_scale(file: InUnits, name: str) -> tuple[str, float] | None:
     """(label, factor from the ratios of this axis) of its scale in SI units; None where the file doesn't tell."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if name == "frequency_ratio":
@@ -66,7 +73,7 @@ def si_scale(file, name):
     return (lengths[name], 1000 * metres) if metres and name in lengths else None
 
 
-def _set_ticks(ticks, log):
+def _set_ticks(ticks: Axis, log: bool) -> None:
     """Round, plain numbers; on a logarithmic axis as many of 1, 2, 5, 10, ... as have room."""
     if log:
         ticks.set_major_locator(LogTicks())
@@ -77,12 +84,12 @@ def _set_ticks(ticks, log):
         ticks.set_major_formatter(LinearNumbers())
 
 
-def scale_functions(factor):
+def scale_functions(factor: float) -> tuple[Callable, Callable]:
     """Of a second scale: from ratios to so many units each, and back."""
     return (lambda ratio: ratio * factor), (lambda value: value / factor)
 
 
-def show_classes(ax, reduced, colours, not_computed):
+def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_computed: int) -> None:
     """Draws class numbers (rows, columns) in their colours, or the fills of these; the class `not_computed` is left open
     over a hatch."""
     hatch_background(ax)
@@ -94,12 +101,12 @@ def show_classes(ax, reduced, colours, not_computed):
     ax.pcolormesh(columns, rows, shown, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(colours) - 0.5, rasterized=True)
 
 
-def hatch_background(ax):
+def hatch_background(ax: Axes) -> None:
     """Hatches the whole plane: what nothing is drawn over is not computed yet."""
     ax.patch.set(**NOT_COMPUTED_HATCH)
 
 
-def percent(share):
+def percent(share: float) -> str:
     """A share 0..1 for a legend; neither 0 % nor 100 % unless it is exactly that."""
     value = 100 * share
     if 0 < value < 0.1:
@@ -109,13 +116,13 @@ def percent(share):
     return f"{value:.1f} %"
 
 
-def operating_point(file):
+def operating_point(file: AtPoint) -> str:
     """Frequency and gap where all cells share them, as text: both for a basin, none for a map over both."""
     shared = (("Ω/ω", file.positive("frequency_ratio")), ("gap/A₀", file.number("gap_ratio")))
     return ", ".join(f"{name} = {value:.4g}" for name, value in shared if value is not None)
 
 
-def notice_incomplete(ax, file):
+def notice_incomplete(ax: Axes, file: Growing) -> None:
     """Writes into the picture that, and how much of, the map is missing."""
     if file.computed < 1:
         ax.text(
@@ -125,16 +132,17 @@ def notice_incomplete(ax, file):
         )
 
 
-def so_far(file):
+def so_far(file: Growing) -> str:
     """The same for a title."""
     return f"{incomplete_text(file)}\n" if file.computed < 1 else ""
 
 
-def incomplete_text(file):
+def incomplete_text(file: Growing) -> str:
+    """How much is computed, in words."""
     return f"incomplete: {np.floor(1000 * file.computed) / 10:.1f} % computed"
 
 
-def log_scale(ax, *sides):
+def log_scale(ax: Axes, *sides: str) -> None:
     """Makes the sides "x" or "y" of a diagram logarithmic, with few, plain ticks and a pale grid."""
     for side in sides:
         getattr(ax, f"set_{side}scale")("log")
@@ -143,14 +151,14 @@ def log_scale(ax, *sides):
     ax.set_axisbelow(True)
 
 
-def number_log_scale(axis):
+def number_log_scale(axis: Axis) -> None:
     """Few, plain ticks on a logarithmic axis."""
     axis.set_major_locator(LogTicks())
     axis.set_major_formatter(LogNumbers())
     axis.set_minor_locator(NullLocator())
 
 
-def name_areas(ax, reduced, names):
+def name_areas(ax: Axes, reduced: Image, names: Mapping[int, tuple[str, str | Fill]]) -> None:
     """Writes a class's name into its largest rectangle without a mark that is to be seen, where that is large enough to
     hold it.
 
@@ -167,7 +175,8 @@ def name_areas(ax, reduced, names):
                     color=letter_colour(colour), path_effects=outline(2, colour))
 
 
-def letter_colour(background):
+def letter_colour(background: str) -> str:
+    """Black or white, whichever reads better on a colour '#RRGGBB'."""
     red, green, blue = (value**2.2 for value in to_rgb(background))
     return "black" if 0.2126 * red + 0.7152 * green + 0.0722 * blue > GREY_BOUNDARY else "white"
 
@@ -205,6 +214,6 @@ def _largest_window(mask, marked, smallest, purity=0.97):
     return found
 
 
-def outline(width=2.0, colour="white"):
+def outline(width: float = 2.0, colour: str = "white") -> list[AbstractPathEffect]:
     """Path effect: a halo that keeps a line or letter legible on any colour."""
     return [patheffects.withStroke(linewidth=width, foreground=colour)]

@@ -10,7 +10,9 @@ parent. 1/1 and 1/2 are equally bright, so pictures also write p/q into the larg
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Integers
 from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT, UNRESOLVED
 
 
@@ -64,7 +66,7 @@ _OF_REGIME = {
 }
 
 
-def classify(regime, impacts, period):
+def classify(regime: Integers, impacts: Integers, period: Integers) -> NDArray[np.uint8]:
     """Index into CLASSES of each cell, uint8. All three arguments are integer arrays of one shape."""
     table = np.zeros(256, dtype=np.uint8)
     for value, label in _OF_REGIME.items():
@@ -75,7 +77,7 @@ def classify(regime, impacts, period):
     return index
 
 
-def class_of(regime, impacts, period):
+def class_of(regime: int, impacts: int, period: int) -> Class:
     """The Class of one cell; an orbit without a colour of its own keeps its p/q in the label."""
     entry = CLASSES[int(classify(*(np.array([value]) for value in (regime, impacts, period)))[0])]
     return Class(f"{impacts}/{period}", entry.colour) if entry.label == "other p/q" else entry

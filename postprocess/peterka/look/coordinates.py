@@ -25,6 +25,6 @@ LABELS = {
 }
 
 
-def label(name):
+def label(name: str) -> str:
     """A name that is none of these stands for itself, without anything that a picture would take for mathematics."""
     return LABELS.get(name) or name.replace("$", "").replace("\\", "")

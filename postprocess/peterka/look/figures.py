@@ -2,10 +2,16 @@
 
 import io
 import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
 
 import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpecBase
 
 from . import style
 
@@ -17,32 +23,34 @@ class Picture(Figure):
     """A figure made for one picture. It keeps the settings it was drawn with, whatever matplotlib's are when it is saved
     or shown, and notebooks show it."""
 
-    def __init__(self, *arguments, **options):
+    def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self._rc = style.rc()
         FigureCanvasAgg(self)
 
-    def draw(self, renderer):
+    def draw(self, renderer: RendererBase) -> None:
+        """As Figure.draw, in its own settings."""
         with matplotlib.rc_context(self._rc):
             super().draw(renderer)
 
-    def savefig(self, *arguments, **options):
+    def savefig(self, *arguments: Any, **options: Any) -> None:
+        """As Figure.savefig, in its own settings."""
         with matplotlib.rc_context(self._rc):
             super().savefig(*arguments, **options)
 
-    def _repr_png_(self):
+    def _repr_png_(self) -> bytes:
         image = io.BytesIO()
         self.savefig(image, format="png", dpi=150)
         return image.getvalue()
 
 
-def width_of(own):
+def width_of(own: float) -> float:
     """Width [in] of a figure that is `own` [in] wide where nobody asks for another one."""
     asked = style.current().width
     return asked / style.MILLIMETRES if asked else own
 
 
-def new_figure(width, height, cells=1):
+def new_figure(width: float, height: float, cells: int = 1) -> Picture:
     """A Picture [in x in], with a raster fine enough for so many cells along a side."""
     if not style.is_in_use():
         raise RuntimeError("a picture is drawn by a function of @picture, or one of @style.using()")
@@ -50,7 +58,8 @@ def new_figure(width, height, cells=1):
     return Picture(figsize=(width, height), dpi=dpi, layout="constrained")
 
 
-def divided(width, height, ax=None, rows=1, columns=1, cells=1, **ratios):
+def divided(width: float, height: float, ax: Axes | None = None, rows: int = 1, columns: int = 1, cells: int = 1,
+            **ratios: Sequence[float]) -> tuple[Figure, GridSpecBase]:
     """(figure, grid) to put the parts of a picture into: a new figure of this size [in x in], or the place of `ax`, made
     by subplots(), in its figure."""
     if ax is None:
@@ -65,7 +74,7 @@ def divided(width, height, ax=None, rows=1, columns=1, cells=1, **ratios):
     return figure, place.subgridspec(rows, columns, **ratios)
 
 
-def panel(figure, grid, row=0, column=0, ax=None):
+def panel(figure: Figure, grid: GridSpecBase, row: int = 0, column: int = 0, ax: Axes | None = None) -> Axes:
     """The Axes of one part of a divided place; the first part takes over `ax`."""
     if ax is None or (row, column) != (0, 0):
         return figure.add_subplot(grid[row, column])
@@ -73,12 +82,12 @@ def panel(figure, grid, row=0, column=0, ax=None):
     return ax
 
 
-def figure_of(drawn):
+def figure_of(drawn: Axes | Sequence[Axes]) -> Figure:
     """The figure of what a picture's function returned: its Axes, or a list of them."""
     return (drawn[0] if isinstance(drawn, list) else drawn).get_figure()
 
 
-def save(figure, path):
+def save(figure: Figure, path: Path) -> None:
     """Writes a finished picture in the format of its suffix; an interrupted one never passes for a picture."""
     unfinished = path.with_name(f".{path.name}.unfinished")
     kind = path.suffix[1:]

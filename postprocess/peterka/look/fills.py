@@ -5,11 +5,15 @@ in hatching: chaos is black and no impact white; what stays apart by lightness a
 drawn in cells of a fine raster, not in lines over the plane: it ends exactly where the class does.
 """
 
+from collections.abc import Sequence, Collection
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb, to_rgba_array
+from matplotlib.figure import Figure
 
+from ..arrays import Integers, Mask, Reals
 from . import style
 from .classes import CLASSES
 
@@ -34,20 +38,20 @@ class Fill:
     hatch: str = ""
 
     @property
-    def stroke(self):
+    def stroke(self) -> str:
         """The colour of the hatching."""
         own = lightness(self.colour)
         return grey(own - CONTRAST if own > 50 else own + CONTRAST)
 
 
-def grey(light):
+def grey(light: float) -> str:
     """The neutral '#RRGGBB' of this lightness, CIE L* 0 to 100."""
     linear = ((light + 16) / 116) ** 3 if light > 8 else light / 903.3
     value = 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
     return to_hex([float(np.clip(value, 0, 1))] * 3)
 
 
-def lightness(colour):
+def lightness(colour: str) -> float:
     """CIE L* of a colour, 0 to 100: how it looks in a grey print."""
     linear = [value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in to_rgb(colour)]
     luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
@@ -57,7 +61,7 @@ def lightness(colour):
 _OF_CLASS = {entry.colour: Fill(grey(GREYS[entry.label][0]), GREYS[entry.label][1]) for entry in CLASSES}
 
 
-def fill(colour):
+def fill(colour: str | Fill) -> Fill:
     """The Fill of a colour of the pictures in the present palette; a Fill stays what it is."""
     if isinstance(colour, Fill):
         return colour
@@ -66,7 +70,8 @@ def fill(colour):
     return _OF_CLASS.get(colour) or Fill(grey(lightness(colour)))
 
 
-def textured(image, row_edges, column_edges, fills, log=(False, False)):
+def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequence[Fill],
+             log: tuple[bool, bool] = (False, False)) -> tuple[Integers, Reals, Reals, list[str]]:
     """An image of class numbers (rows, columns) as a raster of colour numbers, for fills with hatchings.
 
     `log`: whether rows and columns are spaced in the logarithm. Returns (raster, its row edges, its column edges,
@@ -93,7 +98,7 @@ def _raster(edges, log):
     return fine, np.clip(np.searchsorted(edges, middles) - 1, 0, len(edges) - 2)
 
 
-def _strokes(hatch, rows, columns):
+def _strokes(hatch: str, rows: int, columns: int) -> Mask:
     """Mask (rows, columns) of a hatching's lines or dots; rows are counted upwards."""
     row, column = np.ogrid[:rows, :columns]
     row, column = row * RASTER / rows, column * RASTER / columns
@@ -105,7 +110,7 @@ def _strokes(hatch, rows, columns):
     return {"//": rising, "\\\\": falling, "xx": rising | falling, "++": crossed}[hatch]
 
 
-def without_colour(figure, others=()):
+def without_colour(figure: Figure, others: Collection[Axes] = ()) -> None:
     """Turns the lines, letters and marks of a figure, but for those in these other Axes, into greys as light as they are."""
     for ax in figure.axes:
         if ax not in others:

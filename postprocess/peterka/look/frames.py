@@ -1,11 +1,18 @@
 """How the parts of a picture stand: a map over its colour bar, legends and a panel; diagrams over each other."""
 
+from collections.abc import Sequence
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Patch
 from matplotlib.textpath import text_to_path
+from numpy.typing import NDArray
 
 from .figures import divided, panel, width_of
-from .fills import fill
+from .fills import Fill, fill
 
 NOT_COMPUTED_HATCH = {"facecolor": "white", "edgecolor": "#8C8C8C", "hatch": "//////", "linewidth": 0}
 MAP_HEIGHT, BAR_HEIGHT, LEGEND_GAP, LEGEND_ROW = 3.15, 0.75, 0.12, 0.165  # in
@@ -14,17 +21,19 @@ KEY_GAP, SPACE, MARGIN = 0.06, 0.14, 0.1  # in: after the key of an entry, betwe
 PATCH, LINE = 1.4, 2.0  # length of a key over the size of letters
 
 
-def legend_patch(label, colour, hatched=False):
+def legend_patch(label: str, colour: str | Fill | None, hatched: bool = False) -> Patch:
     """An entry of a legend: a colour, or the Fill it has in the present palette; `hatched`: what isn't computed yet."""
     if hatched:
         return Patch(label=label, **NOT_COMPUTED_HATCH | {"linewidth": 0.4})
+    assert colour is not None
     look = fill(colour)
     if not look.hatch:
         return Patch(facecolor=look.colour, edgecolor="black", linewidth=0.3, label=label)
     return Patch(facecolor=look.colour, edgecolor=look.stroke, linewidth=0.3, label=label, hatch=2 * look.hatch)
 
 
-def stack(width, image, legends, bar=False, panel_height=0.0, ax=None):
+def stack(width: float, image: NDArray[Any], legends: Sequence[tuple[Sequence[Artist], int, str | None]], bar: bool = False,
+          panel_height: float = 0.0, ax: Axes | None = None) -> tuple[Figure, Axes, Axes | None]:
     """A figure of `width` [in]: a map and, below it, a colour bar if asked for, the legends, and a panel of this height
     [in] if asked for; or all this in the place of `ax`.
 
@@ -43,7 +52,8 @@ def stack(width, image, legends, bar=False, panel_height=0.0, ax=None):
     return figure, ax, (below[0] if bar else below[-1] if panel_height else None)
 
 
-def diagram(width, height, handles, panels=1, columns=2, ax=None):
+def diagram(width: float, height: float, handles: Sequence[Artist], panels: int = 1, columns: int = 2,
+            ax: Axes | None = None) -> tuple[Figure, list[Axes]]:
     """A figure of `width` [in] with diagrams above each other, `height` [in] together, of one x axis, and a legend
     below them; or all this in the place of `ax`. Returns the figure and the list of Axes."""
     own, width = width, width_of(width)
@@ -58,7 +68,7 @@ def diagram(width, height, handles, panels=1, columns=2, ax=None):
     return figure, all_axes[:panels]
 
 
-def write_legend(ax, handles, columns, title, handlelength):
+def write_legend(ax: Axes, handles: Sequence[Artist], columns: int, title: str | None, handlelength: float) -> None:
     """A legend that has Axes for itself, and they nothing else."""
     ax.axis("off")
     ax.legend(
@@ -67,7 +77,7 @@ def write_legend(ax, handles, columns, title, handlelength):
     )
 
 
-def columns_that_fit(handles, most, width, key):
+def columns_that_fit(handles: Sequence[Artist], most: int, width: float, key: float) -> int:
     """In how many columns, `most` at most, the entries of a legend fit into so many inches."""
     widths = [text_width(handle.get_label(), LETTERS, has_mathematics=True) + key * LETTERS / 72 + KEY_GAP for handle in handles]
     for columns in range(min(most, len(handles)), 1, -1):
@@ -78,7 +88,7 @@ def columns_that_fit(handles, most, width, key):
     return 1
 
 
-def text_width(text, size, has_mathematics=False):
+def text_width(text: str, size: float, has_mathematics: bool = False) -> float:
     """Of one line [in]."""
     is_math = has_mathematics and text.count("$") > 1
     return text_to_path.get_text_width_height_descent(text, FontProperties(size=size), ismath=is_math)[0] / 72

@@ -4,10 +4,14 @@ Matplotlib writes a power of ten that labels share above the end of their axis, 
 here each label has it. Labels of one axis are all plain, or all of one power of ten.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, ScalarFormatter
 from matplotlib.transforms import Bbox
 
+from ..arrays import Reals
 from .log_ticks import LETTER, LINE, PLAIN_FROM, PLAIN_TO, SPACE, USUAL_LENGTH
 
 MOST, MOST_OF_LONG, LONG = 7, 10, 4.5  # intervals between ticks, and the length from which on there may be more [in]
@@ -16,10 +20,10 @@ MOST, MOST_OF_LONG, LONG = 7, 10, 4.5  # intervals between ticks, and the length
 class LinearTicks(MaxNLocator):
     """Set it as the major locator; it asks the axis's own LinearNumbers how wide labels are."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(nbins=MOST, steps=[1, 2, 5, 10])
 
-    def __call__(self):
+    def __call__(self) -> Reals:
         low, high = sorted(self.axis.get_view_interval())
         ticks = np.array([])
         for intervals in range(MOST if _length(self.axis) < LONG else MOST_OF_LONG, 0, -1):
@@ -44,19 +48,20 @@ class LinearTicks(MaxNLocator):
 class LinearNumbers(ScalarFormatter):
     """The labels that go with LinearTicks."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__(useOffset=False)
         self.set_scientific(False)
 
-    def format_ticks(self, values):
+    def format_ticks(self, values: Sequence[float]) -> list[str]:
+        """All labels at once."""
         self.set_locs(values)
         return numbers(np.asarray(values, dtype=float))
 
-    def __call__(self, value, pos=None):
+    def __call__(self, value: float, pos: int | None = None) -> str:
         return numbers(np.asarray([value, *self.locs], dtype=float))[0]
 
 
-def numbers(values):
+def numbers(values: Reals) -> list[str]:
     """Labels of evenly spaced values."""
     largest = np.max(np.abs(values), initial=0)
     if largest == 0:
@@ -76,7 +81,7 @@ def _label(value, exponent, decimals):
     return "0" if value == 0 else f"${text}\\cdot10^{{{exponent}}}$".replace("\N{MINUS SIGN}", "-")
 
 
-def letters(label):
+def letters(label: str) -> float:
     """How many digits wide."""
     if not label.startswith("$"):
         return len(label)
@@ -84,7 +89,7 @@ def letters(label):
     return len(factor) + 3 + 0.7 * len(exponent.strip("{}"))
 
 
-def use_everywhere(figure):
+def use_everywhere(figure: Figure) -> None:
     """On all linear axes of a figure that number themselves, second scales too."""
     for ax in figure.axes:
         for one in [ax, *ax.child_axes]:

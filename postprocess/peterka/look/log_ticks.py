@@ -5,8 +5,12 @@ This one takes the densest of a few round sequences whose labels have room on th
 where the range is too narrow for any of them. Labels of one axis are all plain, or all powers of ten.
 """
 
+from collections.abc import Iterable
+
 import numpy as np
 from matplotlib.ticker import Formatter, Locator, MaxNLocator
+
+from ..arrays import Reals
 
 SEQUENCES = [np.arange(1, 10), (1, 2, 5), (1,)]  # within a decade
 LETTER, LINE, SPACE = 0.079, 0.12, 0.09  # in: width and height of an 8 pt digit's room, least space between labels
@@ -18,10 +22,11 @@ ROUNDING = 1e-9
 class LogTicks(Locator):
     """Set it as the major locator."""
 
-    def __call__(self):
+    def __call__(self) -> Reals:
         return self.tick_values(*self.axis.get_view_interval())
 
-    def tick_values(self, vmin, vmax):
+    def tick_values(self, vmin: float, vmax: float) -> Reals:
+        """Those between two ends, which are round numbers where there is room for any."""
         low, high = sorted((vmin, vmax))
         if not 0 < low < high < np.inf:
             return np.array([])
@@ -51,7 +56,7 @@ class LogTicks(Locator):
 class LogNumbers(Formatter):
     """The labels that go with LogTicks."""
 
-    def __call__(self, value, _=None):
+    def __call__(self, value: float, _: int | None = None) -> str:
         shown = self.locs
         if self.axis is not None:
             low, high = sorted(self.axis.get_view_interval())
@@ -59,15 +64,18 @@ class LogNumbers(Formatter):
         return plain_number(value) if all_plain(shown) else power_of_ten(value)
 
 
-def all_plain(values):
+def all_plain(values: Iterable[float]) -> bool:
+    """Whether labels are plain numbers; else they are powers of ten."""
     return all(PLAIN_FROM <= value < PLAIN_TO for value in values)
 
 
-def plain_number(value):
+def plain_number(value: float) -> str:
+    """0.02 is "0.02"."""
     return f"{value:g}"
 
 
-def power_of_ten(value):
+def power_of_ten(value: float) -> str:
+    """2e-5 is "2·10⁻⁵", as matplotlib writes mathematics."""
     exponent = int(np.floor(np.log10(abs(value)) + ROUNDING))
     factor = value / 10.0**exponent
     return f"$10^{{{exponent}}}$" if np.isclose(factor, 1) else f"${factor:g}\\cdot10^{{{exponent}}}$"

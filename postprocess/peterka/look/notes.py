@@ -4,6 +4,7 @@ seen; else further away, with a line to its point. Where there is no room at all
 from itertools import product
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
 
@@ -17,7 +18,7 @@ PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, where there is no room besid
 MORE_PLACES = np.linspace(0.02, 0.98, 21)  # for small letters
 
 
-def write_beside(ax, x, y, text):
+def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
     """Once the layout is made; on the side of the point where the picture has more room."""
     across, up = ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
     right, above = (1 if across < 0.5 else -1), (1 if up < 0.5 else -1)

@@ -2,6 +2,7 @@
 
 import functools
 from collections.abc import Callable
+from typing import Any
 
 from . import fills, style
 from .figures import figure_of
@@ -16,9 +17,9 @@ def picture(reader: Callable) -> Callable:
 
     and returns the Axes, a list where the picture has several panels, or None where there is nothing to draw."""
 
-    def decorate(draw):
+    def decorate(draw: Callable) -> Callable:
         @functools.wraps(draw)
-        def drawn(data, ax=None, **options):
+        def drawn(data: Any, ax: Any | None = None, **options: Any) -> Any:
             changes = {name: options.pop(name) for name in style.NAMES & options.keys()}
             with style.using(**changes):
                 file = reader(data) if hasattr(data, "data_vars") else data

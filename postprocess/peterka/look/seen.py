@@ -1,11 +1,12 @@
 """Marks of a picture that are to be seen: no text is written over them."""
 
+from matplotlib.axes import Axes
 from matplotlib.transforms import Bbox
 
 SEEN = "a mark to be seen"  # the gid of such lines
 
 
-def boxes(ax):
+def boxes(ax: Axes) -> list[Bbox]:
     """Of these marks [pixels]."""
     half = 0.75 / 72 * ax.get_figure().dpi
     return [Bbox([place - half * line.get_markersize(), place + half * line.get_markersize()])

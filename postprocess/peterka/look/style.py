@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import matplotlib
 
@@ -43,7 +44,7 @@ class Style:
     palette: str = "colour"
     units: str = "both"
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for name, known in (("palette", PALETTES), ("units", UNITS)):
             if getattr(self, name) not in known:
                 raise ValueError(f"{name} is {getattr(self, name)!r}; it can be {' or '.join(known)}")
@@ -62,7 +63,7 @@ def current() -> Style:
 
 
 @contextmanager
-def using(**changes) -> Iterator[Style]:
+def using(**changes: Any) -> Iterator[Style]:
     """Pictures drawn inside have these fields of a Style."""
     token = _current.set(replace(_current.get(), **changes))
     used = _in_use.set(True)
@@ -74,7 +75,7 @@ def using(**changes) -> Iterator[Style]:
         _current.reset(token)
 
 
-def rc() -> dict:
+def rc() -> dict[str, object]:
     """matplotlib's own settings in this style."""
     font = current().font
     return RC | ({"font.family": [font, "DejaVu Sans"]} if font else {})
@@ -86,4 +87,5 @@ def is_in_use() -> bool:
 
 
 def is_grey() -> bool:
+    """Whether pictures go without colours now."""
     return current().palette == "grey"

@@ -2,7 +2,11 @@
 
 import textwrap
 
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
 from . import style
+from .drawn import Titled
 from .figures import Picture
 from .frames import text_width
 from .linear_ticks import use_everywhere
@@ -12,7 +16,7 @@ LINE = 0.155  # in, of a title
 MARGIN = 0.1  # in, left and right of it
 
 
-def write_title(figure, file, extra="", ax=None):
+def write_title(figure: Figure, file: Titled, extra: str = "", ax: Axes | None = None) -> None:
     """Title of the file, wrapped to the figure; `extra` below it, line by line. Never read as mathematics: it may hold
     a $. To be called when the picture is complete, but for notes that look for a place. In a figure of somebody else's
     it stands over `ax`, whose place the picture took, and that figure's layout is made when it is shown."""
@@ -26,6 +30,7 @@ def write_title(figure, file, extra="", ax=None):
             figure.suptitle("\n".join(lines), fontsize=SIZE, parse_math=False)
         use_everywhere(figure)
     elif lines:
+        assert ax is not None
         ax.set_title("\n".join(lines), fontsize=SIZE, parse_math=False)
     # The layout is made of labels, which depend on the layout: a first round here, the second one when it is saved.
     figure.draw_without_rendering()
@@ -37,7 +42,7 @@ def _share(ax):
     return place.width
 
 
-def wrapped(text, width):
+def wrapped(text: str, width: float) -> list[str]:
     """As few lines as fit into so many inches, and these about equally long."""
     letters = len(text)
     while letters > 1 and not _fits(text, letters, width):

@@ -6,21 +6,21 @@ PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1, ""), (1e3, "k"), (1e6, "
 PLAIN_TO = 1e6
 
 
-def with_prefix(largest, unit):
+def with_prefix(largest: float, unit: str) -> tuple[float, str]:
     """(factor, unit with the prefix) that bring a scale's largest value to 1 ... 1000 where prefixes can."""
     fitting = [(size, letter) for size, letter in PREFIXES if largest >= size * (1 - 1e-12)]
     size, letter = fitting[-1] if fitting else (PREFIXES[0] if largest > 0 else (1, ""))
     return 1 / size, letter + unit
 
 
-def amount(value, unit, digits=3):
+def amount(value: float, unit: str, digits: int = 3) -> str:
     """2714.2 N is "2.71 kN"."""
     rounded = float(f"{value:.{digits}g}")  # 999.96 is 1 k
     factor, unit = with_prefix(abs(rounded), unit)
     return f"{number(rounded * factor, digits)} {unit}"
 
 
-def number(value, digits=3):
+def number(value: float, digits: int = 3) -> str:
     """Plain up to a million: 1085.6 is "1090"."""
     rounded = float(f"{value:.{digits}g}")
     if not np.isfinite(rounded) or not 1e-4 <= abs(rounded) < PLAIN_TO:

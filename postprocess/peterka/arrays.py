@@ -1,0 +1,10 @@
+"""Kinds of arrays in hints. Their shapes and units stand in the docstrings."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Reals = NDArray[np.floating[Any]]
+Integers = NDArray[np.integer[Any]]
+Mask = NDArray[np.bool_]
