@@ -34,9 +34,9 @@ job::Job of_starts(job::Job job) {
     return job;
 }
 
-Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
+Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
                              std::vector<regime::Neighbourhood>* places) {
-    regime::Places proved = co_await regime::find_places(desk, scene, found, 1);
+    regime::Places proved = co_await regime::find_places(desk, oscillator, found, 1);
     *places = std::move(proved.neighbourhoods);
     co_return CellResult{.cycles = static_cast<std::int32_t>(proved.cycles)};
 }
@@ -66,7 +66,7 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
         case Stage::places:
             for (std::size_t i = 0; i < proving_.size(); ++i) {
                 const FoundAttractor& found = known_[proving_[i]].found;
-                table_.add(scene_of(found), found, proved_[i]);
+                table_.add(oscillator_of(found), found, proved_[i]);
             }
             break;
         case Stage::kicks: {
@@ -125,7 +125,7 @@ void CellSearch::take_found(std::span<const FoundAttractor> found) {
         if (each.result.regime != regime::Regime::periodic) continue;
         const auto known = std::ranges::find_if(known_, [&](const Known& other) {
             return other.found.cubic == each.cubic &&
-                   regime::same_map(scene_of(each), other.found.settings, each.settings) &&
+                   regime::same_map(oscillator_of(each), other.found.settings, each.settings) &&
                    regime::same_orbit(other.found.result, each.result);
         });
         Known& entry = known != known_.end() ? *known : known_.emplace_back(Known{each});
@@ -152,7 +152,7 @@ std::vector<Begin> CellSearch::places_worth_proving() {
     for (std::size_t i = 0; i < proving_.size(); ++i) {
         searches.emplace_back([this, i](CycleDesk& desk, std::vector<FoundAttractor>*) {
             const FoundAttractor& found = known_[proving_[i]].found;
-            return find_places(desk, scene_of(found), found, &proved_[i]);
+            return find_places(desk, oscillator_of(found), found, &proved_[i]);
         });
     }
     return searches;
@@ -178,10 +178,10 @@ void CellSearch::take_kicks() {
     }
 }
 
-scene::Oscillator<double> CellSearch::scene_of(const FoundAttractor& found) const {
-    scene::Oscillator<double> scene = cell_.oscillator;
-    scene.cubic = found.cubic;
-    return scene;
+scene::Oscillator<double> CellSearch::oscillator_of(const FoundAttractor& found) const {
+    scene::Oscillator<double> oscillator = cell_.oscillator;
+    oscillator.cubic = found.cubic;
+    return oscillator;
 }
 
 }  // namespace peterka::attractors

@@ -58,7 +58,7 @@ class CellSearch {
     void take_found(std::span<const regime::FoundAttractor> found);
     void take_kicks();
     [[nodiscard]] Begin search_from(const scene::State<double>& start) const;
-    [[nodiscard]] scene::Oscillator<double> scene_of(const regime::FoundAttractor& found) const;
+    [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;
     [[nodiscard]] std::int64_t count() const { return setting_.of_starts.starts.count; }
 
     const Setting& setting_;

@@ -18,12 +18,12 @@ constexpr std::int64_t levels = 24;  // sizes tried: the smallest is 1/576 of th
 constexpr int most_bisections = 12;  // to 1/4096 of the distance between two sizes
 
 // The points of an orbit at forcing phase 0, from the one that names it.
-Task<CellResult> follow_orbit(CycleDesk& desk, scene::Oscillator<double> scene, regime::FoundAttractor found,
-                              std::vector<scene::State<double>>* points) {
-    scene.cubic = found.cubic;
-    regime::StroboscopicMap map(scene, found.settings, desk);
+Task<CellResult> follow_orbit(CycleDesk& desk, scene::Oscillator<double> oscillator,
+                              regime::FoundAttractor found, std::vector<scene::State<double>>* points) {
+    oscillator.cubic = found.cubic;
+    regime::StroboscopicMap map(oscillator, found.settings, desk);
     regime::Point point = map.scaled(
-        scene::State<double>(found.result.orbit_displacement - scene.gap, found.result.orbit_velocity));
+        scene::State<double>(found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity));
     points->push_back(map.unscaled(point));
     for (std::int32_t n = 1; n < found.result.period; ++n) {
         const regime::Passage cycle = co_await map.cycle(point);

@@ -96,11 +96,11 @@ void BatchedCycleMap::make_room(std::size_t capacity) {
     twins_.resize(capacity);
 }
 
-scene::Oscillator<double> BatchedCycleMap::scene_of(double frequency, double gap) const {
-    scene::Oscillator<double> scene = oscillator_;
-    scene.frequency = frequency;
-    scene.gap = gap;
-    return scene;
+scene::Oscillator<double> BatchedCycleMap::oscillator_of(double frequency, double gap) const {
+    scene::Oscillator<double> oscillator = oscillator_;
+    oscillator.frequency = frequency;
+    oscillator.gap = gap;
+    return oscillator;
 }
 
 void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& state) {
@@ -109,16 +109,16 @@ void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& st
 }
 
 BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double gap) const {
-    const scene::Oscillator<double> scene = scene_of(frequency, gap);
-    const auto cubic = trajectory::cubic_about_stop(scene);
-    const motion::LinearMotion<double> flight(cubic(motion::flight_equation(scene)));
-    const motion::LinearMotion<double> contact(cubic(motion::contact_equation(scene)));
+    const scene::Oscillator<double> oscillator = oscillator_of(frequency, gap);
+    const auto cubic = trajectory::cubic_about_stop(oscillator);
+    const motion::LinearMotion<double> flight(cubic(motion::flight_equation(oscillator)));
+    const motion::LinearMotion<double> contact(cubic(motion::contact_equation(oscillator)));
     Forcing f;
     f.frequency = frequency;
     f.gap = gap;
-    const double step = scene.period() / grid_.steps;
+    const double step = oscillator.period() / grid_.steps;
     const double fastest = std::max({1.0, frequency, flight.natural_frequency()});
-    const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
+    const bool relative = oscillator.cubic == 0 || oscillator.cubic_form == job::CubicForm::relative;
     f.fit = rig_.fit && is_regular(flight) && is_regular(contact) && relative && step * fastest <= longest_step;
     const double square = flight.equation().stiffness;
     const double re = flight.response().real();
@@ -214,9 +214,9 @@ void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
 }
 
 BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
-    const auto scene = scene_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]);
-    if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(scene, grid_.steps);
-    return trajectory::ExactCycleMap<double>(scene);
+    const auto oscillator = oscillator_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]);
+    if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(oscillator, grid_.steps);
+    return trajectory::ExactCycleMap<double>(oscillator);
 }
 
 void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {

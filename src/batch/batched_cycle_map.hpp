@@ -85,7 +85,7 @@ class BatchedCycleMap {
     [[nodiscard]] Forcing forcing_of(double frequency, double gap) const;
     const Forcing& forcing(double frequency, double gap);
 
-    [[nodiscard]] scene::Oscillator<double> scene_of(double frequency, double gap) const;
+    [[nodiscard]] scene::Oscillator<double> oscillator_of(double frequency, double gap) const;
     void make_room(std::size_t capacity);
     void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);

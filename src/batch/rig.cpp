@@ -170,14 +170,14 @@ void set_series(Rig& rig) {
 
 }  // namespace
 
-Rig::Rig(const scene::Oscillator<double>& scene)
-    : damping_ratio(scene.damping_ratio),
-      cubic(scene.cubic),
-      stiffness(scene.kelvin_voigt().stiffness),
-      damping(scene.kelvin_voigt().damping),
+Rig::Rig(const scene::Oscillator<double>& oscillator)
+    : damping_ratio(oscillator.damping_ratio),
+      cubic(oscillator.cubic),
+      stiffness(oscillator.kelvin_voigt().stiffness),
+      damping(oscillator.kelvin_voigt().damping),
       lag(damping / stiffness) {
-    const Motion flight(motion::flight_equation(scene));
-    const Motion contact(motion::contact_equation(scene));
+    const Motion flight(motion::flight_equation(oscillator));
+    const Motion contact(motion::contact_equation(oscillator));
     weakly_damped = damping_ratio * 6 * std::numbers::pi / 4 < 0.1;
     flight_rate = flight.rate();
     contact_decay = contact.equation().damping;

@@ -27,7 +27,7 @@ struct Flow {
 };
 
 struct Rig {
-    explicit Rig(const scene::Oscillator<double>& scene);
+    explicit Rig(const scene::Oscillator<double>& oscillator);
 
     double damping_ratio = 0;      // zeta
     bool weakly_damped = false;    // a flight of six steps decays by less than a tenth

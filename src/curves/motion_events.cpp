@@ -15,16 +15,17 @@ using motion::LinearMotion;
 using motion::Moment;
 using motion::Probe;
 using trajectory::first_crossing;
-using Outcome = trajectory::Crossing<double>::Outcome;
+using Ending = trajectory::Crossing<double>::Ending;
 
 // The same legs and events as those of trajectory/linear_legs.hpp and rigid_legs.hpp, with their times kept.
 class Walk {
   public:
     Walk(const Rig& rig, const Place& place)
         : rig_(rig),
-          scene_(rig.scene_at(place)),
-          flight_(motion::flight_equation(scene_)),
-          contact_(rig.is_rigid() ? motion::flight_equation(scene_) : motion::contact_equation(scene_)),
+          oscillator_(rig.scene_at(place)),
+          flight_(motion::flight_equation(oscillator_)),
+          contact_(rig.is_rigid() ? motion::flight_equation(oscillator_)
+                                  : motion::contact_equation(oscillator_)),
           touch_({.position = 1}, flight_),
           leave_({.position = -1}, flight_),
           resume_({.position = rig.force({1, 0}), .velocity = rig.force({0, 1})}, flight_),
@@ -32,21 +33,22 @@ class Walk {
 
     [[nodiscard]] std::optional<std::vector<Event>> events(State<double> x, std::int64_t cycles) const {
         std::vector<Event> found;
-        Phase phase = trajectory::phase_of(scene_, x);
+        Phase phase = trajectory::phase_of(oscillator_, x);
         if (rig_.is_rigid() && phase == Phase::contact) return std::nullopt;
         for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
-            const double begin = duration_of(cycle, {scene_.frequency, scene_.gap});
+            const double begin = duration_of(cycle, {oscillator_.frequency, oscillator_.gap});
             double time = 0;
             while (true) {
                 stop_if_asked();
-                const Leg<double> leg(phase == Phase::contact ? contact_ : flight_, x, scene_.frequency * time);
-                const double left = scene_.period() - time;
+                const Leg<double> leg(phase == Phase::contact ? contact_ : flight_, x,
+                                      oscillator_.frequency * time);
+                const double left = oscillator_.period() - time;
                 const Next next = next_event(phase, leg, left);
-                if (next.outcome == Outcome::none) {
+                if (next.ending == Ending::none) {
                     x = leg.at(left).state;
                     break;
                 }
-                if (next.outcome != Outcome::crossing || found.size() >= most_events) return std::nullopt;
+                if (next.ending != Ending::crossing || found.size() >= most_events) return std::nullopt;
                 time += next.moment.time;
                 enter(next, begin + time, phase, x, found);
             }
@@ -61,9 +63,9 @@ class Walk {
         double time = from.time;
         std::vector<Event> met;
         while (met.empty()) {
-            const Leg<double> leg(from.presses ? contact_ : flight_, x, scene_.frequency * time);
+            const Leg<double> leg(from.presses ? contact_ : flight_, x, oscillator_.frequency * time);
             const Next next = next_event(phase, leg, from.time + within - time);
-            if (next.outcome != Outcome::crossing) return std::nullopt;
+            if (next.ending != Ending::crossing) return std::nullopt;
             time += next.moment.time;
             enter(next, time, phase, x, met);
         }
@@ -72,7 +74,7 @@ class Walk {
 
   private:
     struct Next {
-        Outcome outcome = Outcome::none;
+        Ending ending = Ending::none;
         Phase phase = Phase::flight;
         Moment<double> moment = {};
     };
@@ -80,13 +82,13 @@ class Walk {
     [[nodiscard]] Next next_event(Phase phase, const Leg<double>& leg, double end) const {
         if (phase == Phase::unloaded) {
             const auto out = first_crossing(leg, leave_, leg.start(), end);
-            const bool leaves = out.outcome == Outcome::crossing;
+            const bool leaves = out.ending == Ending::crossing;
             const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
-            if (back.outcome != Outcome::none) return {back.outcome, Phase::contact, back.moment};
-            return {out.outcome, Phase::flight, out.moment};
+            if (back.ending != Ending::none) return {back.ending, Phase::contact, back.moment};
+            return {out.ending, Phase::flight, out.moment};
         }
         const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
-        return {found.outcome, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
+        return {found.ending, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
     }
 
     void enter(const Next& next, double time, Phase& phase, State<double>& x, std::vector<Event>& found) const {
@@ -106,7 +108,7 @@ class Walk {
     }
 
     const Rig& rig_;
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     LinearMotion<double> flight_;
     LinearMotion<double> contact_;
     Probe<double> touch_;

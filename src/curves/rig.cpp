@@ -34,35 +34,35 @@ motion::LinearEquation<double> unforced(double damping, double stiffness) {
     return {.damping = damping, .stiffness = stiffness, .offset = 0, .drive = 0, .frequency = 1};
 }
 
-double kappa_of(const scene::Oscillator<double>& scene) {
-    const auto* voigt = scene.spring_dashpot();
+double kappa_of(const scene::Oscillator<double>& oscillator) {
+    const auto* voigt = oscillator.spring_dashpot();
     return voigt == nullptr ? 0 : voigt->stiffness;
 }
 
-double chi_of(const scene::Oscillator<double>& scene) {
-    const auto* voigt = scene.spring_dashpot();
+double chi_of(const scene::Oscillator<double>& oscillator) {
+    const auto* voigt = oscillator.spring_dashpot();
     return voigt == nullptr ? 0 : voigt->damping;
 }
 
 }  // namespace
 
-Rig::Rig(const scene::Oscillator<double>& scene)
-    : scene_(scene),
-      rigid_(scene::is_rigid(scene.contact)),
-      restitution_(rigid_ ? scene.restitution().coefficient : 0),
-      kappa_(kappa_of(scene)),
-      chi_(chi_of(scene)),
-      contact_damping_(scene.damping_ratio + chi_ / 2),
-      flight_(unforced(scene.damping_ratio, 1)),
+Rig::Rig(const scene::Oscillator<double>& oscillator)
+    : oscillator_(oscillator),
+      rigid_(scene::is_rigid(oscillator.contact)),
+      restitution_(rigid_ ? oscillator.restitution().coefficient : 0),
+      kappa_(kappa_of(oscillator)),
+      chi_(chi_of(oscillator)),
+      contact_damping_(oscillator.damping_ratio + chi_ / 2),
+      flight_(unforced(oscillator.damping_ratio, 1)),
       contact_(unforced(contact_damping_, 1 + kappa_)) {
-    scene_.cubic = 0;
+    oscillator_.cubic = 0;
 }
 
 scene::Oscillator<double> Rig::scene_at(const Place& place) const {
-    scene::Oscillator<double> scene = scene_;
-    scene.frequency = place.frequency;
-    scene.gap = place.gap;
-    return scene;
+    scene::Oscillator<double> oscillator = oscillator_;
+    oscillator.frequency = place.frequency;
+    oscillator.gap = place.gap;
+    return oscillator;
 }
 
 State<double> Rig::slope(bool presses, const Place& place, double time, const State<double>& x) const {

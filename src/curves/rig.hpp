@@ -33,16 +33,16 @@ struct Change {  // of a saltation matrix
 
 class Rig {
   public:
-    // Of which place the scene is doesn't matter. Spring-dashpot or rigid stops alone.
-    explicit Rig(const scene::Oscillator<double>& scene);
+    // Of which place the oscillator is doesn't matter. Spring-dashpot or rigid stops alone.
+    explicit Rig(const scene::Oscillator<double>& oscillator);
 
     [[nodiscard]] bool is_rigid() const { return rigid_; }
-    [[nodiscard]] double damping_ratio() const { return scene_.damping_ratio; }
+    [[nodiscard]] double damping_ratio() const { return oscillator_.damping_ratio; }
     [[nodiscard]] scene::Oscillator<double> scene_at(const Place& place) const;
 
     // Of the equation above.
     [[nodiscard]] double damping(bool presses) const {
-        return presses ? contact_damping_ : scene_.damping_ratio;
+        return presses ? contact_damping_ : oscillator_.damping_ratio;
     }
     [[nodiscard]] double stiffness(bool presses) const { return presses ? 1 + kappa_ : 1; }
     // The derivative of a state.
@@ -83,7 +83,7 @@ class Rig {
         return kind == EventKind::release || kind == EventKind::resume ? -chi_ / kappa_ : 0;
     }
 
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     bool rigid_ = false;
     double restitution_ = 0;
     double kappa_ = 0;

@@ -4,7 +4,7 @@
 
 #include "integrators/steppers.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 namespace {
 
@@ -96,4 +96,4 @@ bool ArkodeStepper::look(double time, LegPoint& point) {
     return evolve(looking_.get(), time, ARK_NORMAL, point);
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

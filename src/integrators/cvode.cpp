@@ -3,7 +3,7 @@
 
 #include "integrators/steppers.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 namespace {
 
@@ -63,4 +63,4 @@ bool CvodeStepper::look(double time, LegPoint& point) {
     return true;
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

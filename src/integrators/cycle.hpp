@@ -12,21 +12,27 @@
 #include "trajectory/recorder.hpp"
 #include "trajectory/rigid_course.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
+
+using trajectory::Journey;
+using trajectory::phase_of;
+using trajectory::response_length;
+using trajectory::RigidCourse;
 
 template <class Stepper>
 class CycleIntegration {
   public:
-    CycleIntegration(const Oscillator<double>& scene, typename Stepper::Method method, double local_tolerance)
-        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{scene, local_tolerance})),
+    CycleIntegration(const Oscillator<double>& oscillator, typename Stepper::Method method,
+                     double local_tolerance)
+        : leg_(std::make_unique<SundialsLeg>(SundialsLeg{oscillator, local_tolerance})),
           stepper_(std::make_unique<Stepper>(*leg_, method)),
           events_(*leg_, *stepper_) {
-        if (scene::is_rigid(scene.contact)) {
-            course_.emplace(scene, RigidStop<double>(scene));
+        if (scene::is_rigid(oscillator.contact)) {
+            course_.emplace(oscillator, RigidStop<double>(oscillator));
         }
     }
 
-    [[nodiscard]] const Oscillator<double>& scene() const { return leg_->scene; }
+    [[nodiscard]] const Oscillator<double>& oscillator() const { return leg_->oscillator; }
     [[nodiscard]] Cycle<double> cycle(const State<double>& x, Recorder<double>* recorder);
 
   private:
@@ -50,9 +56,10 @@ class CycleIntegration {
     // A hammer that leaves its rest on the stop can't be back before something presses again, or before its
     // spring swings back.
     [[nodiscard]] double time_away(double theta) const {
-        const double stiffening = 3 * std::abs(leg_->scene.cubic) * (1 + leg_->scene.gap * leg_->scene.gap);
+        const double stiffening =
+            3 * std::abs(leg_->oscillator.cubic) * (1 + leg_->oscillator.gap * leg_->oscillator.gap);
         return std::min(1 / std::sqrt(1 + stiffening),
-                        course_->stop().ahead_to_pressing(theta) / leg_->scene.frequency);
+                        course_->stop().ahead_to_pressing(theta) / leg_->oscillator.frequency);
     }
     bool fly(Journey<double>& journey, double end_time, Recorder<double>* recorder);
     void enter(Phase from, Phase next, double time, Cycle<double>& cycle, Recorder<double>* recorder) const;
@@ -71,10 +78,10 @@ auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double len
     constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
     constexpr double longest_step =
         0.5;  // in radians of the spring and of the forcing: events are looked for in it
-    const double instant = 1e-14 * leg_->scene.period();  // too short for an integrator
+    const double instant = 1e-14 * leg_->oscillator.period();  // too short for an integrator
     if (length <= instant) return {LegEnd::Kind::cycle, leg_->phase, extrapolated(*leg_, {.state = x}, length)};
     Integrals integrals;
-    stepper_->start(x, length, longest_step / std::max(1.0, leg_->scene.frequency));
+    stepper_->start(x, length, longest_step / std::max(1.0, leg_->oscillator.frequency));
     while (++steps_ <= most_steps && stepper_->step()) {
         stop_if_asked();
         if (!(stepper_->now().time > stepper_->before().time)) break;  // lost in rounding
@@ -124,7 +131,7 @@ void CycleIntegration<Stepper>::record_leg(const State<double>& start, const Leg
 template <class Stepper>
 void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle<double>& cycle,
                                       Recorder<double>* recorder) const {
-    const auto& scene = leg_->scene;
+    const auto& oscillator = leg_->oscillator;
     if (next == Phase::flight) {
         cycle.end[0] = 0;
         if (recorder != nullptr) recorder->leave();
@@ -132,14 +139,15 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle
     if (next == Phase::contact) {
         const bool resumes = from == Phase::unloaded && cycle.end[1] < 0;  // rising, it can only be a new touch
         if (resumes) {
-            cycle.end = at_release(scene, cycle.end);
+            cycle.end = at_release(oscillator, cycle.end);
         } else {
             ++cycle.impacts;
             cycle.last_touch = time;
-            if (recorder != nullptr) recorder->touch({scene.frequency * time, cycle.end[1]});
+            if (recorder != nullptr) recorder->touch({oscillator.frequency * time, cycle.end[1]});
             cycle.end[0] = 0;
             // saltation: the force jumps by this times the speed
-            cycle.jacobian.row(1) -= contact_response(scene, cycle.end).by_velocity * cycle.jacobian.row(0);
+            cycle.jacobian.row(1) -=
+                contact_response(oscillator, cycle.end).by_velocity * cycle.jacobian.row(0);
         }
     }
     // the end of a contact is one token, wherever the stop lets go
@@ -151,7 +159,7 @@ template <class Stepper>
 Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<double>* recorder) {
     events_.forget_failure();
     steps_ = 0;
-    if (!x.allFinite() || !std::isfinite(leg_->scene.period()))
+    if (!x.allFinite() || !std::isfinite(leg_->oscillator.period()))
         return {.outcome = Outcome::not_finite, .end = x};
     return course_ ? striking_cycle(x, recorder) : pressing_cycle(x, recorder);
 }
@@ -159,16 +167,16 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<
 template <class Stepper>
 Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, Recorder<double>* recorder) {
     constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
-    const auto& scene = leg_->scene;
-    const double period = scene.period();
+    const auto& oscillator = leg_->oscillator;
+    const double period = oscillator.period();
     Cycle<double> cycle;
     cycle.end = x;
-    Phase phase = phase_of(scene, x);
+    Phase phase = phase_of(oscillator, x);
     cycle.pattern = pattern_of(phase);
     double time = 0;
     for (int legs = 0; legs < most_legs; ++legs) {
         leg_->phase = phase;
-        leg_->start_angle = scene.frequency * time;
+        leg_->start_angle = oscillator.frequency * time;
         leg_start_ = time;
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
@@ -198,19 +206,19 @@ Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, 
     const auto flight = [&](Journey<double>& flying, double end_time) {
         return fly(flying, end_time, recorder);
     };
-    if (course_->run(journey, leg_->scene.period(), recorder, flight)) course_->arrive(journey, recorder);
+    if (course_->run(journey, leg_->oscillator.period(), recorder, flight)) course_->arrive(journey, recorder);
     return journey.cycle;
 }
 
 template <class Stepper>
 bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, Recorder<double>* recorder) {
     constexpr double low = 1e-3;  // of the response's size: the floor of the error weights
-    const auto& scene = leg_->scene;
+    const auto& oscillator = leg_->oscillator;
     Cycle<double>& cycle = journey.cycle;
     const double speed = -cycle.end[1];
-    leg_->start_angle = scene.frequency * journey.time;
+    leg_->start_angle = oscillator.frequency * journey.time;
     leg_start_ = journey.time;
-    leg_->hop_speed = cycle.end[0] == 0 && speed > 0 && speed < low * response_length(scene) ? speed : 0;
+    leg_->hop_speed = cycle.end[0] == 0 && speed > 0 && speed < low * response_length(oscillator) ? speed : 0;
     const bool from_rest = cycle.end[0] == 0 && speed == 0;
     events_.trust_after(from_rest ? time_away(leg_->start_angle) : 0);
     cycle.separated = true;
@@ -226,4 +234,4 @@ bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, R
     return true;
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

@@ -14,7 +14,19 @@
 #include "trajectory/contact_rates.hpp"
 #include "trajectory/first_crossing.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
+
+using trajectory::append;
+using trajectory::at_release;
+using trajectory::contact_response;
+using trajectory::Cycle;
+using trajectory::grip;
+using trajectory::lets_go_at_surface;
+using trajectory::lets_go_inside;
+using trajectory::linearized_contact;
+using trajectory::parabola_step;
+using trajectory::Recorder;
+using trajectory::RigidStop;
 
 // Taylor's series of a step so short that nothing beyond it can be told from rounding.
 inline LegPoint extrapolated(const SundialsLeg& leg, const LegPoint& point, double step) {
@@ -94,18 +106,18 @@ class StepEvents {
                (stepper_->now().time - stepper_->before().time) * fastest(stepper_->before().state) > 3;
     }
     [[nodiscard]] double fastest(const State<double>& x) const {
-        return rates_of(linearized_contact(leg_->scene, x)).fast;
+        return rates_of(linearized_contact(leg_->oscillator, x)).fast;
     }
     // Slope of the force where it balances all others but inertia, which is small; what the state says of it is
     // noise.
     [[nodiscard]] double balanced_slope(const LegPoint& point) const {
-        const double angle = leg_->start_angle + leg_->scene.frequency * point.time;
-        const auto free = acceleration(leg_->scene, Phase::flight, point.state, angle);
+        const double angle = leg_->start_angle + leg_->oscillator.frequency * point.time;
+        const auto free = acceleration(leg_->oscillator, Phase::flight, point.state, angle);
         return free.by_time + free.by_position * point.state[1];
     }
     // Error of the grip at such a point: its terms cancel.
     [[nodiscard]] double noise(const State<double>& x) const {
-        const auto g = grip(leg_->scene, x);
+        const auto g = grip(leg_->oscillator, x);
         return leg_->local_tolerance * (std::abs(g.by_position * x[0]) + std::abs(g.by_velocity * x[1])) / 2;
     }
     static constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -120,7 +132,7 @@ class StepEvents {
 template <class Stepper>
 Sample StepEvents<Stepper>::force(const LegPoint& point) const {
     const State<double>& x = point.state;
-    const auto f = contact_response(leg_->scene, x);
+    const auto f = contact_response(leg_->oscillator, x);
     if (passes_over_transients()) return {point.time, f.force, balanced_slope(point), not_known};
     const auto a = leg_->acceleration_at(x, point.time);
     return {point.time, f.force, f.by_position * x[1] + f.by_velocity * a.value,
@@ -132,7 +144,7 @@ Sample StepEvents<Stepper>::force(const LegPoint& point) const {
 template <class Stepper>
 Sample StepEvents<Stepper>::hold(const LegPoint& point) const {
     const State<double>& x = point.state;
-    const auto g = grip(leg_->scene, x);
+    const auto g = grip(leg_->oscillator, x);
     if (passes_over_transients() && g.force_per_value > 0) {
         const double slope = balanced_slope(point) / g.force_per_value - g.value * g.growth * x[1];
         return {point.time, g.value, slope, not_known};
@@ -164,8 +176,8 @@ auto StepEvents<Stepper>::watched() const -> std::span<const Watch> {
     if (leg_->phase == Phase::flight) return in_flight;
     if (leg_->phase == Phase::unloaded) return while_unloaded;
     const std::span<const Watch> both = in_contact;
-    if (!lets_go_inside(leg_->scene)) return both.last(1);
-    return lets_go_at_surface(leg_->scene) ? both : both.first(1);
+    if (!lets_go_inside(leg_->oscillator)) return both.last(1);
+    return lets_go_at_surface(leg_->oscillator) ? both : both.first(1);
 }
 
 // Newton's method with curvature inside a bracket. The last correction is a Taylor step, so that the point is
@@ -175,14 +187,14 @@ LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     constexpr int most_looks = 50;
     // Of the fastest time: the fourth power is beyond rounding, or, where the law's force is not smooth at
     // delta = 0, the power of 1.5.
-    const bool smooth = scene::has_smooth_force(leg_->scene.contact);
+    const bool smooth = scene::has_smooth_force(leg_->oscillator.contact);
     const double short_step = smooth ? 1e-4 : 1e-7;
     auto& [below, above] = bracket;
     const SignalCurve curve(below, above);
     const double share = sign_change([&](double s) { return curve.value(s); }, true);
     double time = below.time + share * (above.time - below.time);
-    const double rate = std::max(
-        {1.0, leg_->scene.frequency, leg_->phase == Phase::contact ? fastest(stepper_->before().state) : 1.0});
+    const double rate = std::max({1.0, leg_->oscillator.frequency,
+                                  leg_->phase == Phase::contact ? fastest(stepper_->before().state) : 1.0});
     LegPoint point;
     for (int n = 0; n < most_looks; ++n) {
         point = look(time);
@@ -234,7 +246,7 @@ double StepEvents<Stepper>::largest_force(const LegPoint& end, double largest) {
 template <class Stepper>
 double StepEvents<Stepper>::displacement_bound(const LegPoint& end, double largest) const {
     const LegPoint& start = stepper_->before();
-    const double gap = leg_->scene.gap;
+    const double gap = leg_->oscillator.gap;
     largest = std::max({largest, std::abs(start.state[0] + gap), std::abs(end.state[0] + gap)});
     if (!(end.time > start.time) || passes_over_transients()) return largest;
     const SignalCurve position(sample(Signal::touch, start), sample(Signal::touch, end));
@@ -249,7 +261,7 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
         const auto outwards = [&](const LegPoint& point) {
             const double a =
                 passes_over_transients() ? not_known : leg_->acceleration_at(point.state, point.time).value;
-            return Sample{point.time, side * (point.state[0] + leg_->scene.gap), side * point.state[1],
+            return Sample{point.time, side * (point.state[0] + leg_->oscillator.gap), side * point.state[1],
                           side * a};
         };
         if (end.time > start.time) {
@@ -270,20 +282,20 @@ void StepEvents<Stepper>::add_integrals(const LegPoint& end, Integrals& sum) {
                                0.8611363115940526};
     constexpr std::array weights{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                  0.3478548451374538};
-    const auto& scene = leg_->scene;
+    const auto& oscillator = leg_->oscillator;
     const double start = stepper_->before().time;
     const double half = (end.time - start) / 2;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const LegPoint point = look(start + half * (1 + nodes[i]));
-        const double angle = leg_->start_angle + scene.frequency * point.time;
+        const double angle = leg_->start_angle + oscillator.frequency * point.time;
         const double velocity = point.state[1];
-        const double push = acceleration(scene, Phase::flight, point.state, angle).value;
+        const double push = acceleration(oscillator, Phase::flight, point.state, angle).value;
         const double weight = half * weights[i];
         sum.push += weight * push;
         sum.push_work += weight * push * velocity;
-        sum.drive_work += weight * scene.drive() * std::sin(angle) * velocity;
-        sum.damper_work += weight * 2 * scene.damping_ratio * velocity * velocity;
+        sum.drive_work += weight * oscillator.drive() * std::sin(angle) * velocity;
+        sum.damper_work += weight * 2 * oscillator.damping_ratio * velocity * velocity;
     }
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

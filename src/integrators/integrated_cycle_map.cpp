@@ -6,7 +6,7 @@
 #include "integrators/cycle.hpp"
 #include "support/errors.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 namespace {
 
@@ -25,8 +25,8 @@ constexpr double tight = 2e-8;  // below it the explicit method of order 8 is fa
 
 // Fehlberg's error estimate of order 8 sees only the ends of a step: it is blind to what a force that is not
 // smooth does at first touch.
-bool suits_order_8(const Oscillator<double>& scene) {
-    return scene::has_smooth_force(scene.contact);
+bool suits_order_8(const Oscillator<double>& oscillator) {
+    return scene::has_smooth_force(oscillator.contact);
 }
 
 }  // namespace
@@ -34,44 +34,44 @@ bool suits_order_8(const Oscillator<double>& scene) {
 struct IntegratedCycleMap::Engine {
     std::variant<Cvode, Arkode> integration;
 
-    Engine(const Oscillator<double>& scene, Integrator integrator, double tolerance)
-        : integration(make(scene, integrator, tolerance)) {}
+    Engine(const Oscillator<double>& oscillator, Integrator integrator, double tolerance)
+        : integration(make(oscillator, integrator, tolerance)) {}
 
-    static std::variant<Cvode, Arkode> make(const Oscillator<double>& scene, Integrator integrator,
+    static std::variant<Cvode, Arkode> make(const Oscillator<double>& oscillator, Integrator integrator,
                                             double tolerance) {
         switch (integrator) {
             case Integrator::cvode_adams:
-                return Cvode(scene, CvodeStepper::Method::adams, adams_share * tolerance);
+                return Cvode(oscillator, CvodeStepper::Method::adams, adams_share * tolerance);
             case Integrator::cvode_bdf:
-                return Cvode(scene, CvodeStepper::Method::bdf, bdf_share * tolerance);
+                return Cvode(oscillator, CvodeStepper::Method::bdf, bdf_share * tolerance);
             case Integrator::arkode_explicit:
-                if (tolerance < tight && suits_order_8(scene)) {
-                    return Arkode(scene, ArkodeStepper::Method::explicit_8, explicit_8_share * tolerance);
+                if (tolerance < tight && suits_order_8(oscillator)) {
+                    return Arkode(oscillator, ArkodeStepper::Method::explicit_8, explicit_8_share * tolerance);
                 }
-                return Arkode(scene, ArkodeStepper::Method::explicit_5, explicit_5_share * tolerance);
+                return Arkode(oscillator, ArkodeStepper::Method::explicit_5, explicit_5_share * tolerance);
             case Integrator::arkode_implicit:
                 break;
         }
-        return Arkode(scene, ArkodeStepper::Method::implicit_5, implicit_share * tolerance);
+        return Arkode(oscillator, ArkodeStepper::Method::implicit_5, implicit_share * tolerance);
     }
 };
 
-IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& scene, Integrator integrator,
+IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& oscillator, Integrator integrator,
                                        double relative_tolerance) {
     if (!(relative_tolerance >= 1e-12 && relative_tolerance <= 0.1)) {
         throw Failure(ExitCode::internal,
                       "relative tolerance of an integrator = " + std::to_string(relative_tolerance) +
                           " must be from 1e-12 to 0.1");
     }
-    engine_ = std::make_unique<Engine>(scene, integrator, relative_tolerance);
+    engine_ = std::make_unique<Engine>(oscillator, integrator, relative_tolerance);
 }
 
 IntegratedCycleMap::IntegratedCycleMap(IntegratedCycleMap&&) noexcept = default;
 IntegratedCycleMap& IntegratedCycleMap::operator=(IntegratedCycleMap&&) noexcept = default;
 IntegratedCycleMap::~IntegratedCycleMap() = default;
 
-const Oscillator<double>& IntegratedCycleMap::scene() const {
-    return std::visit([](const auto& i) -> const Oscillator<double>& { return i.scene(); },
+const Oscillator<double>& IntegratedCycleMap::oscillator() const {
+    return std::visit([](const auto& i) -> const Oscillator<double>& { return i.oscillator(); },
                       engine_->integration);
 }
 
@@ -79,4 +79,4 @@ Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<do
     return std::visit([&](auto& i) { return i.cycle(x, recorder); }, engine_->integration);
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

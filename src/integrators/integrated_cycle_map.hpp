@@ -25,7 +25,12 @@
 #include "trajectory/cycle.hpp"
 #include "trajectory/recorder.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
+
+using scene::Oscillator;
+using scene::State;
+using trajectory::Cycle;
+using trajectory::Recorder;
 
 enum class Integrator { cvode_adams, cvode_bdf, arkode_explicit, arkode_implicit };
 
@@ -33,12 +38,12 @@ class IntegratedCycleMap {
   public:
     // relative_tolerance: relative error asked for in peak force, from 1e-12 to 0.1. Throws peterka::Failure
     // for another one and where SUNDIALS can't be set up.
-    IntegratedCycleMap(const Oscillator<double>& scene, Integrator integrator, double relative_tolerance);
+    IntegratedCycleMap(const Oscillator<double>& oscillator, Integrator integrator, double relative_tolerance);
     IntegratedCycleMap(IntegratedCycleMap&&) noexcept;
     IntegratedCycleMap& operator=(IntegratedCycleMap&&) noexcept;
     ~IntegratedCycleMap();
 
-    [[nodiscard]] const Oscillator<double>& scene() const;
+    [[nodiscard]] const Oscillator<double>& oscillator() const;
 
     // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. An integration
     // that fails is an outcome of the cycle.
@@ -49,4 +54,4 @@ class IntegratedCycleMap {
     std::unique_ptr<Engine> engine_;
 };
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

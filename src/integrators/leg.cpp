@@ -7,7 +7,13 @@
 
 #include "trajectory/contact_rates.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
+
+using trajectory::linearized_contact;
+using trajectory::Rates;
+using trajectory::rates_of;
+using trajectory::response_length;
+using trajectory::static_depth;
 
 void store(const LegPoint& point, N_Vector unknowns) {
     double* y = N_VGetArrayPointer(unknowns);
@@ -62,19 +68,20 @@ struct Smallness {
 
 // A rebound at a low speed w leads back to a rigid stop after about 2 w/a, on a hop of about w^2/a.
 Rates rates_in_leg(const SundialsLeg& leg, const State<double>& x) {
-    if (leg.phase == Phase::contact) return rates_of(linearized_contact(leg.scene, x));
-    const double u = x[0] + leg.scene.gap;
-    const double flight = std::sqrt(1 + 3 * std::abs(leg.scene.cubic) * u * u);
+    if (leg.phase == Phase::contact) return rates_of(linearized_contact(leg.oscillator, x));
+    const double u = x[0] + leg.oscillator.gap;
+    const double flight = std::sqrt(1 + 3 * std::abs(leg.oscillator.cubic) * u * u);
     if (leg.hop_speed == 0) return {flight, flight};
     return {flight, std::max(flight, std::abs(leg.acceleration_at({0, 0}, 0).value) / leg.hop_speed)};
 }
 
 Smallness smallness_in_leg(const SundialsLeg& leg, const Rates& rates) {
     constexpr double floor = 1e-3;  // of the response's size
-    const double response = response_length(leg.scene);
+    const double response = response_length(leg.oscillator);
     if (leg.hop_speed > 0) return {leg.hop_speed / rates.fast, leg.hop_speed};
-    const double size =
-        leg.phase == Phase::contact ? static_depth(leg.scene, response + std::abs(leg.scene.gap)) : response;
+    const double size = leg.phase == Phase::contact
+                            ? static_depth(leg.oscillator, response + std::abs(leg.oscillator.gap))
+                            : response;
     return {floor * size, rates.slow * floor * size};
 }
 
@@ -101,4 +108,4 @@ int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data) {
     return 0;
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

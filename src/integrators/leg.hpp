@@ -10,7 +10,13 @@
 
 #include "trajectory/equation_of_motion.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
+
+using scene::Jacobian;
+using scene::Oscillator;
+using scene::State;
+using trajectory::Acceleration;
+using trajectory::Phase;
 
 // A point of a leg.
 struct LegPoint {
@@ -20,14 +26,14 @@ struct LegPoint {
 };
 
 struct SundialsLeg {
-    Oscillator<double> scene;
+    Oscillator<double> oscillator;
     double local_tolerance = 1e-9;
     Phase phase = Phase::flight;
     double start_angle = 0;  // forcing phase at local time 0
     double hop_speed = 0;    // of a flight that starts with a rebound too slow for the usual scales
 
     [[nodiscard]] Acceleration<double> acceleration_at(const State<double>& x, double time) const {
-        return acceleration(scene, phase, x, start_angle + scene.frequency * time);
+        return acceleration(oscillator, phase, x, start_angle + oscillator.frequency * time);
     }
 };
 
@@ -46,4 +52,4 @@ constexpr int most_retries = 50;
 // through zero is no more exact than its neighbours. Each column of the flow is judged in the same way.
 int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data);
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

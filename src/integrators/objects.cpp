@@ -5,7 +5,7 @@
 
 #include "support/errors.hpp"
 
-namespace peterka::trajectory::sundials_library {
+namespace peterka::integrators::sundials_library {
 
 void require(int flag, const char* call, char* (*word)(long int)) {
     if (flag >= 0) return;
@@ -37,4 +37,4 @@ DenseSolver::DenseSolver(N_Vector pattern, const sundials::Context& context)
 void say_nothing(int /*code*/, const char* /*module*/, const char* /*function*/, char* /*message*/,
                  void* /*data*/) {}
 
-}  // namespace peterka::trajectory::sundials_library
+}  // namespace peterka::integrators::sundials_library

@@ -14,7 +14,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace peterka::trajectory::sundials_library {
+namespace peterka::integrators::sundials_library {
 
 // Throws where a call failed. `word` is what the library calls the flag; the owner of the call knows how to
 // ask.
@@ -58,4 +58,4 @@ struct DenseSolver {
 // For the library's error messages: they are told through flags.
 void say_nothing(int code, const char* module, const char* function, char* message, void* data);
 
-}  // namespace peterka::trajectory::sundials_library
+}  // namespace peterka::integrators::sundials_library

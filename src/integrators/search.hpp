@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 struct Sample {
     double time;
@@ -129,4 +129,4 @@ double largest_between(const Sample& a, const Sample& b, Look&& look, double rel
     return largest_between(middle, b, look, relative, largest, depth - 1);
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

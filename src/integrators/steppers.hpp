@@ -8,7 +8,7 @@
 #include "integrators/leg.hpp"
 #include "integrators/objects.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 // How far a leg has come.
 class LegProgress {
@@ -71,4 +71,4 @@ class ArkodeStepper : public LegProgress {
     sundials_library::Memory looking_;  // goes from the start of a step to a point within it
 };
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

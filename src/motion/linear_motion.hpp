@@ -32,14 +32,14 @@ struct LinearEquation {
 };
 
 template <class Real>
-LinearEquation<Real> flight_equation(const scene::Oscillator<Real>& scene) {
-    return {scene.damping_ratio, 1, -scene.gap, scene.drive(), scene.frequency};
+LinearEquation<Real> flight_equation(const scene::Oscillator<Real>& oscillator) {
+    return {oscillator.damping_ratio, 1, -oscillator.gap, oscillator.drive(), oscillator.frequency};
 }
 
 template <class Real>
-LinearEquation<Real> contact_equation(const scene::Oscillator<Real>& scene) {
-    return {scene.damping_ratio + scene.kelvin_voigt().damping / 2, 1 + scene.kelvin_voigt().stiffness,
-            -scene.gap, scene.drive(), scene.frequency};
+LinearEquation<Real> contact_equation(const scene::Oscillator<Real>& oscillator) {
+    return {oscillator.damping_ratio + oscillator.kelvin_voigt().damping / 2,
+            1 + oscillator.kelvin_voigt().stiffness, -oscillator.gap, oscillator.drive(), oscillator.frequency};
 }
 
 // A point of a motion: where it is, which part of that is homogeneous, and the forcing's phase.

@@ -109,7 +109,7 @@ void give_samples(const std::vector<trace::Instant>& instants) {
     samples.clear();
     const trace::Carrier carrier = live->carrier();
     for (const trace::Instant& instant : instants) {
-        const trace::Quantities q = trace::quantities(carrier.scene, instant);
+        const trace::Quantities q = trace::quantities(carrier.oscillator, instant);
         samples.insert(samples.end(), {instant.time, q.cart, q.relative, q.relative_velocity, q.force});
     }
 }
@@ -195,5 +195,5 @@ const double* peterka_multipliers() {
 void peterka_look_closely(int impact, int count) {
     const auto carrier = live->carrier();
     give_samples(look_closely(carrier, motion_start, motion, static_cast<std::size_t>(impact), count,
-                              window_share * carrier.scene.period()));
+                              window_share * carrier.oscillator.period()));
 }

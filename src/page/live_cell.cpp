@@ -18,18 +18,18 @@ using trajectory::Cycle;
 template <class AfterCycle>
 void pass(const trace::Carrier& carrier, const scene::State<double>& start, std::int64_t cycles,
           trace::Watcher& watcher, const AfterCycle& after_cycle) {
-    regime::CycleMap map = regime::make_cycle_map(carrier.scene, carrier.settings);
+    regime::CycleMap map = regime::make_cycle_map(carrier.oscillator, carrier.settings);
     trajectory::Recorder<double> recorder(trajectory::Detail::contacts, watcher);
     scene::State<double> state = start;
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
-        watcher.begin_cycle(carrier.scene.period() * static_cast<double>(cycle));
+        watcher.begin_cycle(carrier.oscillator.period() * static_cast<double>(cycle));
         const Cycle<double> passed =
             std::visit([&](auto& m) -> Cycle<double> { return m(state, &recorder); }, map);
         if (passed.outcome != Cycle<double>::Outcome::done) return;
         state = passed.end;
         after_cycle(passed);
     }
-    watcher.finish(state, trajectory::phase_of(carrier.scene, state));
+    watcher.finish(state, trajectory::phase_of(carrier.oscillator, state));
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ void pass(const trace::Carrier& carrier, const scene::State<double>& start, std:
 Motion follow(const trace::Carrier& carrier, const scene::State<double>& start, std::int64_t cycles,
               std::int64_t samples_per_cycle) {
     Motion motion;
-    const double length = carrier.scene.period() * static_cast<double>(cycles);
-    trace::Sampler sampler(carrier.scene, length, samples_per_cycle);
+    const double length = carrier.oscillator.period() * static_cast<double>(cycles);
+    trace::Sampler sampler(carrier.oscillator, length, samples_per_cycle);
     pass(carrier, start, cycles, sampler, [&](const Cycle<double>& cycle) {
         ++motion.cycles;
         motion.points.push_back(cycle.end);
@@ -58,9 +58,9 @@ std::vector<trace::Instant> look_closely(const trace::Carrier& carrier, const sc
     const trace::Impact& seen = motion.impacts[impact];
     const double contact = seen.end - seen.time;
     trace::ImpactWindow window(
-        carrier.scene,
+        carrier.oscillator,
         trace::plan_window(impact, seen.time, contact > 0 ? 3 * contact : width, share_before, samples,
-                           carrier.scene.period() * static_cast<double>(motion.cycles)));
+                           carrier.oscillator.period() * static_cast<double>(motion.cycles)));
     pass(carrier, start, motion.cycles, window, [](const Cycle<double>&) {});
     return window.instants();
 }
@@ -84,7 +84,7 @@ bool LiveCell::advance(std::int64_t cycles) {
 
 scene::State<double> LiveCell::steady_start() const {
     if (std::isfinite(result_.orbit_displacement)) {
-        return {result_.orbit_displacement - carrier().scene.gap, result_.orbit_velocity};
+        return {result_.orbit_displacement - carrier().oscillator.gap, result_.orbit_velocity};
     }
     return motion_.end.value_or(start());
 }

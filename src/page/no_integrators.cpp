@@ -2,22 +2,22 @@
 // the cell is `failed` and its `engine` tells why.
 #include "integrators/integrated_cycle_map.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::integrators {
 
 struct IntegratedCycleMap::Engine {
-    Oscillator<double> scene;
+    Oscillator<double> oscillator;
 };
 
-IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& scene, Integrator /*integrator*/,
+IntegratedCycleMap::IntegratedCycleMap(const Oscillator<double>& oscillator, Integrator /*integrator*/,
                                        double /*relative_tolerance*/)
-    : engine_(std::make_unique<Engine>(Engine{scene})) {}
+    : engine_(std::make_unique<Engine>(Engine{oscillator})) {}
 
 IntegratedCycleMap::IntegratedCycleMap(IntegratedCycleMap&&) noexcept = default;
 IntegratedCycleMap& IntegratedCycleMap::operator=(IntegratedCycleMap&&) noexcept = default;
 IntegratedCycleMap::~IntegratedCycleMap() = default;
 
-const Oscillator<double>& IntegratedCycleMap::scene() const {
-    return engine_->scene;
+const Oscillator<double>& IntegratedCycleMap::oscillator() const {
+    return engine_->oscillator;
 }
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): the interface of every engine
@@ -28,4 +28,4 @@ Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<do
     return cycle;
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::integrators

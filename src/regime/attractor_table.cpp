@@ -25,9 +25,9 @@ bool has_orbit(const CellResult& result) {
            std::isfinite(result.orbit_velocity);
 }
 
-scene::Oscillator<double> with_cubic(scene::Oscillator<double> scene, double cubic) {
-    scene.cubic = cubic;
-    return scene;
+scene::Oscillator<double> with_cubic(scene::Oscillator<double> oscillator, double cubic) {
+    oscillator.cubic = cubic;
+    return oscillator;
 }
 
 // The different ones, in the order in which they were found first.
@@ -35,10 +35,10 @@ std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<
     std::vector<Candidate> candidates;
     for (const FoundAttractor& found : all) {
         if (!has_orbit(found.result)) continue;
-        const scene::Oscillator<double> scene = with_cubic(rig, found.cubic);
+        const scene::Oscillator<double> oscillator = with_cubic(rig, found.cubic);
         const auto known = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
             return candidate.found.cubic == found.cubic &&
-                   same_map(scene, candidate.found.settings, found.settings) &&
+                   same_map(oscillator, candidate.found.settings, found.settings) &&
                    same_orbit(candidate.found.result, found.result);
         });
         if (known != candidates.end()) {
@@ -52,12 +52,12 @@ std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<
 
 }  // namespace
 
-bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a, const EngineSettings& b) {
+bool same_map(const scene::Oscillator<double>& oscillator, const EngineSettings& a, const EngineSettings& b) {
     if (a.engine != b.engine) return false;
     if (a.engine == Engine::exact) return true;
     if (a.engine != Engine::split) return a.tolerance == b.tolerance;
     const auto steps = [&](const EngineSettings& settings) {
-        return trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
+        return trajectory::split_steps(oscillator, settings.largest_displacement, settings.tolerance);
     };
     return steps(a) == steps(b);
 }
@@ -70,40 +70,42 @@ AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<c
         const auto affordable =
             static_cast<std::int64_t>(saved / static_cast<double>(cycles_for_neighbourhood(result.period)));
         const std::int64_t count = std::min({affordable, most_places, std::int64_t{result.period}});
-        const scene::Oscillator<double> scene = with_cubic(rig, candidate.found.cubic);
+        const scene::Oscillator<double> oscillator = with_cubic(rig, candidate.found.cubic);
         CycleDesk desk;
-        add(scene, candidate.found,
-            complete(find_places(desk, scene, candidate.found, count), desk).neighbourhoods);
+        add(oscillator, candidate.found,
+            complete(find_places(desk, oscillator, candidate.found, count), desk).neighbourhoods);
     }
 }
 
-void AttractorTable::add(const scene::Oscillator<double>& scene, const FoundAttractor& found,
+void AttractorTable::add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
                          std::span<const Neighbourhood> places) {
     if (places.empty()) return;
-    auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, found.settings); });
-    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(scene.cubic, found.settings));
+    auto map =
+        std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, found.settings); });
+    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(oscillator.cubic, found.settings));
     for (const Neighbourhood& place : places) map->places_.push_back({place, found.result});
 }
 
-Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
+Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
                          std::int64_t count) {
-    StroboscopicMap map(scene, found.settings, desk);
+    StroboscopicMap map(oscillator, found.settings, desk);
     const Point point = map.scaled(
-        scene::State<double>(found.result.orbit_displacement - scene.gap, found.result.orbit_velocity));
+        scene::State<double>(found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity));
     Places places;
     places.neighbourhoods = co_await find_neighbourhoods(map, point, found.result.period, count);
     places.cycles = map.cycles_spent();
     co_return places;
 }
 
-bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& scene,
+bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& oscillator,
                                      const EngineSettings& settings) const {
-    return cubic_ == scene.cubic && same_map(scene, settings_, settings);
+    return cubic_ == oscillator.cubic && same_map(oscillator, settings_, settings);
 }
 
-const AttractorTable::OfOneMap* AttractorTable::of(const scene::Oscillator<double>& scene,
+const AttractorTable::OfOneMap* AttractorTable::of(const scene::Oscillator<double>& oscillator,
                                                    const EngineSettings& settings) const {
-    const auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(scene, settings); });
+    const auto map =
+        std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, settings); });
     return map == maps_.end() ? nullptr : &*map;
 }
 

@@ -39,7 +39,8 @@ class AttractorTable {
       private:
         friend class AttractorTable;
         OfOneMap(double cubic, const EngineSettings& settings) : cubic_(cubic), settings_(settings) {}
-        [[nodiscard]] bool is_of(const scene::Oscillator<double>& scene, const EngineSettings& settings) const;
+        [[nodiscard]] bool is_of(const scene::Oscillator<double>& oscillator,
+                                 const EngineSettings& settings) const;
 
         struct Place {
             Neighbourhood neighbourhood;
@@ -53,25 +54,25 @@ class AttractorTable {
     // None is known.
     AttractorTable() = default;
 
-    // rig: the scene of all starts. cells_each: for how many starts one of `found` stands; where few take an
-    // attractor's values, proving a neighbourhood would cost more than it saves.
+    // rig: the oscillator of all starts. cells_each: for how many starts one of `found` stands; where few take
+    // an attractor's values, proving a neighbourhood would cost more than it saves.
     AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
                    double cells_each);
 
-    // One more, on the scene of its map, with neighbourhoods that find_places proved.
-    void add(const scene::Oscillator<double>& scene, const FoundAttractor& found,
+    // One more, on the oscillator of its map, with neighbourhoods that find_places proved.
+    void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
              std::span<const Neighbourhood> places);
 
     // nullptr where none of this map is known.
-    [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& scene,
+    [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& oscillator,
                                      const EngineSettings& settings) const;
 
   private:
     std::vector<OfOneMap> maps_;
 };
 
-// Whether both settings make the same map of a scene.
-[[nodiscard]] bool same_map(const scene::Oscillator<double>& scene, const EngineSettings& a,
+// Whether both settings make the same map of a oscillator.
+[[nodiscard]] bool same_map(const scene::Oscillator<double>& oscillator, const EngineSettings& a,
                             const EngineSettings& b);
 
 struct Places {
@@ -79,9 +80,10 @@ struct Places {
     std::int64_t cycles = 0;  // spent on them
 };
 
-// Of so many points of an attractor that has an orbit. scene: of its map, with or without the cubic spring.
-[[nodiscard]] Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> scene, FoundAttractor found,
-                                       std::int64_t count);
+// Of so many points of an attractor that has an orbit. oscillator: of its map, with or without the cubic
+// spring.
+[[nodiscard]] Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator,
+                                       FoundAttractor found, std::int64_t count);
 
 // For a search: which attractors it knows beforehand, and where it leaves what it finds.
 struct Attractors {

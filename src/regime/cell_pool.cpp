@@ -160,12 +160,12 @@ void CellPool::add(const Begin& begin, std::int64_t number) {
 // Where its engine has one.
 std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
     const EngineSettings& settings = desk.settings();
-    const scene::Oscillator<double>& scene = desk.scene();
-    if (!has_batch(scene, settings.engine)) return std::nullopt;
-    if (settings.engine == Engine::exact || scene.cubic == 0) {
-        return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(scene.frequency)};
+    const scene::Oscillator<double>& oscillator = desk.oscillator();
+    if (!has_batch(oscillator, settings.engine)) return std::nullopt;
+    if (settings.engine == Engine::exact || oscillator.cubic == 0) {
+        return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(oscillator.frequency)};
     }
-    const int steps = trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
+    const int steps = trajectory::split_steps(oscillator, settings.largest_displacement, settings.tolerance);
     if (steps == 0) return std::nullopt;
     return Batch{batch::Springs::split, steps};
 }
@@ -174,11 +174,11 @@ CellPool::Group& CellPool::group_for(const Cell& cell) {
     const Request request = cell.request();
     const auto suits = [&](const Group& group) {
         return group.request == request && group.kind == *cell.batch &&
-               (rigs_ == scene::Rigs::one || scene::same_rig(group.rig, cell.desk.scene()));
+               (rigs_ == scene::Rigs::one || scene::same_rig(group.rig, cell.desk.oscillator()));
     };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return *found;
-    return groups_.emplace_back(request, cell.desk.scene(), *cell.batch);
+    return groups_.emplace_back(request, cell.desk.oscillator(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
@@ -195,9 +195,9 @@ void CellPool::enter(std::unique_ptr<Cell> cell) {
 }
 
 void CellPool::enqueue(std::unique_ptr<Cell> cell) {
-    const scene::Oscillator<double>& scene = cell->desk.scene();
+    const scene::Oscillator<double>& oscillator = cell->desk.oscillator();
     Group& group = group_for(*cell);
-    group.map.add(scene.frequency, scene.gap, cell->desk.order().from);
+    group.map.add(oscillator.frequency, oscillator.gap, cell->desk.order().from);
     put_in(group, std::move(cell));
 }
 

@@ -9,14 +9,14 @@
 
 namespace peterka::regime {
 
-Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> scene, EngineSettings engine,
+Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscillator, EngineSettings engine,
                                 CellResult without) {
     constexpr double converging = 0.1;  // of the first step: the second one is smaller
-    StroboscopicMap map(scene, engine, desk);
+    StroboscopicMap map(oscillator, engine, desk);
     const auto q = static_cast<std::size_t>(without.period);
     PeriodicOrbit orbit;
     orbit.points = {
-        map.scaled(scene::State<double>(without.orbit_displacement - scene.gap, without.orbit_velocity))};
+        map.scaled(scene::State<double>(without.orbit_displacement - oscillator.gap, without.orbit_velocity))};
 
     OrbitRound first(without.period);
     for (std::size_t n = 0; n < q; ++n) {
@@ -41,7 +41,7 @@ Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> scene
     const auto& totals = recorder.totals();
     const bool alike = rest && *rest <= converging * *step && is_stable(orbit) && !collapses &&
                        first.pattern() == second.pattern() && totals.impacts == without.impacts &&
-                       !goes_too_far(scene, engine, totals.displacement_bound);
+                       !goes_too_far(oscillator, engine, totals.displacement_bound);
     if (!alike) co_return {{}, map.cycles_spent()};
     const double change =
         totals.struck_rigid_stop ? *step : std::abs(totals.peak_force() / without.peak_force - 1);

@@ -23,8 +23,8 @@ struct CubicShift {
     std::int64_t cycles = 0;  // spent
 };
 
-// scene: with the cubic term. without: a result of regime `periodic` of the same cell without it.
-Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> scene, EngineSettings engine,
+// oscillator: with the cubic term. without: a result of regime `periodic` of the same cell without it.
+Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscillator, EngineSettings engine,
                                 CellResult without);
 
 }  // namespace peterka::regime

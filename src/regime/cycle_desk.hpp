@@ -37,8 +37,8 @@ class CycleDesk {
     };
 
     // Which engine carries the cycles ordered from now on, and on which scene.
-    void use(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
-        scene_ = scene;
+    void use(const scene::Oscillator<double>& oscillator, const EngineSettings& settings) {
+        oscillator_ = oscillator;
         settings_ = settings;
         ++engines_used_;
     }
@@ -50,7 +50,7 @@ class CycleDesk {
     }
 
     // For the engine.
-    [[nodiscard]] const scene::Oscillator<double>& scene() const { return scene_; }
+    [[nodiscard]] const scene::Oscillator<double>& oscillator() const { return oscillator_; }
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // another number: another engine
     [[nodiscard]] const CycleOrder& order() const { return order_; }
@@ -61,7 +61,7 @@ class CycleDesk {
     }
 
   private:
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     EngineSettings settings_;
     std::int64_t engines_used_ = 0;
     CycleOrder order_;

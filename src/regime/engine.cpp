@@ -13,60 +13,61 @@ namespace {
 // steps of about 1/(2 b). An implicit one is cheaper where that is much faster than the contact's own
 // frequency, or where a contact that lasts for a whole cycle would take more steps than an implicit method ever
 // does.
-bool contact_is_stiff(const scene::Oscillator<double>& scene) {
+bool contact_is_stiff(const scene::Oscillator<double>& oscillator) {
     // an impact at the cart's speed or so, for laws whose rates depend on it
-    const double response = trajectory::response_length(scene);
-    const scene::State<double> impact(trajectory::static_depth(scene, response + std::abs(scene.gap)),
-                                      response * std::max(1.0, scene.frequency));
-    const auto [damping, stiffness] = trajectory::linearized_contact(scene, impact);
-    return 2 * damping > 20 * std::sqrt(stiffness) || 2 * damping * scene.period() > 1e4;
+    const double response = trajectory::response_length(oscillator);
+    const scene::State<double> impact(trajectory::static_depth(oscillator, response + std::abs(oscillator.gap)),
+                                      response * std::max(1.0, oscillator.frequency));
+    const auto [damping, stiffness] = trajectory::linearized_contact(oscillator, impact);
+    return 2 * damping > 20 * std::sqrt(stiffness) || 2 * damping * oscillator.period() > 1e4;
 }
 
 }  // namespace
 
-trajectory::Integrator integrator_of(const scene::Oscillator<double>& scene, Engine engine) {
-    using trajectory::Integrator;
-    const bool stiff = contact_is_stiff(scene);
+integrators::Integrator integrator_of(const scene::Oscillator<double>& oscillator, Engine engine) {
+    using integrators::Integrator;
+    const bool stiff = contact_is_stiff(oscillator);
     if (engine == Engine::arkode) return stiff ? Integrator::arkode_implicit : Integrator::arkode_explicit;
     return stiff ? Integrator::cvode_bdf : Integrator::cvode_adams;
 }
 
-CycleMap make_cycle_map(const scene::Oscillator<double>& scene, const EngineSettings& settings) {
-    const bool rigid = scene::is_rigid(scene.contact);
+CycleMap make_cycle_map(const scene::Oscillator<double>& oscillator, const EngineSettings& settings) {
+    const bool rigid = scene::is_rigid(oscillator.contact);
     switch (settings.engine) {
         case Engine::exact:
             break;
         case Engine::split: {
-            const int steps = trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance);
-            if (rigid) return trajectory::RigidSplitMap<double>(scene, steps);
-            return trajectory::SplitCycleMap<double>(scene, steps);
+            const int steps =
+                trajectory::split_steps(oscillator, settings.largest_displacement, settings.tolerance);
+            if (rigid) return trajectory::RigidSplitMap<double>(oscillator, steps);
+            return trajectory::SplitCycleMap<double>(oscillator, steps);
         }
         case Engine::cvode:
         case Engine::arkode:
-            return trajectory::IntegratedCycleMap(scene, integrator_of(scene, settings.engine),
-                                                  settings.tolerance);
+            return integrators::IntegratedCycleMap(oscillator, integrator_of(oscillator, settings.engine),
+                                                   settings.tolerance);
     }
-    if (rigid) return trajectory::RigidExactMap<double>(scene);
-    return trajectory::ExactCycleMap<double>(scene);
+    if (rigid) return trajectory::RigidExactMap<double>(oscillator);
+    return trajectory::ExactCycleMap<double>(oscillator);
 }
 
-double effect_of_cubic(const scene::Oscillator<double>& scene, double largest_displacement) {
-    const double reach =
-        largest_displacement + (scene.cubic_form == job::CubicForm::absolute ? scene.cart_reach() : 0);
-    return 3 * std::abs(scene.cubic) * reach * reach;
+double effect_of_cubic(const scene::Oscillator<double>& oscillator, double largest_displacement) {
+    const double reach = largest_displacement +
+                         (oscillator.cubic_form == job::CubicForm::absolute ? oscillator.cart_reach() : 0);
+    return 3 * std::abs(oscillator.cubic) * reach * reach;
 }
 
-bool has_nonlinear_contact(const scene::Oscillator<double>& scene) {
-    return !scene::has_closed_form(scene.contact);
+bool has_nonlinear_contact(const scene::Oscillator<double>& oscillator) {
+    return !scene::has_closed_form(oscillator.contact);
 }
 
-Engine cheaper_integrator(const scene::Oscillator<double>& scene) {
-    return contact_is_stiff(scene) ? Engine::cvode : Engine::arkode;
+Engine cheaper_integrator(const scene::Oscillator<double>& oscillator) {
+    return contact_is_stiff(oscillator) ? Engine::cvode : Engine::arkode;
 }
 
 namespace {
 
-Engine fit_with_cubic(const scene::Oscillator<double>& scene, const job::Solver& solver,
+Engine fit_with_cubic(const scene::Oscillator<double>& oscillator, const job::Solver& solver,
                       double largest_displacement) {
     switch (solver.engine) {
         case job::EngineChoice::split:
@@ -80,28 +81,28 @@ Engine fit_with_cubic(const scene::Oscillator<double>& scene, const job::Solver&
         case job::EngineChoice::automatic:
             break;
     }
-    const bool splits = !has_nonlinear_contact(scene) &&
-                        trajectory::split_steps(scene, largest_displacement, solver.tolerance) > 0;
-    return splits ? Engine::split : cheaper_integrator(scene);
+    const bool splits = !has_nonlinear_contact(oscillator) &&
+                        trajectory::split_steps(oscillator, largest_displacement, solver.tolerance) > 0;
+    return splits ? Engine::split : cheaper_integrator(oscillator);
 }
 
 }  // namespace
 
-bool has_batch(const scene::Oscillator<double>& scene, Engine engine) {
-    if (scene.spring_dashpot() == nullptr) return false;
-    const bool relative = scene.cubic == 0 || scene.cubic_form == job::CubicForm::relative;
+bool has_batch(const scene::Oscillator<double>& oscillator, Engine engine) {
+    if (oscillator.spring_dashpot() == nullptr) return false;
+    const bool relative = oscillator.cubic == 0 || oscillator.cubic_form == job::CubicForm::relative;
     return engine == Engine::exact || (engine == Engine::split && relative);
 }
 
-bool may_use_batch(const scene::Oscillator<double>& scene, const job::Solver& solver) {
+bool may_use_batch(const scene::Oscillator<double>& oscillator, const job::Solver& solver) {
     switch (solver.engine) {
         case job::EngineChoice::automatic:
-            if (scene.cubic == 0 || solver.omit_tolerance > 0) return has_batch(scene, Engine::exact);
-            return has_batch(scene, Engine::split);
+            if (oscillator.cubic == 0 || solver.omit_tolerance > 0) return has_batch(oscillator, Engine::exact);
+            return has_batch(oscillator, Engine::split);
         case job::EngineChoice::exact:
-            return has_batch(scene, Engine::exact);
+            return has_batch(oscillator, Engine::exact);
         case job::EngineChoice::split:
-            return has_batch(scene, Engine::split);
+            return has_batch(oscillator, Engine::split);
         case job::EngineChoice::cvode:
         case job::EngineChoice::arkode:
             break;
@@ -110,24 +111,27 @@ bool may_use_batch(const scene::Oscillator<double>& scene, const job::Solver& so
 }
 
 void EngineByReach::choose(double largest_displacement) {
-    settings_ = {fit_with_cubic(scene_, solver_, largest_displacement), solver_.tolerance,
+    settings_ = {fit_with_cubic(oscillator_, solver_, largest_displacement), solver_.tolerance,
                  largest_displacement};
     if (settings_.engine == Engine::split) settings_.tolerance = split_tolerance_;
 }
 
 bool EngineByReach::must_change(double reached) {
     constexpr int most_changes = 2;  // one does, unless the reach itself depends on the kicks
-    if (changes_ == most_changes || !goes_too_far(scene_, settings_, reached)) return false;
+    if (changes_ == most_changes || !goes_too_far(oscillator_, settings_, reached)) return false;
     ++changes_;
     choose(reached);
     return true;
 }
 
-bool goes_too_far(const scene::Oscillator<double>& scene, const EngineSettings& chosen, double displacement) {
+bool goes_too_far(const scene::Oscillator<double>& oscillator, const EngineSettings& chosen,
+                  double displacement) {
     constexpr double slack =
         1.1;  // the kicks' error goes with the fourth power of it at most: half as much again
     if (chosen.engine != Engine::split || !(displacement > slack * chosen.largest_displacement)) return false;
-    const auto steps = [&](double reach) { return trajectory::split_steps(scene, reach, chosen.tolerance); };
+    const auto steps = [&](double reach) {
+        return trajectory::split_steps(oscillator, reach, chosen.tolerance);
+    };
     return steps(displacement) != steps(chosen.largest_displacement);
 }
 

@@ -31,7 +31,7 @@ class FollowedTrajectory {
     FollowedTrajectory(const StroboscopicMap& map, const scene::State<double>& start,
                        const job::SteadyState& budget, std::int64_t last_cycle, const Measures& measures)
         : state_(map.scaled(start)),
-          window_(measures, map.scene().period()),
+          window_(measures, map.oscillator().period()),
           log_(measures.motion),
           measure_from_(first_that_counts(budget)),
           last_cycle_(last_cycle),

@@ -38,7 +38,7 @@ Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Ob
 // a spring and dashpot follows that.
 double force_error(const StroboscopicMap& map, const PeriodicOrbit& orbit, const OrbitRound& round,
                    double force) {
-    const auto* stop = map.scene().spring_dashpot();
+    const auto* stop = map.oscillator().spring_dashpot();
     if (stop == nullptr || map.noise() > 0) return 0;
     double largest = 0;
     for (const Point& point : orbit.points) {

@@ -18,7 +18,7 @@ class ScalarEngine {
     // Serves the order that waits at the desk.
     void serve(CycleDesk& desk) {
         if (!map_ || engine_ != desk.engines_used()) {
-            map_.emplace(make_cycle_map(desk.scene(), desk.settings()));
+            map_.emplace(make_cycle_map(desk.oscillator(), desk.settings()));
             engine_ = desk.engines_used();
         }
         const CycleOrder& order = desk.order();

@@ -23,12 +23,12 @@ double gain(double damping_ratio) {
 }
 
 Settling::Settling(const StroboscopicMap& map)
-    : scene_(map.scene()),
-      free_flight_(without_cubic(map.scene())),
-      contact_(contact_of(without_cubic(map.scene()))) {
-    if (scene_.cubic != 0) {
+    : oscillator_(map.oscillator()),
+      free_flight_(without_cubic(map.oscillator())),
+      contact_(contact_of(without_cubic(map.oscillator()))) {
+    if (oscillator_.cubic != 0) {
         find_free_orbit(map);
-        may_stay_free_ = free_orbit_ && free_orbit_->largest_displacement < scene_.gap;
+        may_stay_free_ = free_orbit_ && free_orbit_->largest_displacement < oscillator_.gap;
     } else {
         may_stay_free_ = free_flight_.may_last();
         may_stay_in_contact_ = std::visit(
@@ -46,31 +46,32 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
     const double amplitude = free_flight_.amplitude();
     if (!std::isfinite(amplitude)) return;
     // the same hammer with its stop out of reach
-    scene::Oscillator<double> far = scene_;
+    scene::Oscillator<double> far = oscillator_;
     far.gap = 4 * (1 + amplitude);
     CycleDesk desk;
     StroboscopicMap free_map(far, map.settings(), desk);
-    const scene::State<double> start(free_flight_.steady()[0] + scene_.gap - far.gap, free_flight_.steady()[1]);
+    const scene::State<double> start(free_flight_.steady()[0] + oscillator_.gap - far.gap,
+                                     free_flight_.steady()[1]);
     const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), desk);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
     const Passage cycle = complete(one_cycle(free_map, orbit->point(), recorder), desk);
     if (!cycle.ok || cycle.touched) return;
     const scene::State<double> point = free_map.unscaled(orbit->point());
-    free_orbit_ = {{point[0] + far.gap - scene_.gap, point[1]},
+    free_orbit_ = {{point[0] + far.gap - oscillator_.gap, point[1]},
                    free_map.unscaled(orbit->jacobian),
                    recorder.totals().displacement_bound};
 }
 
 bool Settling::close_enough(const scene::State<double>& x) const {
-    const double room = scene_.gap - free_orbit_->largest_displacement;
+    const double room = oscillator_.gap - free_orbit_->largest_displacement;
     const scene::State<double> e = x - free_orbit_->point;
     // linear amplitude of e, by the energy where the motion doesn't oscillate
-    const double zeta = scene_.damping_ratio;
+    const double zeta = oscillator_.damping_ratio;
     const double rate = std::sqrt(std::max(1 - zeta * zeta, 0.0));
     const double amplitude = zeta < 0.99 ? std::hypot(e[0], (e[1] + zeta * e[0]) / rate) : e.norm();
-    const double reach = scene_.gap + (scene_.cubic_form == job::CubicForm::absolute ? 1 : 0);
-    const double lipschitz = 3 * std::abs(scene_.cubic) * reach * reach;
+    const double reach = oscillator_.gap + (oscillator_.cubic_form == job::CubicForm::absolute ? 1 : 0);
+    const double lipschitz = 3 * std::abs(oscillator_.cubic) * reach * reach;
     const double loop = lipschitz * gain(zeta);
     return loop < 1 && amplitude < room * (1 - loop);
 }
@@ -85,19 +86,20 @@ std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>&
 
 std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
     if (!may_stay_free_) return std::nullopt;
-    if (scene_.cubic == 0) return free_for_ever(free_flight_, x);
-    if (trajectory::phase_of(scene_, x) != trajectory::Phase::flight || !close_enough(x)) return std::nullopt;
+    if (oscillator_.cubic == 0) return free_for_ever(free_flight_, x);
+    if (trajectory::phase_of(oscillator_, x) != trajectory::Phase::flight || !close_enough(x))
+        return std::nullopt;
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }
 
-Settling::Contact Settling::contact_of(const scene::Oscillator<double>& scene) {
-    if (scene.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(scene);
-    if (scene::is_rigid(scene.contact)) return trajectory::RigidContact<double>(scene);
+Settling::Contact Settling::contact_of(const scene::Oscillator<double>& oscillator) {
+    if (oscillator.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(oscillator);
+    if (scene::is_rigid(oscillator.contact)) return trajectory::RigidContact<double>(oscillator);
     return std::monostate{};  // no proof without a closed form
 }
 
 bool Settling::may_settle() const {
-    if (scene_.cubic != 0 && !free_orbit_) return true;
+    if (oscillator_.cubic != 0 && !free_orbit_) return true;
     return may_stay_free_ || may_stay_in_contact_;
 }
 

@@ -51,7 +51,7 @@ class Settling {
     // For a law without a closed form of its lasting contacts nothing is said.
     using Contact =
         std::variant<std::monostate, trajectory::LinearContact<double>, trajectory::RigidContact<double>>;
-    static Contact contact_of(const scene::Oscillator<double>& scene);
+    static Contact contact_of(const scene::Oscillator<double>& oscillator);
 
     struct FreeOrbit {
         scene::State<double> point;
@@ -64,10 +64,10 @@ class Settling {
     // First what is asked after every cycle.
     bool may_stay_free_ = false;
     bool may_stay_in_contact_ = false;
-    scene::Oscillator<double> scene_;
-    trajectory::FreeFlight<double> free_flight_;  // of the scene without its cubic spring
+    scene::Oscillator<double> oscillator_;
+    trajectory::FreeFlight<double> free_flight_;  // of the oscillator without its cubic spring
     Contact contact_;                             // the same
-    std::optional<FreeOrbit> free_orbit_;         // of a scene with one
+    std::optional<FreeOrbit> free_orbit_;         // of a oscillator with one
 };
 
 }  // namespace peterka::regime

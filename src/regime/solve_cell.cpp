@@ -195,18 +195,19 @@ class Solution {
                                                           : usual;
     }
 
-    Task<CellResult> search(scene::Oscillator<double> scene, scene::State<double> start,
+    Task<CellResult> search(scene::Oscillator<double> oscillator, scene::State<double> start,
                             EngineSettings engine) {
         engine.orbit_tolerance = solver_.tolerance;
         const CellResult result =
-            co_await find_steady_state(desk_, scene, start, budget_, engine, measures_, attractors_);
+            co_await find_steady_state(desk_, oscillator, start, budget_, engine, measures_, attractors_);
         spent_ += result.cycles;
         co_return result;
     }
     // For its label alone. It gives up where errors grow more than most_growth.
-    Task<CellResult> again(scene::Oscillator<double> scene, scene::State<double> start, EngineSettings engine,
+    Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
+                           EngineSettings engine,
                            double most_growth = std::numeric_limits<double>::infinity()) {
-        const CellResult result = co_await find_steady_state(desk_, scene, start, budget_, engine, {},
+        const CellResult result = co_await find_steady_state(desk_, oscillator, start, budget_, engine, {},
                                                              {attractors_.known, nullptr}, most_growth);
         spent_ += result.cycles;
         co_return result;

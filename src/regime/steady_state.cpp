@@ -38,23 +38,23 @@ Status status_of(Cycle<double>::Outcome outcome) {
     return Status::proved;
 }
 
-bool is_conservative(const scene::Oscillator<double>& scene) {
-    return scene.damping_ratio == 0 && scene::is_lossless(scene.contact);
+bool is_conservative(const scene::Oscillator<double>& oscillator) {
+    return oscillator.damping_ratio == 0 && scene::is_lossless(oscillator.contact);
 }
 
 class Search {
   public:
-    Search(const scene::Oscillator<double>& scene, const scene::State<double>& start,
+    Search(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
            const job::SteadyState& budget, const EngineSettings& engine, const Measures& measures,
            const AttractorTable* known, double most_growth, CycleDesk& desk)
-        : map_(scene, engine, desk),
-          known_(known != nullptr ? known->of(scene, engine) : nullptr),
-          conservative_(is_conservative(scene)),
+        : map_(oscillator, engine, desk),
+          known_(known != nullptr ? known->of(oscillator, engine) : nullptr),
+          conservative_(is_conservative(oscillator)),
           trajectory_(map_, start, budget,
                       conservative_ ? std::min(budget.chaos_cycles, budget.max_cycles) : budget.max_cycles,
                       measures),
           settling_(map_),
-          recurrence_(budget.max_period, scene.cubic != 0),
+          recurrence_(budget.max_period, oscillator.cubic != 0),
           chaos_(budget, settling_.may_settle()),
           longest_orbit_near_(std::min(ChaosClaim::longest_orbit_near, budget.max_period)),
           most_growth_(most_growth),
@@ -172,7 +172,7 @@ class Search {
         }
         const std::size_t first = put_lowest_point_first(orbit);
         const std::size_t reached = (orbit.points.size() - first) % orbit.points.size();  // where it was found
-        Observation observation(measures_, map_.scene().period());
+        Observation observation(measures_, map_.oscillator().period());
         const MeasuredOrbit measured = co_await measure_orbit(map_, orbit, observation);
         if (measured.outcome != Cycle<double>::Outcome::done) co_return failed(measured.outcome);
         if (measured.round.pattern(reached) != orbit.pattern || !is_stable(orbit)) {
@@ -190,7 +190,8 @@ class Search {
         CellResult result = counted();
         result.regime = Regime::periodic;
         result.impacts = static_cast<std::int32_t>(totals.impacts);
-        write_orbit(result, orbit.jacobian, orbit.period(), map_.unscaled(orbit.point()), map_.scene().gap);
+        write_orbit(result, orbit.jacobian, orbit.period(), map_.unscaled(orbit.point()),
+                    map_.oscillator().gap);
         observation.write_to(result);
         if (force_error(map_, orbit, measured.round, result.peak_force) > map_.settings().tolerance) {
             result.status = Status::imprecise;
@@ -207,7 +208,7 @@ class Search {
     Task<CellResult> settled(SettledMotion motion, Regime regime) {
         log_.settle_on({&motion.point, 1}, 0);
         log_.forget_touches();
-        Observation observation({.detail = measures_.detail}, map_.scene().period());
+        Observation observation({.detail = measures_.detail}, map_.oscillator().period());
         const bool records_contacts = observation.recorder().records_contacts();
         if (records_contacts) {
             const Passage cycle = co_await map_.cycle(map_.scaled(motion.point), &observation.recorder());
@@ -218,7 +219,7 @@ class Search {
         if (regime == Regime::no_impact)
             result.last_impact = static_cast<std::int32_t>(trajectory_.last_touched());
         observation.write_to(result);
-        write_settled(result, motion, regime, map_.scene().gap, measures_.force_per_cycle);
+        write_settled(result, motion, regime, map_.oscillator().gap, measures_.force_per_cycle);
         if (!records_contacts) co_return result;
         if (!motion.decays) result.max_displacement = motion.largest_displacement;
         if (regime == Regime::sustained_contact) result.impulse = result.contact_time = unknown;  // no impact
@@ -281,19 +282,19 @@ class Search {
 
 }  // namespace
 
-Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
-                                   job::SteadyState budget, EngineSettings engine, Measures measures,
-                                   Attractors attractors, double most_growth) {
-    Search search(scene, start, budget, engine, measures, attractors.known, most_growth, desk);
+Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> oscillator,
+                                   scene::State<double> start, job::SteadyState budget, EngineSettings engine,
+                                   Measures measures, Attractors attractors, double most_growth) {
+    Search search(oscillator, start, budget, engine, measures, attractors.known, most_growth, desk);
     const CellResult result = co_await search.run();
-    if (attractors.found != nullptr) attractors.found->push_back({scene.cubic, engine, result});
+    if (attractors.found != nullptr) attractors.found->push_back({oscillator.cubic, engine, result});
     co_return result;
 }
 
-CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
+CellResult find_steady_state(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                              const job::SteadyState& budget, const EngineSettings& engine, Measures measures) {
     CycleDesk desk;
-    return complete(find_steady_state(desk, scene, start, budget, engine, measures), desk);
+    return complete(find_steady_state(desk, oscillator, start, budget, engine, measures), desk);
 }
 
 }  // namespace peterka::regime

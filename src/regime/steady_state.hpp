@@ -7,7 +7,7 @@
 // - chaotic: for long enough (regime/chaos_claim.hpp) the largest Lyapunov exponent is positive by three
 //   standard errors, and a perturbation grew by e^20; never where the hammer came to rest on a rigid stop
 //   twice, as the motion then repeats, be it after more than max_period cycles
-// - unresolved: the budget ran out, or nothing in the scene dissipates
+// - unresolved: the budget ran out, or nothing in the oscillator dissipates
 //
 // Where attractors are known beforehand, a state in the neighbourhood of one of them ends the search: it surely
 // leads there, and takes the attractor's values.
@@ -31,13 +31,13 @@ namespace peterka::regime {
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
 // With an engine of its own, or as a task whose cycles others serve at the desk.
-CellResult find_steady_state(const scene::Oscillator<double>& scene, const scene::State<double>& start,
+CellResult find_steady_state(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                              const job::SteadyState& budget, const EngineSettings& engine = {},
                              Measures measures = {});
 // most_growth: of errors, ln; beyond it the search gives up.
-Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> scene, scene::State<double> start,
-                                   job::SteadyState budget, EngineSettings engine, Measures measures,
-                                   Attractors attractors = {},
+Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> oscillator,
+                                   scene::State<double> start, job::SteadyState budget, EngineSettings engine,
+                                   Measures measures, Attractors attractors = {},
                                    double most_growth = std::numeric_limits<double>::infinity());
 
 }  // namespace peterka::regime

@@ -46,15 +46,16 @@ class StroboscopicMap {
     };
 
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
-    StroboscopicMap(const scene::Oscillator<double>& scene, const EngineSettings& settings, CycleDesk& desk)
-        : desk_(&desk), scene_(scene), settings_(settings) {
-        const double length = trajectory::response_length(scene);
-        scale_ = {power_of_two(length), power_of_two(length * std::max(1.0, scene.frequency))};
+    StroboscopicMap(const scene::Oscillator<double>& oscillator, const EngineSettings& settings,
+                    CycleDesk& desk)
+        : desk_(&desk), oscillator_(oscillator), settings_(settings) {
+        const double length = trajectory::response_length(oscillator);
+        scale_ = {power_of_two(length), power_of_two(length * std::max(1.0, oscillator.frequency))};
         per_scale_ = scale_.cwiseInverse();
-        desk.use(scene, settings);
+        desk.use(oscillator, settings);
     }
 
-    [[nodiscard]] const scene::Oscillator<double>& scene() const { return scene_; }
+    [[nodiscard]] const scene::Oscillator<double>& oscillator() const { return oscillator_; }
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] Point scaled(const scene::State<double>& x) const { return x.cwiseProduct(per_scale_); }
     [[nodiscard]] scene::State<double> unscaled(const Point& x) const { return x.cwiseProduct(scale_); }
@@ -74,7 +75,7 @@ class StroboscopicMap {
     void set_tolerance(double tolerance) {
         if (tolerance == settings_.tolerance) return;
         settings_.tolerance = tolerance;
-        desk_->use(scene_, settings_);
+        desk_->use(oscillator_, settings_);
     }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
@@ -104,7 +105,7 @@ class StroboscopicMap {
     static double power_of_two(double size) { return std::exp2(std::round(std::log2(size))); }
 
     CycleDesk* desk_;
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     EngineSettings settings_;
     Point scale_;
     Point per_scale_;

@@ -71,7 +71,7 @@ std::string cell_in_words(const StoredCell& cell, const scene::Scene& scene) {
 
 std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
     if (!trace.hardest) return "  impacts          none in the time shown\n";
-    const auto& scene = trace.course.scene;
+    const auto& oscillator = trace.course.oscillator;
     const trace::Impact& impact = trace.impacts[trace.hardest->index];
     const double per_omega = 1 / scales.frequency_rad_per_s;
     const double newton = scales.force_n;
@@ -84,7 +84,7 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
         "                   jump at touch {}, peak {} {:.4g} ms later, pressed for {:.4g} ms, "
         "impulse "
         "{:.4g} Ns\n",
-        readable_amount(trace::force_at_touch(scene, impact.speed) * newton, "N"),
+        readable_amount(trace::force_at_touch(oscillator, impact.speed) * newton, "N"),
         readable_amount(impact.record.peak_force * newton, "N", 6),
         1000 * (trace.hardest->peak.time - impact.time) * per_omega,
         1000 * impact.record.contact_time * per_omega, impact.record.impulse * newton * per_omega);

@@ -1,4 +1,4 @@
-// A scene in another number type: the same numbers, to the last bit of the coarser type.
+// A oscillator in another number type: the same numbers, to the last bit of the coarser type.
 #pragma once
 
 #include <variant>
@@ -8,14 +8,14 @@
 namespace peterka::scene {
 
 template <class To, class From>
-Oscillator<To> in_precision(const Oscillator<From>& scene) {
-    return {.damping_ratio = static_cast<To>(scene.damping_ratio),
+Oscillator<To> in_precision(const Oscillator<From>& oscillator) {
+    return {.damping_ratio = static_cast<To>(oscillator.damping_ratio),
             .contact = std::visit([](const auto& law) { return ContactLaw<To>(law.template as<To>()); },
-                                  scene.contact),
-            .frequency = static_cast<To>(scene.frequency),
-            .gap = static_cast<To>(scene.gap),
-            .cubic = static_cast<To>(scene.cubic),
-            .cubic_form = scene.cubic_form};
+                                  oscillator.contact),
+            .frequency = static_cast<To>(oscillator.frequency),
+            .gap = static_cast<To>(oscillator.gap),
+            .cubic = static_cast<To>(oscillator.cubic),
+            .cubic_form = oscillator.cubic_form};
 }
 
 }  // namespace peterka::scene

@@ -1,4 +1,4 @@
-// The nondimensional scene: one hammer, one stop, one harmonic cart.
+// The nondimensional oscillator: one hammer, one stop, one harmonic cart.
 //
 // tau = omega t, u = (x - y)/A0, velocities in A0 omega, forces in k A0, with omega = sqrt(k/m):
 //     u'' + 2 zeta u' + u + r = eta^2 sin(eta tau) - f,
@@ -53,9 +53,9 @@ struct Oscillator {
 
 // The same hammer with linear springs.
 template <class Real>
-[[nodiscard]] Oscillator<Real> without_cubic(Oscillator<Real> scene) {
-    scene.cubic = 0;
-    return scene;
+[[nodiscard]] Oscillator<Real> without_cubic(Oscillator<Real> oscillator) {
+    oscillator.cubic = 0;
+    return oscillator;
 }
 
 }  // namespace peterka::scene

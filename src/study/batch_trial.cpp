@@ -25,12 +25,13 @@ std::vector<std::size_t> slots_in_order(std::size_t cells) {
 }
 
 BatchedCycleMap filled(std::span<const OrbitStart> cells, const std::vector<std::size_t>& order) {
-    const auto frequency = [](const OrbitStart& cell) { return cell.scene.frequency; };
+    const auto frequency = [](const OrbitStart& cell) { return cell.oscillator.frequency; };
     const OrbitStart& slowest = *std::ranges::min_element(cells, {}, frequency);
-    BatchedCycleMap map(slowest.scene, order.size(), BatchedCycleMap::steps_for(slowest.scene.frequency));
+    BatchedCycleMap map(slowest.oscillator, order.size(),
+                        BatchedCycleMap::steps_for(slowest.oscillator.frequency));
     for (const std::size_t number : order) {
         const OrbitStart& cell = cells[number];
-        map.add(cell.scene.frequency, cell.scene.gap, cell.point);
+        map.add(cell.oscillator.frequency, cell.oscillator.gap, cell.point);
     }
     return map;
 }

@@ -10,7 +10,7 @@
 namespace peterka::study {
 
 struct OrbitStart {
-    Oscillator<double> scene;  // of one rig: all have the same damping and stop, and no cubic spring
+    Oscillator<double> oscillator;  // of one rig: all have the same damping and stop, and no cubic spring
     State<double> point = State<double>::Zero();
     std::size_t period = 1;  // forcing cycles
 };

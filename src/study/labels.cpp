@@ -14,17 +14,17 @@ namespace {
 
 using regime::Engine;
 
-Method method_of(Engine engine, const Oscillator<double>& scene) {
+Method method_of(Engine engine, const Oscillator<double>& oscillator) {
     if (engine == Engine::exact) return Method::exact;
     if (engine == Engine::split) return Method::split;
-    switch (regime::integrator_of(scene, engine)) {
-        case trajectory::Integrator::cvode_adams:
+    switch (regime::integrator_of(oscillator, engine)) {
+        case integrators::Integrator::cvode_adams:
             return Method::cvode_adams;
-        case trajectory::Integrator::cvode_bdf:
+        case integrators::Integrator::cvode_bdf:
             return Method::cvode_bdf;
-        case trajectory::Integrator::arkode_explicit:
+        case integrators::Integrator::arkode_explicit:
             return Method::arkode_explicit;
-        case trajectory::Integrator::arkode_implicit:
+        case integrators::Integrator::arkode_implicit:
             break;
     }
     return Method::arkode_implicit;

@@ -8,25 +8,23 @@ namespace peterka::study {
 
 namespace {
 
+using integrators::Integrator;
 using trajectory::Cycle;
-using trajectory::Integrator;
-using trajectory::Rk4CycleMap;
-using trajectory::Rk4Events;
 using AnyMap = std::variant<trajectory::ExactCycleMap<double>, trajectory::SplitCycleMap<double>,
-                            trajectory::IntegratedCycleMap, Rk4CycleMap>;
+                            integrators::IntegratedCycleMap, Rk4CycleMap>;
 
-AnyMap make_map(const Oscillator<double>& scene, const Run& run, double largest_displacement) {
-    using trajectory::IntegratedCycleMap;
+AnyMap make_map(const Oscillator<double>& oscillator, const Run& run, double largest_displacement) {
+    using integrators::IntegratedCycleMap;
     const auto integrated = [&](Integrator integrator) {
-        return IntegratedCycleMap(scene, integrator, run.setting);
+        return IntegratedCycleMap(oscillator, integrator, run.setting);
     };
     const auto fixed_step = [&](Rk4Events events) {
-        return Rk4CycleMap(scene, static_cast<int>(run.setting), events);
+        return Rk4CycleMap(oscillator, static_cast<int>(run.setting), events);
     };
     switch (run.method) {
         case Method::split:
             return trajectory::SplitCycleMap<double>(
-                scene, trajectory::split_steps(scene, largest_displacement, run.setting));
+                oscillator, trajectory::split_steps(oscillator, largest_displacement, run.setting));
         case Method::cvode_adams:
             return integrated(Integrator::cvode_adams);
         case Method::cvode_bdf:
@@ -43,7 +41,7 @@ AnyMap make_map(const Oscillator<double>& scene, const Run& run, double largest_
         case Method::batched:
             break;
     }
-    return trajectory::ExactCycleMap<double>(scene);
+    return trajectory::ExactCycleMap<double>(oscillator);
 }
 
 }  // namespace
@@ -66,8 +64,8 @@ std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
     return runs;
 }
 
-MethodMap::MethodMap(const Oscillator<double>& scene, const Run& run, double largest_displacement)
-    : map_(make_map(scene, run, largest_displacement)) {}
+MethodMap::MethodMap(const Oscillator<double>& oscillator, const Run& run, double largest_displacement)
+    : map_(make_map(oscillator, run, largest_displacement)) {}
 
 bool MethodMap::advance(State<double>& x) {
     const auto one_cycle = [&](auto& map) -> Cycle<double> {

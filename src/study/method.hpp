@@ -59,7 +59,7 @@ struct Observation {
 class MethodMap {
   public:
     // largest_displacement, of |u|: what the kicks of `split` are chosen for.
-    MethodMap(const Oscillator<double>& scene, const Run& run, double largest_displacement);
+    MethodMap(const Oscillator<double>& oscillator, const Run& run, double largest_displacement);
 
     // One cycle: state, Jacobian and contacts, without measuring anything. False where it fails.
     [[nodiscard]] bool advance(State<double>& x);
@@ -67,7 +67,7 @@ class MethodMap {
 
   private:
     std::variant<trajectory::ExactCycleMap<double>, trajectory::SplitCycleMap<double>,
-                 trajectory::IntegratedCycleMap, trajectory::Rk4CycleMap>
+                 integrators::IntegratedCycleMap, study::Rk4CycleMap>
         map_;
 };
 

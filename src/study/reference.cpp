@@ -14,11 +14,10 @@ using scene::Jacobian;
 using scene::Oscillator;
 using scene::State;
 using trajectory::ExactCycleMap;
-using trajectory::TaylorCycleMap;
 
-std::variant<ExactCycleMap<Extended>, TaylorCycleMap> make_map(const Oscillator<double>& scene) {
-    const auto extended = scene::in_precision<Extended>(scene);
-    const bool linear = scene.cubic == 0 && scene.spring_dashpot() != nullptr;
+std::variant<ExactCycleMap<Extended>, TaylorCycleMap> make_map(const Oscillator<double>& oscillator) {
+    const auto extended = scene::in_precision<Extended>(oscillator);
+    const bool linear = oscillator.cubic == 0 && oscillator.spring_dashpot() != nullptr;
     if (linear) return ExactCycleMap<Extended>(extended);
     return TaylorCycleMap(extended);
 }
@@ -31,10 +30,10 @@ ReferenceCycle measured(const ExactCycleMap<Extended>& map, const State<Extended
 }
 
 // In double precision, by an engine that carries the cubic spring: good enough for Newton's method.
-std::optional<Jacobian<Extended>> jacobian_of(const Oscillator<double>& scene, State<double> x,
+std::optional<Jacobian<Extended>> jacobian_of(const Oscillator<double>& oscillator, State<double> x,
                                               std::int64_t period) {
     regime::CycleMap map = regime::make_cycle_map(
-        scene, {scene.cubic == 0 ? regime::Engine::exact : regime::Engine::arkode, 1e-10});
+        oscillator, {oscillator.cubic == 0 ? regime::Engine::exact : regime::Engine::arkode, 1e-10});
     Jacobian<double> jacobian = Jacobian<double>::Identity();
     for (std::int64_t n = 0; n < period; ++n) {
         const auto cycle = std::visit([&](auto& m) { return m(x, nullptr); }, map);
@@ -58,7 +57,7 @@ std::optional<ReferenceOrbit> follow(const Reference& reference, State<Extended>
 
 }  // namespace
 
-Reference::Reference(const Oscillator<double>& scene) : map_(make_map(scene)) {}
+Reference::Reference(const Oscillator<double>& oscillator) : map_(make_map(oscillator)) {}
 
 ReferenceCycle Reference::operator()(const State<Extended>& x) const {
     if (const auto* exact = std::get_if<ExactCycleMap<Extended>>(&map_)) return measured(*exact, x);
@@ -84,19 +83,19 @@ Extended ReferenceOrbit::largest_displacement() const {
 }
 
 // Newton's method with a Jacobian of lower precision: each step gains about ten digits.
-std::optional<ReferenceOrbit> reference_orbit(const Oscillator<double>& scene, const State<double>& start,
+std::optional<ReferenceOrbit> reference_orbit(const Oscillator<double>& oscillator, const State<double>& start,
                                               const job::SteadyState& budget) {
     constexpr int most_steps = 12;
     constexpr Extended close_enough = 1e-17L;
-    const auto engine = scene.cubic == 0 ? regime::Engine::exact : regime::Engine::arkode;
-    const auto settled = regime::find_steady_state(scene, start, budget, {engine, 1e-10});
+    const auto engine = oscillator.cubic == 0 ? regime::Engine::exact : regime::Engine::arkode;
+    const auto settled = regime::find_steady_state(oscillator, start, budget, {engine, 1e-10});
     if (settled.regime != regime::Regime::periodic) return std::nullopt;
-    const State<double> near(settled.orbit_displacement - scene.gap, settled.orbit_velocity);
-    const auto jacobian = jacobian_of(scene, near, settled.period);
+    const State<double> near(settled.orbit_displacement - oscillator.gap, settled.orbit_velocity);
+    const auto jacobian = jacobian_of(oscillator, near, settled.period);
     if (!jacobian) return std::nullopt;
     const Jacobian<Extended> system = Jacobian<Extended>::Identity() - *jacobian;
 
-    const Reference reference(scene);
+    const Reference reference(oscillator);
     State<Extended> x = near.cast<Extended>();
     for (int step = 0; step < most_steps; ++step) {
         const auto orbit = follow(reference, x, settled.period);

@@ -18,14 +18,14 @@ using ReferenceCycle = trajectory::MeasuredCycle<Extended>;
 
 class Reference {
   public:
-    explicit Reference(const scene::Oscillator<double>& scene);
+    explicit Reference(const scene::Oscillator<double>& oscillator);
 
     [[nodiscard]] bool is_closed_form() const { return map_.index() == 0; }
     // One cycle from the state x at forcing phase 0.
     [[nodiscard]] ReferenceCycle operator()(const scene::State<Extended>& x) const;
 
   private:
-    std::variant<trajectory::ExactCycleMap<Extended>, trajectory::TaylorCycleMap> map_;
+    std::variant<trajectory::ExactCycleMap<Extended>, study::TaylorCycleMap> map_;
 };
 
 // A stable periodic orbit with impacts: its point at the start of each of its cycles, and the cycles.
@@ -40,7 +40,7 @@ struct ReferenceOrbit {
 };
 
 // The orbit to which this start leads, polished in extended precision; nothing where it leads to none.
-[[nodiscard]] std::optional<ReferenceOrbit> reference_orbit(const scene::Oscillator<double>& scene,
+[[nodiscard]] std::optional<ReferenceOrbit> reference_orbit(const scene::Oscillator<double>& oscillator,
                                                             const scene::State<double>& start,
                                                             const job::SteadyState& budget);
 

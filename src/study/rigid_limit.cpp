@@ -38,14 +38,14 @@ double RigidLimit::rigid_speed() const {
 }
 
 double RigidLimit::compliant_speed(double stiffness) const {
-    const scene::Oscillator<double> scene{
+    const scene::Oscillator<double> oscillator{
         .damping_ratio = damping_ratio,
         .contact = scene::KelvinVoigt<double>{stiffness, 2 * contact_damping_ratio * std::sqrt(stiffness)},
         .frequency = frequency,
         .gap = gap};
     const scene::State<double> start(-1 - gap, 0);
     const auto result =
-        regime::find_steady_state(scene, start, {}, {}, {.detail = trajectory::Detail::contacts});
+        regime::find_steady_state(oscillator, start, {}, {}, {.detail = trajectory::Detail::contacts});
     const bool one_to_one =
         result.regime == regime::Regime::periodic && result.impacts == 1 && result.period == 1;
     return one_to_one ? result.impact_speed : std::numeric_limits<double>::quiet_NaN();

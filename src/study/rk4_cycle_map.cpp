@@ -2,10 +2,13 @@
 
 #include "support/stop_request.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::study {
+
+using trajectory::acceleration;
+using trajectory::contact_force;
 
 Rk4CycleMap::Block Rk4CycleMap::rate(Phase phase, const Block& z, double time) const {
-    const auto a = acceleration(scene_, phase, State<double>(z.col(0)), scene_.frequency * time);
+    const auto a = acceleration(oscillator_, phase, State<double>(z.col(0)), oscillator_.frequency * time);
     Block rate;
     rate(0, 0) = z(1, 0);
     rate(1, 0) = a.value;
@@ -24,7 +27,7 @@ Rk4CycleMap::Block Rk4CycleMap::step(Phase phase, const Block& z, double time, d
 }
 
 double Rk4CycleMap::over(Phase phase, const Block& z) const {
-    const double force = contact_force(scene_, State<double>(z.col(0)));
+    const double force = contact_force(oscillator_, State<double>(z.col(0)));
     switch (phase) {
         case Phase::flight:
             return z(0, 0);
@@ -55,10 +58,10 @@ Phase Rk4CycleMap::enter_next(Phase phase, Block& z, double time, MeasuredCycle<
         cycle.last_touch = time;
         cycle.impact_speed = std::max(cycle.impact_speed, z(1, 0));
         z(0, 0) = 0;
-        z.block<1, 2>(1, 1) -= scene_.kelvin_voigt().damping * z.block<1, 2>(0, 1);
+        z.block<1, 2>(1, 1) -= oscillator_.kelvin_voigt().damping * z.block<1, 2>(0, 1);
         return Phase::contact;
     }
-    const bool elastic = phase == Phase::contact && scene_.kelvin_voigt().damping == 0;
+    const bool elastic = phase == Phase::contact && oscillator_.kelvin_voigt().damping == 0;
     if (elastic || !(z(0, 0) > 0)) {
         z(0, 0) = 0;
         return Phase::flight;
@@ -68,15 +71,15 @@ Phase Rk4CycleMap::enter_next(Phase phase, Block& z, double time, MeasuredCycle<
 
 Rk4CycleMap::Sample Rk4CycleMap::sample(const Block& z, double time) const {
     const State<double> x = z.col(0);
-    const auto a = acceleration(scene_, Phase::contact, x, scene_.frequency * time);
-    const auto& law = scene_.kelvin_voigt();
-    return {contact_force(scene_, x), law.stiffness * x[1] + law.damping * a.value};
+    const auto a = acceleration(oscillator_, Phase::contact, x, oscillator_.frequency * time);
+    const auto& law = oscillator_.kelvin_voigt();
+    return {contact_force(oscillator_, x), law.stiffness * x[1] + law.damping * a.value};
 }
 
 // Largest force over a step in contact: of Hermite's cubic through both ends, where it has a maximum between.
 void Rk4CycleMap::measure_step(Phase phase, const Block& from, double time, const Block& to, double h,
                                MeasuredCycle<double>& cycle) const {
-    cycle.largest_displacement = std::max(cycle.largest_displacement, std::abs(to(0, 0) + scene_.gap));
+    cycle.largest_displacement = std::max(cycle.largest_displacement, std::abs(to(0, 0) + oscillator_.gap));
     if (phase_at(phase, to) != Phase::contact && phase_at(phase, from) != Phase::contact) return;
     const Sample a = sample(from, time);
     const Sample b = sample(to, time + h);
@@ -100,8 +103,8 @@ MeasuredCycle<double> Rk4CycleMap::operator()(const State<double>& x, bool measu
     MeasuredCycle<double> cycle;
     Block z;
     z << x, Jacobian<double>::Identity();
-    Phase phase = phase_of(scene_, x);
-    const double period = scene_.period();
+    Phase phase = phase_of(oscillator_, x);
+    const double period = oscillator_.period();
     double time = 0;
     int events = 0;
     for (int n = 0; n < steps_; ++n) {
@@ -131,7 +134,7 @@ MeasuredCycle<double> Rk4CycleMap::operator()(const State<double>& x, bool measu
                 }
                 phase = enter_next(phase, z, time, cycle);
             } else if (events_ == Rk4Events::ignored) {
-                const Phase now = phase_of(scene_, State<double>(z.col(0)));
+                const Phase now = phase_of(oscillator_, State<double>(z.col(0)));
                 if (phase == Phase::flight && now != Phase::flight) {
                     ++cycle.impacts;
                     cycle.last_touch = time;
@@ -146,4 +149,4 @@ MeasuredCycle<double> Rk4CycleMap::operator()(const State<double>& x, bool measu
     return cycle;
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::study

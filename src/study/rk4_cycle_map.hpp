@@ -18,16 +18,24 @@
 #include "trajectory/cycle.hpp"
 #include "trajectory/equation_of_motion.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::study {
+
+using scene::Jacobian;
+using scene::Oscillator;
+using scene::State;
+using trajectory::Cycle;
+using trajectory::MeasuredCycle;
+using trajectory::Phase;
+using trajectory::phase_of;
 
 enum class Rk4Events { located, ignored };
 
 class Rk4CycleMap {
   public:
-    Rk4CycleMap(const Oscillator<double>& scene, int steps_per_cycle, Rk4Events events)
-        : scene_(scene), steps_(steps_per_cycle), events_(events) {}
+    Rk4CycleMap(const Oscillator<double>& oscillator, int steps_per_cycle, Rk4Events events)
+        : oscillator_(oscillator), steps_(steps_per_cycle), events_(events) {}
 
-    [[nodiscard]] const Oscillator<double>& scene() const { return scene_; }
+    [[nodiscard]] const Oscillator<double>& oscillator() const { return oscillator_; }
 
     // One cycle from the state x at forcing phase 0.
     [[nodiscard]] MeasuredCycle<double> operator()(const State<double>& x, bool measure) const;
@@ -43,7 +51,7 @@ class Rk4CycleMap {
     [[nodiscard]] Block rate(Phase phase, const Block& z, double time) const;
     [[nodiscard]] Block step(Phase phase, const Block& z, double time, double h) const;
     [[nodiscard]] Phase phase_at(Phase phase, const Block& z) const {
-        return events_ == Rk4Events::located ? phase : phase_of(scene_, State<double>(z.col(0)));
+        return events_ == Rk4Events::located ? phase : phase_of(oscillator_, State<double>(z.col(0)));
     }
     // Positive once the phase is over.
     [[nodiscard]] double over(Phase phase, const Block& z) const;
@@ -53,9 +61,9 @@ class Rk4CycleMap {
     void measure_step(Phase phase, const Block& from, double time, const Block& to, double h,
                       MeasuredCycle<double>& cycle) const;
 
-    Oscillator<double> scene_;
+    Oscillator<double> oscillator_;
     int steps_;
     Rk4Events events_;
 };
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::study

@@ -21,7 +21,7 @@ using regime::CellResult;
 using regime::Engine;
 using regime::EngineSettings;
 using regime::Regime;
-using Outcome = Stability::Outcome;
+using Judgement = Stability::Judgement;
 using OfEngine = Stability::OfEngine;
 using Result = Stability::Result;
 using scene::Oscillator;
@@ -31,14 +31,14 @@ constexpr double allowed = 10;  // errors of peak force, over the tolerance aske
 constexpr std::array<const char*, 4> outcome_names{"agrees", "says_why_not", "wrong", "not_for_this_scene"};
 
 // Which laws an engine knows.
-bool fits(Engine engine, const Oscillator<double>& scene, const EngineSettings& settings) {
-    const bool linear = scene::has_closed_form(scene.contact);
+bool fits(Engine engine, const Oscillator<double>& oscillator, const EngineSettings& settings) {
+    const bool linear = scene::has_closed_form(oscillator.contact);
     switch (engine) {
         case Engine::exact:
-            return linear && scene.cubic == 0;
+            return linear && oscillator.cubic == 0;
         case Engine::split:
             return linear &&
-                   trajectory::split_steps(scene, settings.largest_displacement, settings.tolerance) > 0;
+                   trajectory::split_steps(oscillator, settings.largest_displacement, settings.tolerance) > 0;
         case Engine::cvode:
         case Engine::arkode:
             break;
@@ -133,19 +133,19 @@ std::vector<scene::Cell> neighbours(const scene::Cell& cell, double tolerance) {
     return cells;
 }
 
-Outcome outcome_of(const CellResult& result, const scene::Cell& cell, const Verdict& verdict,
-                   double tolerance) {
-    if (result.regime == Regime::unresolved || result.regime == Regime::failed) return Outcome::says_why_not;
+Judgement outcome_of(const CellResult& result, const scene::Cell& cell, const Verdict& verdict,
+                     double tolerance) {
+    if (result.regime == Regime::unresolved || result.regime == Regime::failed) return Judgement::says_why_not;
     bool is_label = same_label(result, verdict);
     double margin = allowed * tolerance;
-    if (is_label && is_close(result.peak_force, verdict, margin)) return Outcome::agrees;
+    if (is_label && is_close(result.peak_force, verdict, margin)) return Judgement::agrees;
     for (const scene::Cell& neighbour : neighbours(cell, tolerance)) {
         const Verdict other = judge(neighbour.oscillator, neighbour.start);
         is_label |= same_label(result, other);
         if (other.kind != Verdict::Kind::settled || verdict.kind != Verdict::Kind::settled) continue;
         margin = std::max(margin, allowed * error_of(static_cast<double>(other.peak_force), verdict));
     }
-    return is_label && is_close(result.peak_force, verdict, margin) ? Outcome::agrees : Outcome::wrong;
+    return is_label && is_close(result.peak_force, verdict, margin) ? Judgement::agrees : Judgement::wrong;
 }
 
 // Least squares in logarithms, over the stiffest half of the ladder.
@@ -262,14 +262,14 @@ std::string Stability::summary(std::span<const Result> results) const {
         text += fmt::format("{:<30}", battery()[n].name);
         for (const OfEngine& each : results[n].of_engines) {
             std::string word = outcome_names[static_cast<std::size_t>(each.outcome)];
-            if (each.outcome == Outcome::says_why_not) {
+            if (each.outcome == Judgement::says_why_not) {
                 word = cell::status_names[static_cast<std::size_t>(each.status)];
-            } else if (each.outcome == Outcome::not_for_this_scene) {
+            } else if (each.outcome == Judgement::not_for_this_scene) {
                 word = "-";
             } else if (!std::isnan(each.error_peak_force)) {
                 word += fmt::format(" {:.0e}", each.error_peak_force);
             }
-            wrong += each.outcome == Outcome::wrong ? 1 : 0;
+            wrong += each.outcome == Judgement::wrong ? 1 : 0;
             text += fmt::format("{:<24}", word);
         }
         text += "\n";

@@ -24,12 +24,12 @@ namespace peterka::study {
 class Stability {
   public:
     // Stored as int8; part of the file format.
-    enum class Outcome : std::int8_t { agrees = 0, says_why_not = 1, wrong = 2, not_for_this_scene = 3 };
+    enum class Judgement : std::int8_t { agrees = 0, says_why_not = 1, wrong = 2, not_for_this_scene = 3 };
     static constexpr std::size_t engines = 4;
 
     // Of one engine in one scene.
     struct OfEngine {
-        Outcome outcome = Outcome::not_for_this_scene;
+        Judgement outcome = Judgement::not_for_this_scene;
         regime::Regime regime = regime::Regime::unresolved;
         regime::Status status = regime::Status::proved;
         std::int32_t impacts = 0;

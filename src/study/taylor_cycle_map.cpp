@@ -9,7 +9,7 @@
 #include "study/taylor_series.hpp"
 #include "support/stop_request.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::study {
 
 namespace {
 
@@ -27,8 +27,8 @@ constexpr Real step_share = 0.2L;  // of the radius of convergence, where it is 
 template <class Force>
 class ForcedMotion : private TaylorMotion {
   public:
-    ForcedMotion(const Oscillator<Real>& scene, const State<Real>& x, const Force& force)
-        : TaylorMotion(scene, x), force_(force) {
+    ForcedMotion(const Oscillator<Real>& oscillator, const State<Real>& x, const Force& force)
+        : TaylorMotion(oscillator, x), force_(force) {
         if (point_.position > 0) {
             phase_ = force_.pressing(point_) > 0 ? Phase::contact : Phase::unloaded;
         } else if (point_.position == 0 && point_.velocity > 0) {
@@ -78,8 +78,9 @@ class ForcedMotion : private TaylorMotion {
     bool step() {
         if (!force_.is_analytic() && phase_ == Phase::contact) {
             // a bound of the acceleration, for lengths and depths
-            free_acceleration_ = scene_.drive() + std::abs(point_.position + scene_.gap) +
-                                 2 * scene_.damping_ratio * std::abs(point_.velocity) + force_.value(point_);
+            free_acceleration_ = oscillator_.drive() + std::abs(point_.position + oscillator_.gap) +
+                                 2 * oscillator_.damping_ratio * std::abs(point_.velocity) +
+                                 force_.value(point_);
             floor_ = force_.floor(point_.velocity, std::abs(press(time_)));
         }
         const bool presses = force_counts();
@@ -88,8 +89,8 @@ class ForcedMotion : private TaylorMotion {
         expand([&](std::size_t n) { return presses ? force_.coefficient(series_, n) : Real(0); });
         const bool event = find_event(end, [&](Real t) { return over(taylor::at(series_, t)); });
         if (presses) raise_peak(end);
-        cycle_.largest_displacement =
-            std::max(cycle_.largest_displacement, std::abs(taylor::at(series_, end).position + scene_.gap));
+        cycle_.largest_displacement = std::max(cycle_.largest_displacement,
+                                               std::abs(taylor::at(series_, end).position + oscillator_.gap));
         point_ = taylor::at(series_, end);
         pass(end, longest);
         return event;
@@ -156,8 +157,8 @@ class ForcedMotion : private TaylorMotion {
 // A rigid stop.
 class RigidMotion : private TaylorMotion {
   public:
-    RigidMotion(const Oscillator<Real>& scene, const State<Real>& x, Real restitution)
-        : TaylorMotion(scene, x), restitution_(restitution) {
+    RigidMotion(const Oscillator<Real>& oscillator, const State<Real>& x, Real restitution)
+        : TaylorMotion(oscillator, x), restitution_(restitution) {
         if (point_.position == 0 && point_.velocity > 0) {
             strike();
         } else if (point_.position == 0 && point_.velocity == 0) {
@@ -191,8 +192,8 @@ class RigidMotion : private TaylorMotion {
         if (point_.position == 0 && a > 0) end = std::min(end, 4 * std::abs(point_.velocity) / a);
         expand([](std::size_t) { return Real(0); });
         const bool event = find_event(end, [&](Real t) { return taylor::at(series_, t).position; });
-        cycle_.largest_displacement =
-            std::max(cycle_.largest_displacement, std::abs(taylor::at(series_, end).position + scene_.gap));
+        cycle_.largest_displacement = std::max(cycle_.largest_displacement,
+                                               std::abs(taylor::at(series_, end).position + oscillator_.gap));
         for (int n = 0; n <= samples; ++n) {
             if (!(press(time_ + end * Real(n) / samples) > 0)) impacts_while_pressed_ = 0;
         }
@@ -266,18 +267,18 @@ MeasuredCycle<TaylorCycleMap::Real> TaylorCycleMap::operator()(const State<Real>
     return std::visit(
         [&]<class Law>(const Law& law) -> MeasuredCycle<Real> {
             if constexpr (Law::Given::is_rigid) {
-                return RigidMotion(scene_, x, law.coefficient).run();
+                return RigidMotion(oscillator_, x, law.coefficient).run();
             } else if constexpr (std::is_same_v<Law, scene::KelvinVoigt<Real>>) {
-                return ForcedMotion(scene_, x, taylor::KelvinVoigtForce(law)).run();
+                return ForcedMotion(oscillator_, x, taylor::KelvinVoigtForce(law)).run();
             } else if constexpr (std::is_same_v<Law, scene::HuntCrossley<Real>>) {
-                return ForcedMotion(scene_, x, taylor::HuntCrossleyForce(law)).run();
+                return ForcedMotion(oscillator_, x, taylor::HuntCrossleyForce(law)).run();
             } else {  // a force without a series here
                 MeasuredCycle<Real> none;
                 none.outcome = Cycle<Real>::Outcome::solver_failed;
                 return none;
             }
         },
-        scene_.contact);
+        oscillator_.contact);
 }
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::study

@@ -18,21 +18,27 @@
 
 #include "trajectory/cycle.hpp"
 
-namespace peterka::trajectory {
+namespace peterka::study {
+
+using scene::Oscillator;
+using scene::State;
+using trajectory::Cycle;
+using trajectory::MeasuredCycle;
+using trajectory::Phase;
 
 class TaylorCycleMap {
   public:
     using Real = long double;
 
-    explicit TaylorCycleMap(const Oscillator<Real>& scene) : scene_(scene) {}
+    explicit TaylorCycleMap(const Oscillator<Real>& oscillator) : oscillator_(oscillator) {}
 
-    [[nodiscard]] const Oscillator<Real>& scene() const { return scene_; }
+    [[nodiscard]] const Oscillator<Real>& oscillator() const { return oscillator_; }
 
     // One cycle from the state x at forcing phase 0.
     [[nodiscard]] MeasuredCycle<Real> operator()(const State<Real>& x) const;
 
   private:
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
 };
 
-}  // namespace peterka::trajectory
+}  // namespace peterka::study

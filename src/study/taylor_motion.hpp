@@ -9,17 +9,22 @@
 #include "study/taylor_series.hpp"
 #include "trajectory/cycle.hpp"
 
-namespace peterka::trajectory::taylor {
+namespace peterka::study::taylor {
+
+using scene::Oscillator;
+using scene::State;
+using trajectory::Cycle;
+using trajectory::Phase;
 
 inline constexpr int samples = 16;          // of a step: where the end of a phase is looked for
 inline constexpr Real out_of_range = 1e9L;  // a softening spring that gave way never ends its cycle
 
 class TaylorMotion {
   public:
-    TaylorMotion(const Oscillator<Real>& scene, const State<Real>& x)
-        : scene_(scene),
-          cart_(scene.cubic_form == job::CubicForm::absolute ? 1 : 0),
-          period_(scene.period()),
+    TaylorMotion(const Oscillator<Real>& oscillator, const State<Real>& x)
+        : oscillator_(oscillator),
+          cart_(oscillator.cubic_form == job::CubicForm::absolute ? 1 : 0),
+          period_(oscillator.period()),
           point_{x[0], x[1]} {
         cycle_.jacobian.setConstant(std::numeric_limits<Real>::quiet_NaN());
     }
@@ -32,16 +37,16 @@ class TaylorMotion {
         Series x{};        // what the spring's cubic part sees
         Series squares{};  // x^2 and y^2
         Series cart_squares{};
-        const Real angle = scene_.frequency * time_;
+        const Real angle = oscillator_.frequency * time_;
         Real wave[2] = {std::sin(angle), std::cos(angle)};
         series_[0] = point_.position;
         series_[1] = point_.velocity;
         for (std::size_t n = 0; n + 2 <= order; ++n) {
             y[n] = n % 4 < 2 ? wave[n % 2] : -wave[n % 2];
-            const Real u = series_[n] + (n == 0 ? scene_.gap : 0);
-            Real acceleration =
-                scene_.drive() * y[n] - u - 2 * scene_.damping_ratio * Real(n + 1) * series_[n + 1] - force(n);
-            if (scene_.cubic != 0) {
+            const Real u = series_[n] + (n == 0 ? oscillator_.gap : 0);
+            Real acceleration = oscillator_.drive() * y[n] - u -
+                                2 * oscillator_.damping_ratio * Real(n + 1) * series_[n + 1] - force(n);
+            if (oscillator_.cubic != 0) {
                 x[n] = u + cart_ * y[n];
                 Real cube = 0;
                 for (std::size_t a = 0; a <= n; ++a) {
@@ -51,25 +56,26 @@ class TaylorMotion {
                 for (std::size_t a = 0; a <= n; ++a) {
                     cube += squares[a] * x[n - a] - cart_ * cart_squares[a] * y[n - a];
                 }
-                acceleration -= scene_.cubic * cube;
+                acceleration -= oscillator_.cubic * cube;
             }
             series_[n + 2] = acceleration / Real((n + 1) * (n + 2));
-            wave[0] *= scene_.frequency / Real(n + 1);
-            wave[1] *= scene_.frequency / Real(n + 1);
+            wave[0] *= oscillator_.frequency / Real(n + 1);
+            wave[1] *= oscillator_.frequency / Real(n + 1);
         }
     }
 
     [[nodiscard]] Real free_rate() const {
-        const Real reach = std::abs(point_.position + scene_.gap) + cart_;
-        return 1 + scene_.frequency + 2 * scene_.damping_ratio + std::sqrt(6 * std::abs(scene_.cubic)) * reach;
+        const Real reach = std::abs(point_.position + oscillator_.gap) + cart_;
+        return 1 + oscillator_.frequency + 2 * oscillator_.damping_ratio +
+               std::sqrt(6 * std::abs(oscillator_.cubic)) * reach;
     }
 
     // What presses a hammer at rest against the stop.
     [[nodiscard]] Real press(Real time) const {
-        const Real sine = std::sin(scene_.frequency * time);
+        const Real sine = std::sin(oscillator_.frequency * time);
         const Real y = cart_ * sine;
-        const Real x = scene_.gap + y;
-        return scene_.drive() * sine - scene_.gap - scene_.cubic * (x * x * x - y * y * y);
+        const Real x = oscillator_.gap + y;
+        return oscillator_.drive() * sine - oscillator_.gap - oscillator_.cubic * (x * x * x - y * y * y);
     }
 
     // The first time within the step at which `over` is positive, or the step's end. It is not at the step's
@@ -109,7 +115,7 @@ class TaylorMotion {
         return cycle_;
     }
 
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     Real cart_;
     Real period_;
     Real time_ = 0;  // since the cycle began
@@ -118,4 +124,4 @@ class TaylorMotion {
     MeasuredCycle<Real> cycle_;
 };
 
-}  // namespace peterka::trajectory::taylor
+}  // namespace peterka::study::taylor

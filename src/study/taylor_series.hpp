@@ -8,7 +8,7 @@
 
 #include "scene/contact_law.hpp"
 
-namespace peterka::trajectory::taylor {
+namespace peterka::study::taylor {
 
 using Real = long double;
 inline constexpr std::size_t order = 24;
@@ -114,4 +114,4 @@ class HuntCrossleyForce {
     Series powers_{};
 };
 
-}  // namespace peterka::trajectory::taylor
+}  // namespace peterka::study::taylor

@@ -23,8 +23,8 @@ Extended distance(const State<Extended>& a, const State<Extended>& b) {
 
 class Motion {
   public:
-    Motion(const scene::Oscillator<double>& scene, const State<double>& start)
-        : reference_(scene), x_(start.cast<Extended>()) {}
+    Motion(const scene::Oscillator<double>& oscillator, const State<double>& start)
+        : reference_(oscillator), x_(start.cast<Extended>()) {}
 
     // False where the reference can't go on.
     bool advance() {
@@ -130,10 +130,10 @@ class Motion {
 
 }  // namespace
 
-Verdict judge(const scene::Oscillator<double>& scene, const State<double>& start) {
+Verdict judge(const scene::Oscillator<double>& oscillator, const State<double>& start) {
     constexpr int growth_cycles = 500;
     constexpr Extended least_growth = 0.02L;
-    Motion motion(scene, start);
+    Motion motion(oscillator, start);
     const int budget = motion.is_closed_form() ? 100'000 : 5'000;
     const int look_for_chaos_at = motion.is_closed_form() ? 10'000 : 2'000;
     for (int n = 0; n < budget; ++n) {

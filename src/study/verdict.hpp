@@ -23,6 +23,6 @@ struct Verdict {
     Extended peak_force = 0;
 };
 
-[[nodiscard]] Verdict judge(const scene::Oscillator<double>& scene, const scene::State<double>& start);
+[[nodiscard]] Verdict judge(const scene::Oscillator<double>& oscillator, const scene::State<double>& start);
 
 }  // namespace peterka::study

@@ -18,7 +18,7 @@ constexpr double same_orbit = 0.05;  // of the state, beyond which a run is on a
 constexpr std::array<const char*, 3> outcome_names{"done", "failed", "other_orbit"};
 
 using Result = WorkPrecision::Result;
-using Outcome = WorkPrecision::Outcome;
+using TrialEnd = WorkPrecision::TrialEnd;
 
 double relative(const State<double>& x, const State<Extended>& expected) {
     const State<Extended> difference = (x.cast<Extended>() - expected).cwiseAbs();
@@ -33,7 +33,7 @@ double distance(double a, Extended b) {
 // Errors of one period that begins at the orbit's point number `shift`.
 Result compared(const std::vector<Observation>& cycles, const ReferenceOrbit& orbit, std::size_t shift,
                 Extended forcing_period) {
-    Result result{Outcome::done, 0, 0, 0, nan};
+    Result result{TrialEnd::done, 0, 0, 0, nan};
     double peak_force = 0;
     std::int64_t impacts = 0;
     for (std::size_t n = 0; n < cycles.size(); ++n) {
@@ -51,7 +51,7 @@ Result compared(const std::vector<Observation>& cycles, const ReferenceOrbit& or
     result.error_peak_force =
         distance(peak_force, orbit.peak_force()) / static_cast<double>(orbit.peak_force());
     const bool same = impacts == orbit.impacts() && result.error_state < same_orbit;
-    if (!same) result.outcome = Outcome::other_orbit;
+    if (!same) result.outcome = TrialEnd::other_orbit;
     return result;
 }
 
@@ -64,9 +64,9 @@ WorkPrecision::WorkPrecision(const job::Job& job)
       runs_(runs(scene::oscillator_of(job).cubic != 0, study_.tolerances, study_.steps_per_cycle)) {
     for (std::size_t n = 0; n < study_.frequency_ratio.size(); ++n) {
         Trial cell{scene::oscillator_of(job), {0, 0}};
-        cell.scene.frequency = study_.frequency_ratio[n];
-        cell.scene.gap = study_.gap_ratio[n];
-        cell.start = {-cell.scene.gap, -cell.scene.frequency};  // at rest
+        cell.oscillator.frequency = study_.frequency_ratio[n];
+        cell.oscillator.gap = study_.gap_ratio[n];
+        cell.start = {-cell.oscillator.gap, -cell.oscillator.frequency};  // at rest
         cells_.push_back(cell);
     }
     orbits_.resize(cells_.size());
@@ -74,7 +74,7 @@ WorkPrecision::WorkPrecision(const job::Job& job)
 
 const WorkPrecision::Orbit& WorkPrecision::orbit(std::size_t cell) const {
     std::optional<Orbit>& known = orbits_[cell];
-    if (!known) known = reference_orbit(cells_[cell].scene, cells_[cell].start, budget_);
+    if (!known) known = reference_orbit(cells_[cell].oscillator, cells_[cell].start, budget_);
     return *known;
 }
 
@@ -87,7 +87,7 @@ const BatchTrial& WorkPrecision::batch_trial() const {
         std::vector<OrbitStart> starts;
         for (std::size_t n = 0; n < cells_.size(); ++n) {
             if (!orbit(n)) continue;
-            starts.push_back({cells_[n].scene, orbit(n)->points[0].cast<double>(), orbit(n)->period()});
+            starts.push_back({cells_[n].oscillator, orbit(n)->points[0].cast<double>(), orbit(n)->period()});
         }
         BatchTrial trial = follow_in_batch(starts, study_.cycles, study_.repeats);
         for (std::size_t n = 0; n < cells_.size(); ++n) {
@@ -105,7 +105,7 @@ std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std
         if (!std::ranges::all_of(trial.orbits[cell], &Observation::ok)) return std::nullopt;
         return Followed{trial.seconds_per_cycle, trial.orbits[cell]};
     }
-    MethodMap map(cells_[cell].scene, run, static_cast<double>(expected.largest_displacement()));
+    MethodMap map(cells_[cell].oscillator, run, static_cast<double>(expected.largest_displacement()));
     const State<double> start = expected.points[0].cast<double>();
     State<double> x = start;
     double fastest = std::numeric_limits<double>::infinity();
@@ -128,7 +128,7 @@ std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std
 
 Result WorkPrecision::solve(std::int64_t task) const {
     const auto number = static_cast<std::size_t>(task % std::ssize(cells_));
-    const Result failed{Outcome::failed, nan, nan, nan, nan};
+    const Result failed{TrialEnd::failed, nan, nan, nan, nan};
     if (!orbit(number)) return failed;
     const ReferenceOrbit& expected = *orbit(number);
     const auto followed = follow(runs_[static_cast<std::size_t>(task / std::ssize(cells_))], number);
@@ -140,7 +140,7 @@ Result WorkPrecision::solve(std::int64_t task) const {
     for (std::size_t shift = 0; shift < expected.period(); ++shift) {
         const Result result =
             compared(followed->cycles, expected, shift,
-                     2 * std::numbers::pi_v<Extended> / Extended(cells_[number].scene.frequency));
+                     2 * std::numbers::pi_v<Extended> / Extended(cells_[number].oscillator.frequency));
         if (result.error_state < best.error_state) best = result;
     }
     best.seconds_per_cycle = followed->seconds_per_cycle;
@@ -172,8 +172,8 @@ std::vector<Table> WorkPrecision::tables(std::span<const Result> results) const 
     return {
         {{"/", Variable{"cell", Number::int32, -1, "1", "number of the cell"}, {cell}}, of_cells(number)},
         {{"/", Variable{"trial", Number::int32, -1, "1", "number of the trial: a method at a setting"}, {trial}}, of_runs(number)},
-        {{"/", Variable{"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency, Omega/omega"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].scene.frequency; })},
-        {{"/", Variable{"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude, gap/A0"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].scene.gap; })},
+        {{"/", Variable{"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency, Omega/omega"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].oscillator.frequency; })},
+        {{"/", Variable{"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude, gap/A0"}, {cell}}, of_cells([&](std::size_t n) { return cells_[n].oscillator.gap; })},
         {{"/", Variable{"reference_peak_force_ratio", Number::float64, nan, "1", "peak force of the cell's orbit in extended precision over the hammer's weight, F/(m g0)"}, {cell}},
          of_cells([&](std::size_t n) { return orbit(n) ? static_cast<double>(orbit(n)->peak_force()) * force_ratio_ : nan; })},
         {{"/", Variable{"method", Number::int8, -128, "1", "way to carry a trajectory through a cycle", method_names}, {trial}}, of_runs([&](std::size_t n) { return static_cast<int>(runs_[n].method); })},
@@ -197,7 +197,7 @@ std::string WorkPrecision::summary(std::span<const Result> results) const {
         std::vector<double> errors;
         std::vector<double> times;
         for (const Result& result : results.subspan(n * cells_.size(), cells_.size())) {
-            if (result.outcome != Outcome::done) continue;
+            if (result.outcome != TrialEnd::done) continue;
             errors.push_back(result.error_peak_force);
             times.push_back(1e6 * result.seconds_per_cycle);
         }

@@ -23,11 +23,11 @@ namespace peterka::study {
 class WorkPrecision {
   public:
     // Stored as int8; part of the file format.
-    enum class Outcome : std::int8_t { done = 0, failed = 1, other_orbit = 2 };
+    enum class TrialEnd : std::int8_t { done = 0, failed = 1, other_orbit = 2 };
 
     // Of one run in one cell.
     struct Result {
-        Outcome outcome = Outcome::failed;
+        TrialEnd outcome = TrialEnd::failed;
         double error_peak_force = 0;   // relative
         double error_state = 0;        // of (delta, delta') over 1 + their size
         double error_impact_time = 0;  // in forcing cycles
@@ -43,7 +43,7 @@ class WorkPrecision {
 
   private:
     struct Trial {
-        Oscillator<double> scene;
+        Oscillator<double> oscillator;
         State<double> start;
     };
     using Orbit = std::optional<ReferenceOrbit>;

@@ -7,15 +7,15 @@
 namespace peterka::trace {
 
 struct Carrier {
-    scene::Oscillator<double> scene;  // as solved: with its cubic spring or without
+    scene::Oscillator<double> oscillator;  // as solved: with its cubic spring or without
     regime::EngineSettings settings;
 };
 
 // The engine used last is that of the result, or one that only looked what the cubic spring would change.
 inline Carrier carrier_of(const regime::CycleDesk& desk, const regime::CellResult& result) {
-    Carrier carrier{desk.scene(), desk.settings()};
+    Carrier carrier{desk.oscillator(), desk.settings()};
     if (result.engine == regime::Engine::exact) {
-        carrier.scene = without_cubic(carrier.scene);
+        carrier.oscillator = without_cubic(carrier.oscillator);
         carrier.settings = {};
     }
     return carrier;

@@ -41,8 +41,8 @@ const char* in_words(Cycle<double>::Outcome outcome) {
 // A cycle of one scene after the other.
 class Cycles {
   public:
-    Cycles(const Oscillator<double>& scene, const EngineSettings& settings, const State<double>& start)
-        : map_(regime::make_cycle_map(scene, settings)), state_(start) {}
+    Cycles(const Oscillator<double>& oscillator, const EngineSettings& settings, const State<double>& start)
+        : map_(regime::make_cycle_map(oscillator, settings)), state_(start) {}
 
     [[nodiscard]] const State<double>& state() const { return state_; }
 
@@ -68,19 +68,19 @@ class Cycles {
 
 // The rule of maps for the cubic spring, with the largest displacement of this very motion.
 void choose_engine(Course& course, const job::Solver& solver) {
-    const Oscillator<double> whole = course.scene;
+    const Oscillator<double> whole = course.oscillator;
     const bool may_omit = solver.engine == job::EngineChoice::automatic &&
                           (whole.cubic == 0 || solver.omit_tolerance > 0) &&
                           !regime::has_nonlinear_contact(whole);
     Watcher nobody;
     double reach = EngineSettings{}.largest_displacement;
     if (may_omit) {
-        course.scene = without_cubic(whole);
+        course.oscillator = without_cubic(whole);
         if (whole.cubic == 0) return;
         reach = follow(course, nobody).displacement_bound;
         if (regime::effect_of_cubic(whole, reach) <= solver.omit_tolerance) return;
     }
-    course.scene = whole;
+    course.oscillator = whole;
     regime::EngineByReach engine(whole, solver, reach);
     do {
         course.settings = engine.settings();
@@ -98,7 +98,7 @@ Course at_rest(const scene::Scene& scene) {
 }
 
 void skip(Course& course, std::int64_t cycles) {
-    Cycles passing(course.scene, course.settings, course.start);
+    Cycles passing(course.oscillator, course.settings, course.start);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) passing.advance(nullptr);
     course.start = passing.state();
     course.skipped = cycles;
@@ -109,12 +109,12 @@ Course driven(const scene::Scene& scene) {
     regime::CycleDesk desk;
     const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
     const Carrier carrier = carrier_of(desk, result);
-    Course course{carrier.scene, carrier.settings, scene.cell(0, 0).start,
-                  static_cast<double>(job.trace.cycles) * carrier.scene.period()};
+    Course course{carrier.oscillator, carrier.settings, scene.cell(0, 0).start,
+                  static_cast<double>(job.trace.cycles) * carrier.oscillator.period()};
     course.cell = result;
     if (job.trace.from == job::TraceBegin::start) return course;
     if (std::isfinite(result.orbit_displacement)) {
-        course.start = {result.orbit_displacement - course.scene.gap, result.orbit_velocity};
+        course.start = {result.orbit_displacement - course.oscillator.gap, result.orbit_velocity};
         course.period = result.period;
     } else {
         skip(course, regime::first_that_counts(job.steady_state));
@@ -130,15 +130,15 @@ Course prepare(const scene::Scene& scene) {
 
 trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
     constexpr double rounding = 1e-12;  // of a length that is meant to be whole periods
-    const double period = course.scene.period();
+    const double period = course.oscillator.period();
     const auto cycles = static_cast<std::int64_t>(std::ceil(course.length / period * (1 - rounding)));
     Recorder<double> recorder(trajectory::Detail::energy, watcher);
-    Cycles passing(course.scene, course.settings, course.start);
+    Cycles passing(course.oscillator, course.settings, course.start);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
         watcher.begin_cycle(period * static_cast<double>(cycle));
         passing.advance(&recorder);
     }
-    watcher.finish(passing.state(), trajectory::phase_of(course.scene, passing.state()));
+    watcher.finish(passing.state(), trajectory::phase_of(course.oscillator, passing.state()));
     return recorder.totals();
 }
 

@@ -18,7 +18,7 @@
 namespace peterka::trace {
 
 struct Course {
-    scene::Oscillator<double> scene;
+    scene::Oscillator<double> oscillator;
     regime::EngineSettings settings;
     scene::State<double> start;  // (delta, delta') at forcing phase 0, where the trace begins
     double length = 0;           // tau

@@ -26,7 +26,7 @@ void ImpactWindow::leave(const trajectory::ImpactRecord<double>& /*impact*/) {
 }
 
 Instant ImpactWindow::instant(const Stretch& stretch, double time) const {
-    return {stretch.begin + time, scene_.frequency * (stretch.from + time), stretch.state_at(time),
+    return {stretch.begin + time, oscillator_.frequency * (stretch.from + time), stretch.state_at(time),
             stretch.phase};
 }
 
@@ -49,7 +49,7 @@ void ImpactWindow::sample(const Stretch& stretch) {
 // The largest of a grid first, then the zero of the slope next to it.
 void ImpactWindow::raise_peak(const Stretch& stretch) {
     constexpr int pieces = 256;
-    const auto force = [&](double time) { return quantities(scene_, instant(stretch, time)).force; };
+    const auto force = [&](double time) { return quantities(oscillator_, instant(stretch, time)).force; };
     const auto grid = [&](int n) { return stretch.length * n / pieces; };
     int top = 0;
     for (int n = 1; n <= pieces; ++n) {
@@ -57,7 +57,7 @@ void ImpactWindow::raise_peak(const Stretch& stretch) {
     }
     double rising = grid(std::max(top - 1, 0));
     double falling = grid(std::min(top + 1, pieces));
-    const auto rises = [&](double time) { return force_slope(scene_, instant(stretch, time)) > 0; };
+    const auto rises = [&](double time) { return force_slope(oscillator_, instant(stretch, time)) > 0; };
     double time = grid(top);
     if (rises(rising) && !rises(falling)) {
         for (int halving = 0; halving < 60; ++halving) {

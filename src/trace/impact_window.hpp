@@ -25,7 +25,8 @@ struct WindowPlan {
 
 class ImpactWindow : public Watcher {
   public:
-    ImpactWindow(const scene::Oscillator<double>& scene, const WindowPlan& plan) : scene_(scene), plan_(plan) {}
+    ImpactWindow(const scene::Oscillator<double>& oscillator, const WindowPlan& plan)
+        : oscillator_(oscillator), plan_(plan) {}
 
     [[nodiscard]] const std::vector<Instant>& instants() const { return instants_; }
     // The largest force of the impact, found on the motion itself; not for a rigid stop.
@@ -40,7 +41,7 @@ class ImpactWindow : public Watcher {
     void raise_peak(const Stretch& stretch);
     [[nodiscard]] Instant instant(const Stretch& stretch, double time) const;  // since the stretch began
 
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     WindowPlan plan_;
     std::vector<Instant> instants_;
     Instant peak_;

@@ -27,9 +27,9 @@ struct Quantities {
     [[nodiscard]] double hammer_velocity() const { return relative_velocity + cart_velocity; }
 };
 
-[[nodiscard]] Quantities quantities(const scene::Oscillator<double>& scene, const Instant& instant);
+[[nodiscard]] Quantities quantities(const scene::Oscillator<double>& oscillator, const Instant& instant);
 
 // Derivative of the force in time, while the stop presses and is not rigid.
-[[nodiscard]] double force_slope(const scene::Oscillator<double>& scene, const Instant& instant);
+[[nodiscard]] double force_slope(const scene::Oscillator<double>& oscillator, const Instant& instant);
 
 }  // namespace peterka::trace

@@ -5,8 +5,8 @@
 
 namespace peterka::trace {
 
-Sampler::Sampler(const scene::Oscillator<double>& scene, double length, std::int64_t samples_per_cycle)
-    : period_(scene.period()), frequency_(scene.frequency), per_cycle_(samples_per_cycle) {
+Sampler::Sampler(const scene::Oscillator<double>& oscillator, double length, std::int64_t samples_per_cycle)
+    : period_(oscillator.period()), frequency_(oscillator.frequency), per_cycle_(samples_per_cycle) {
     constexpr double rounding = 1e-9;  // of a sample's distance: the last one lies at the end
     const double last = std::floor(length / period_ * static_cast<double>(per_cycle_) + rounding);
     count_ = static_cast<std::size_t>(last) + 1;

@@ -11,7 +11,7 @@ namespace peterka::trace {
 
 class Sampler : public Watcher {
   public:
-    Sampler(const scene::Oscillator<double>& scene, double length, std::int64_t samples_per_cycle);
+    Sampler(const scene::Oscillator<double>& oscillator, double length, std::int64_t samples_per_cycle);
 
     // An instant of contact shows the force after its jump.
     [[nodiscard]] const std::vector<Instant>& instants() const { return instants_; }

@@ -48,10 +48,10 @@ struct Shown {
     Quantities is;
 };
 
-std::vector<Shown> shown(const std::vector<Instant>& instants, const scene::Oscillator<double>& scene) {
+std::vector<Shown> shown(const std::vector<Instant>& instants, const scene::Oscillator<double>& oscillator) {
     std::vector<Shown> rows;
     rows.reserve(instants.size());
-    for (const Instant& instant : instants) rows.push_back({instant, quantities(scene, instant)});
+    for (const Instant& instant : instants) rows.push_back({instant, quantities(oscillator, instant)});
     return rows;
 }
 
@@ -84,14 +84,14 @@ std::vector<Column<Counted>> columns_of_impacts(const Trace& trace, const Scales
     const double per_omega = 1 / scales.frequency_rad_per_s;
     const double speed = scales.length_m * scales.frequency_rad_per_s;
     const double force = scales.force_ratio();
-    const double period = trace.course.scene.period();
-    const auto scene = trace.course.scene;
+    const double period = trace.course.oscillator.period();
+    const auto oscillator = trace.course.oscillator;
     return {
         {{"impact", Number::int32, -1, "1", "number of the impact, from 0"}, [](const Counted& row) { return row.index; }},
         {real("touch_time", "s", "time of the first touch since the trace began"), [=](const Counted& row) { return row.impact.time * per_omega; }},
         {real("touch_cycle", "1", "the same in forcing cycles"), [=](const Counted& row) { return row.impact.time / period; }},
         {real("impact_speed", "m/s", "speed of the hammer against the stop at first touch"), [=](const Counted& row) { return row.impact.speed * speed; }},
-        {real("touch_force_ratio", "1", "force to which the stop jumps at first touch over hammer weight, F/(m g0)"), [=](const Counted& row) { return force_at_touch(scene, row.impact.speed) * force; }},
+        {real("touch_force_ratio", "1", "force to which the stop jumps at first touch over hammer weight, F/(m g0)"), [=](const Counted& row) { return force_at_touch(oscillator, row.impact.speed) * force; }},
         {real("peak_force_ratio", "1", "peak force of the impact over hammer weight, F/(m g0); NaN on a rigid stop"), [=](const Counted& row) { return row.impact.record.peak_force * force; }},
         {real("impulse", "N s", "impulse of the impact"), [=](const Counted& row) { return row.impact.record.impulse * scales.force_n * per_omega; }},
         {real("contact_time", "s", "time for which the stop presses"), [=](const Counted& row) { return row.impact.record.contact_time * per_omega; }},
@@ -128,13 +128,13 @@ void add_spectrum(std::vector<Table>& tables, const char* group, const Spectrum&
 
 void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& scales) {
     const HardImpact& hardest = *trace.hardest;
-    const auto& scene = trace.course.scene;
+    const auto& oscillator = trace.course.oscillator;
     const double per_omega = 1 / scales.frequency_rad_per_s;
     const double touch = trace.impacts[hardest.index].time;
-    auto columns = columns_of_motion(scales, scene.period());
+    auto columns = columns_of_motion(scales, oscillator.period());
     columns.push_back({real("time_from_touch", "s", "time since the first touch of this impact"),
                        [=](const Shown& row) { return (row.instant.time - touch) * per_omega; }});
-    const auto rows = shown(hardest.instants, scene);
+    const auto rows = shown(hardest.instants, oscillator);
     add_columns<Shown>(tables, "/impact", rows, columns);
     const auto scalar = [&](const Variable& variable, double value) {
         tables.push_back({{"/impact", variable, {}}, {value}});
@@ -145,7 +145,7 @@ void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& s
         scalar(real("peak_time", "s", "time of the peak force since the trace began"),
                hardest.peak.time * per_omega);
         scalar(real("peak_force_ratio", "1", "peak force of this impact over hammer weight, F/(m g0)"),
-               quantities(scene, hardest.peak).force * scales.force_ratio());
+               quantities(oscillator, hardest.peak).force * scales.force_ratio());
     }
     if (!hardest.spectrum) return;
     const double acceleration = scales.length_m * scales.frequency_rad_per_s * scales.frequency_rad_per_s;
@@ -157,9 +157,9 @@ void add_hardest(std::vector<Table>& tables, const Trace& trace, const Scales& s
 
 std::vector<Table> tables_of(const Trace& trace, const Scales& scales) {
     std::vector<Table> tables;
-    const auto& scene = trace.course.scene;
-    const auto rows = shown(trace.instants, scene);
-    add_columns<Shown>(tables, "/", rows, columns_of_motion(scales, scene.period()));
+    const auto& oscillator = trace.course.oscillator;
+    const auto rows = shown(trace.instants, oscillator);
+    add_columns<Shown>(tables, "/", rows, columns_of_motion(scales, oscillator.period()));
     if (!trace.impacts.empty()) {
         std::vector<Counted> counted;
         for (const Impact& impact : trace.impacts)

@@ -23,7 +23,7 @@ double width_of_window(const scene::Scene& scene, const Course& course, const Im
     if (asked > 0) return asked;
     constexpr double share_of_period = 0.02;  // where an impact takes no time, or never ends
     const double contact = impact.end - impact.time;
-    return contact > 0 ? 3 * contact : share_of_period * course.scene.period();
+    return contact > 0 ? 3 * contact : share_of_period * course.oscillator.period();
 }
 
 HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size_t index) {
@@ -31,7 +31,7 @@ HardImpact look_closely(const scene::Scene& scene, const Trace& trace, std::size
     constexpr std::int64_t lines = 1001;
     const Course& course = trace.course;
     const Impact& impact = trace.impacts[index];
-    ImpactWindow window(course.scene,
+    ImpactWindow window(course.oscillator,
                         plan_window(index, impact.time, width_of_window(scene, course, impact), share_before,
                                     scene.job().trace.impact_samples, course.length));
     follow(course, window);
@@ -50,7 +50,7 @@ Trace make_trace(const scene::Scene& scene) {
     Trace trace{
         .course = prepare(scene), .totals = {}, .instants = {}, .impacts = {}, .hardest = {}, .spectrum = {}};
     const Course& course = trace.course;
-    Sampler sampler(course.scene, course.length, scene.job().trace.samples_per_cycle);
+    Sampler sampler(course.oscillator, course.length, scene.job().trace.samples_per_cycle);
     trace.totals = follow(course, sampler);
     trace.instants = sampler.instants();
     Impacts impacts(course.length);
@@ -61,8 +61,8 @@ Trace make_trace(const scene::Scene& scene) {
     return trace;
 }
 
-double force_at_touch(const scene::Oscillator<double>& scene, double speed) {
-    return trajectory::contact_force(scene, State<double>(0, speed));
+double force_at_touch(const scene::Oscillator<double>& oscillator, double speed) {
+    return trajectory::contact_force(oscillator, State<double>(0, speed));
 }
 
 }  // namespace peterka::trace

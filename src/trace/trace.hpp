@@ -34,6 +34,6 @@ struct Trace {
 [[nodiscard]] Trace make_trace(const scene::Scene& scene);
 
 // Force that the stop jumps to when it is touched at this speed.
-[[nodiscard]] double force_at_touch(const scene::Oscillator<double>& scene, double speed);
+[[nodiscard]] double force_at_touch(const scene::Oscillator<double>& oscillator, double speed);
 
 }  // namespace peterka::trace

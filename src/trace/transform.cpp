@@ -10,13 +10,13 @@
 
 namespace peterka::trace {
 
-Transform::Transform(const scene::Oscillator<double>& scene, double from, double to, double step,
+Transform::Transform(const scene::Oscillator<double>& oscillator, double from, double to, double step,
                      std::int64_t lines)
-    : scene_(scene), from_(from), to_(to), step_(step), lines_(static_cast<std::size_t>(lines)) {}
+    : oscillator_(oscillator), from_(from), to_(to), step_(step), lines_(static_cast<std::size_t>(lines)) {}
 
 void Transform::touch(double speed) {
-    if (!scene::is_rigid(scene_.contact) || now() < from_ || !(now() < to_)) return;
-    const double impulse = (1 + scene_.restitution().coefficient) * speed;
+    if (!scene::is_rigid(oscillator_.contact) || now() < from_ || !(now() < to_)) return;
+    const double impulse = (1 + oscillator_.restitution().coefficient) * speed;
     add({now() - from_, impulse, -impulse});
 }
 
@@ -24,14 +24,14 @@ void Transform::look(const Stretch& stretch) {
     const double begin = std::max(from_ - stretch.begin, 0.0);
     const double end = std::min(to_ - stretch.begin, stretch.length);
     if (!(end > begin)) return;
-    const bool rigid = scene::is_rigid(scene_.contact);
+    const bool rigid = scene::is_rigid(oscillator_.contact);
     constexpr double most_pieces =
         10'000;  // for the contact's own rate: in a stiffer one its first part is enough
     const double largest_frequency = step_ * static_cast<double>(lines_.size());
-    double rate = std::max({largest_frequency / 2, scene_.frequency, 1.0});
+    double rate = std::max({largest_frequency / 2, oscillator_.frequency, 1.0});
     if (stretch.phase == Phase::contact && !rigid) {
         const State<double> deepest = stretch.state_at(stretch.length / 2);
-        const double own = trajectory::rates_of(trajectory::linearized_contact(scene_, deepest)).fast;
+        const double own = trajectory::rates_of(trajectory::linearized_contact(oscillator_, deepest)).fast;
         rate = std::max(rate, std::min(own, most_pieces / (end - begin)));
     }
     const double pieces = std::ceil((end - begin) * rate);
@@ -46,8 +46,8 @@ void Transform::add_piece(const Stretch& stretch, double begin, double length) {
     namespace rule = trajectory::gauss_legendre;
     const auto add_value = [&](double time, double weight) {
         const double in_cycle = stretch.from + time;
-        const Quantities q = quantities(
-            scene_, {stretch.begin + time, scene_.frequency * in_cycle, stretch.state_at(time), stretch.phase});
+        const Quantities q = quantities(oscillator_, {stretch.begin + time, oscillator_.frequency * in_cycle,
+                                                      stretch.state_at(time), stretch.phase});
         add({stretch.begin + time - from_, weight * q.force, weight * q.acceleration});
     };
     const double half = length / 2;

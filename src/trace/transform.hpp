@@ -18,7 +18,8 @@ class Transform : public Watcher {
   public:
     // Of the motion between two times since the trace began, at w = 0, step, 2 step, ..., (lines - 1) step, in
     // omega.
-    Transform(const scene::Oscillator<double>& scene, double from, double to, double step, std::int64_t lines);
+    Transform(const scene::Oscillator<double>& oscillator, double from, double to, double step,
+              std::int64_t lines);
 
     struct Integrals {
         std::complex<double> force;
@@ -40,7 +41,7 @@ class Transform : public Watcher {
     void add_piece(const Stretch& stretch, double begin, double length);
     void add(const Node& node);
 
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     double from_;
     double to_;
     double step_;

@@ -56,13 +56,13 @@ ContactResponse<Real> contact_response(const scene::HuntCrossley<Real>& law, con
 }
 
 template <class Real>
-ContactResponse<Real> contact_response(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
-    return std::visit([&](const auto& law) { return contact_response(law, x); }, scene.contact);
+ContactResponse<Real> contact_response(const scene::Oscillator<Real>& oscillator, const scene::State<Real>& x) {
+    return std::visit([&](const auto& law) { return contact_response(law, x); }, oscillator.contact);
 }
 
 template <class Real>
-Real contact_force(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
-    return contact_response(scene, x).force;
+Real contact_force(const scene::Oscillator<Real>& oscillator, const scene::State<Real>& x) {
+    return contact_response(oscillator, x).force;
 }
 
 // What must be positive for the stop to press at delta > 0, with the factor that makes it the force.
@@ -90,24 +90,24 @@ Grip<Real> grip(const scene::HuntCrossley<Real>& law, const scene::State<Real>& 
 }
 
 template <class Real>
-Grip<Real> grip(const scene::Oscillator<Real>& scene, const scene::State<Real>& x) {
-    return std::visit([&](const auto& law) { return grip(law, x); }, scene.contact);
+Grip<Real> grip(const scene::Oscillator<Real>& oscillator, const scene::State<Real>& x) {
+    return std::visit([&](const auto& law) { return grip(law, x); }, oscillator.contact);
 }
 
 // Whether the stop can let go while delta > 0, and whether a contact can end at delta = 0.
 template <class Real>
-bool lets_go_inside(const scene::Oscillator<Real>& scene) {
-    return !scene::is_rigid(scene.contact) && !scene::is_lossless(scene.contact);
+bool lets_go_inside(const scene::Oscillator<Real>& oscillator) {
+    return !scene::is_rigid(oscillator.contact) && !scene::is_lossless(oscillator.contact);
 }
 template <class Real>
-bool lets_go_at_surface(const scene::Oscillator<Real>& scene) {
-    return std::visit([](const auto& law) { return law.lets_go_at_surface(); }, scene.contact);
+bool lets_go_at_surface(const scene::Oscillator<Real>& oscillator) {
+    return std::visit([](const auto& law) { return law.lets_go_at_surface(); }, oscillator.contact);
 }
 
 // The state next to x at which the stop just lets go, or takes hold again.
 template <class Real>
-scene::State<Real> at_release(const scene::Oscillator<Real>& scene, scene::State<Real> x) {
-    std::visit([&](const auto& law) { law.move_to_release(x[0], x[1]); }, scene.contact);
+scene::State<Real> at_release(const scene::Oscillator<Real>& oscillator, scene::State<Real> x) {
+    std::visit([&](const auto& law) { law.move_to_release(x[0], x[1]); }, oscillator.contact);
     return x;
 }
 

@@ -62,10 +62,11 @@ double depth_under(const HuntCrossley<double>& law, double force) {
 
 }  // namespace
 
-LinearizedContact linearized_contact(const scene::Oscillator<double>& scene, const scene::State<double>& x) {
+LinearizedContact linearized_contact(const scene::Oscillator<double>& oscillator,
+                                     const scene::State<double>& x) {
     const LinearizedContact stop =
-        std::visit([&](const auto& law) { return linearized(law, x); }, scene.contact);
-    return {scene.damping_ratio + stop.damping, 1 + stop.stiffness};
+        std::visit([&](const auto& law) { return linearized(law, x); }, oscillator.contact);
+    return {oscillator.damping_ratio + stop.damping, 1 + stop.stiffness};
 }
 
 Rates rates_of(const LinearizedContact& contact) {
@@ -76,8 +77,8 @@ Rates rates_of(const LinearizedContact& contact) {
     return {stiffness / fast, fast};
 }
 
-double static_depth(const scene::Oscillator<double>& scene, double force) {
-    return std::visit([&](const auto& law) { return depth_under(law, force); }, scene.contact);
+double static_depth(const scene::Oscillator<double>& oscillator, double force) {
+    return std::visit([&](const auto& law) { return depth_under(law, force); }, oscillator.contact);
 }
 
 }  // namespace peterka::trajectory

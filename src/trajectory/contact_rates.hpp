@@ -14,7 +14,8 @@ struct LinearizedContact {
 // A Hunt-Crossley stop is linearized at the depth to which it lets a free hammer come that passes delta with
 // the speed |delta'|: d^(n+1) = delta^(n+1) + (n+1)/K (v/D - ln(1 + D v)/D^2), from v dv/(1 + D v) = -K delta^n
 // d delta. So the scales stay what they are during a contact, while the force grows from 0.
-LinearizedContact linearized_contact(const scene::Oscillator<double>& scene, const scene::State<double>& x);
+LinearizedContact linearized_contact(const scene::Oscillator<double>& oscillator,
+                                     const scene::State<double>& x);
 
 // The rates of a linear phase without forcing: of its slow and its fast decay, or twice its natural frequency
 // where it oscillates. In omega.
@@ -25,11 +26,11 @@ struct Rates {
 Rates rates_of(const LinearizedContact& contact);
 
 // The response to the forcing off resonance: the size of a motion, 1 where the cart is at rest. [A0]
-inline double response_length(const scene::Oscillator<double>& scene) {
-    return scene.frequency > 0 ? scene.drive() / (1 + scene.drive()) : 1;
+inline double response_length(const scene::Oscillator<double>& oscillator) {
+    return oscillator.frequency > 0 ? oscillator.drive() / (1 + oscillator.drive()) : 1;
 }
 
 // How deep a force [k A0] presses into the stop at rest.
-double static_depth(const scene::Oscillator<double>& scene, double force);
+double static_depth(const scene::Oscillator<double>& oscillator, double force);
 
 }  // namespace peterka::trajectory

@@ -20,13 +20,13 @@ enum class Phase : std::uint8_t { flight, contact, unloaded };
 // The phase at the start of a cycle is a function of the state alone, so that a cycle is a map. On a rigid stop
 // the hammer is in contact where it is at rest and pressed; an impact is no phase.
 template <class Real>
-Phase phase_of(const Oscillator<Real>& scene, const State<Real>& x) {
-    if (scene::is_rigid(scene.contact)) {
+Phase phase_of(const Oscillator<Real>& oscillator, const State<Real>& x) {
+    if (scene::is_rigid(oscillator.contact)) {
         const bool rests = x[0] == 0 && x[1] == 0;
-        return rests && RigidStop<Real>(scene).presses(0) ? Phase::contact : Phase::flight;
+        return rests && RigidStop<Real>(oscillator).presses(0) ? Phase::contact : Phase::flight;
     }
     if (x[0] < 0 || (x[0] == 0 && x[1] <= 0)) return Phase::flight;
-    return grip(scene, x).value > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
+    return grip(oscillator, x).value > 0 || x[0] == 0 ? Phase::contact : Phase::unloaded;
 }
 
 // Order and kind of the contacts in a cycle; two cycles with equal patterns lie on one smooth branch of the

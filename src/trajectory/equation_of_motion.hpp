@@ -31,29 +31,30 @@ struct Acceleration {
 
 // At the state x = (delta, delta') and the forcing phase theta.
 template <class Real>
-Acceleration<Real> acceleration(const Oscillator<Real>& scene, Phase phase, const State<Real>& x, Real theta) {
+Acceleration<Real> acceleration(const Oscillator<Real>& oscillator, Phase phase, const State<Real>& x,
+                                Real theta) {
     const Real sine = std::sin(theta);
     const Real cosine = std::cos(theta);
-    const Real u = x[0] + scene.gap;
-    Acceleration<Real> a{.value = scene.drive() * sine - 2 * scene.damping_ratio * x[1] - u,
+    const Real u = x[0] + oscillator.gap;
+    Acceleration<Real> a{.value = oscillator.drive() * sine - 2 * oscillator.damping_ratio * x[1] - u,
                          .by_position = -1,
-                         .by_velocity = -2 * scene.damping_ratio,
-                         .by_time = scene.drive() * scene.frequency * cosine,
+                         .by_velocity = -2 * oscillator.damping_ratio,
+                         .by_time = oscillator.drive() * oscillator.frequency * cosine,
                          .by_position_twice = 0,
                          .by_both = 0};
-    if (scene.cubic != 0) {
-        const bool absolute = scene.cubic_form == job::CubicForm::absolute;
+    if (oscillator.cubic != 0) {
+        const bool absolute = oscillator.cubic_form == job::CubicForm::absolute;
         const Real cart = absolute ? sine : Real(0);  // the relative form is the absolute one of a cart at rest
-        const Real cart_velocity = absolute ? scene.frequency * cosine : Real(0);
+        const Real cart_velocity = absolute ? oscillator.frequency * cosine : Real(0);
         const Real hammer = u + cart;
         // u (x^2 + x y + y^2) is x^3 - y^3 without its cancellation
-        a.value -= scene.cubic * u * (hammer * hammer + hammer * cart + cart * cart);
-        a.by_position -= 3 * scene.cubic * hammer * hammer;
-        a.by_position_twice = -6 * scene.cubic * hammer;
-        a.by_time -= 3 * scene.cubic * u * (hammer + cart) * cart_velocity;
+        a.value -= oscillator.cubic * u * (hammer * hammer + hammer * cart + cart * cart);
+        a.by_position -= 3 * oscillator.cubic * hammer * hammer;
+        a.by_position_twice = -6 * oscillator.cubic * hammer;
+        a.by_time -= 3 * oscillator.cubic * u * (hammer + cart) * cart_velocity;
     }
     if (phase == Phase::contact) {
-        const ContactResponse<Real> f = contact_response(scene, x);
+        const ContactResponse<Real> f = contact_response(oscillator, x);
         a.value -= f.force;
         a.by_position -= f.by_position;
         a.by_velocity -= f.by_velocity;

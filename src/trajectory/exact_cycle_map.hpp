@@ -14,19 +14,19 @@ namespace peterka::trajectory {
 template <class Real, class Legs = LinearLegs<Real>>
 class ExactCycleMap {
   public:
-    explicit ExactCycleMap(const Oscillator<Real>& scene) : scene_(scene), legs_(scene) {}
+    explicit ExactCycleMap(const Oscillator<Real>& oscillator) : oscillator_(oscillator), legs_(oscillator) {}
 
-    [[nodiscard]] const Oscillator<Real>& scene() const { return scene_; }
+    [[nodiscard]] const Oscillator<Real>& oscillator() const { return oscillator_; }
 
     // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way.
     [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         Journey<Real> journey = legs_.depart(x);
-        if (legs_.run(journey, scene_.period(), recorder)) legs_.arrive(journey, recorder);
+        if (legs_.run(journey, oscillator_.period(), recorder)) legs_.arrive(journey, recorder);
         return journey.cycle;
     }
 
   private:
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     Legs legs_;
 };
 

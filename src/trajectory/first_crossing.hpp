@@ -22,8 +22,9 @@ using motion::Probe;
 
 template <class Real>
 struct Crossing {
-    enum class Outcome { crossing, none, exhausted, not_finite };
-    Outcome outcome = Outcome::none;
+    // How the search for it ended.
+    enum class Ending { crossing, none, exhausted, not_finite };
+    Ending ending = Ending::none;
     Moment<Real> moment;  // the crossing, or the last point looked at
     int evaluations = 0;
 };
@@ -77,9 +78,9 @@ Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, co
                               Real end) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     constexpr int budget = 100'000;  // far beyond any physical leg; an endless search becomes data of the cell
-    using Outcome = typename Crossing<Real>::Outcome;
+    using Ending = typename Crossing<Real>::Ending;
 
-    Crossing<Real> search{Outcome::none, from, 0};
+    Crossing<Real> search{Ending::none, from, 0};
     Moment<Real>& m = search.moment;
     bool may_polish = true;
     while (search.evaluations < budget) {
@@ -89,19 +90,19 @@ Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, co
         const Real bound = bounds.curvature;
         const Real zero = probe.resolution(m);
         if (!std::isfinite(value) || !std::isfinite(slope) || !std::isfinite(bound)) {
-            search.outcome = Outcome::not_finite;
+            search.ending = Ending::not_finite;
             return search;
         }
         const bool rises = slope > 0 && slope * slope > 2 * bound * zero;
         if (value >= -zero && rises && m.time > from.time) {
-            search.outcome = Outcome::crossing;
+            search.ending = Ending::crossing;
             return search;
         }
         if (bound == 0) return search;  // at rest for ever
         Real step = safe_step(std::min(value, -zero), slope, probe.curvature(m), bounds);
         if (step <= 2 * epsilon * m.time) {  // less than time resolves
             if (rises) {
-                search.outcome = Outcome::crossing;
+                search.ending = Ending::crossing;
                 return search;
             }
             // where a leg starts with value and slope 0, any step is better than none
@@ -115,13 +116,13 @@ Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, co
         if (!monotone || !may_polish) continue;
         const Moment<Real> safe = m;
         if (polish(leg, probe, step, search)) {
-            search.outcome = m.time <= end ? Outcome::crossing : Outcome::none;
+            search.ending = m.time <= end ? Ending::crossing : Ending::none;
             return search;
         }
         m = safe;
         may_polish = false;
     }
-    search.outcome = Outcome::exhausted;
+    search.ending = Ending::exhausted;
     return search;
 }
 

@@ -27,20 +27,22 @@ Real decaying_part(const motion::LinearMotion<Real>& motion, const motion::Probe
 template <class Real>
 class FreeFlight {
   public:
-    explicit FreeFlight(const Oscillator<Real>& scene)
-        : scene_(scene), flight_(motion::flight_equation(scene)), touch_({.position = 1}, flight_) {}
+    explicit FreeFlight(const Oscillator<Real>& oscillator)
+        : oscillator_(oscillator),
+          flight_(motion::flight_equation(oscillator)),
+          touch_({.position = 1}, flight_) {}
 
     // The steady motion doesn't reach the stop.
     [[nodiscard]] bool may_last() const { return touch_.rest() + touch_.swing() < 0; }
     // The decaying rest can no longer lift the hammer to the stop: it never impacts again.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        if (!may_last() || phase_of(scene_, x) != Phase::flight) return false;
+        if (!may_last() || phase_of(oscillator_, x) != Phase::flight) return false;
         const Real room = -(touch_.rest() + touch_.swing());
         const State<Real> decaying = x - steady();
         // a bound of the rest is no less than the rest now, which refuses most without a root
         return std::abs(decaying[0]) < room && touch_.transient(decaying) < room;
     }
-    [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0; }
+    [[nodiscard]] bool decays() const { return oscillator_.damping_ratio > 0; }
 
     // Largest |u| of the steady motion (infinite at undamped resonance), and of that from the state x on.
     [[nodiscard]] Real amplitude() const { return touch_.swing(); }
@@ -48,10 +50,12 @@ class FreeFlight {
         return amplitude() + decaying_part(flight_, touch_, x);
     }
     [[nodiscard]] State<Real> steady() const { return steady_at_phase_0(flight_); }
-    [[nodiscard]] Jacobian<Real> jacobian() const { return flight_.flow(scene_.period()); }  // of one cycle
+    [[nodiscard]] Jacobian<Real> jacobian() const {
+        return flight_.flow(oscillator_.period());
+    }  // of one cycle
 
   private:
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     motion::LinearMotion<Real> flight_;
     motion::Probe<Real> touch_;
 };

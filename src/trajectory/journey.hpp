@@ -8,7 +8,7 @@ namespace peterka::trajectory {
 
 template <class Real>
 struct Journey {
-    Journey(const Oscillator<Real>& scene, const State<Real>& start) : phase(phase_of(scene, start)) {
+    Journey(const Oscillator<Real>& oscillator, const State<Real>& start) : phase(phase_of(oscillator, start)) {
         cycle.end = start;
         cycle.pattern = pattern_of(phase);
     }

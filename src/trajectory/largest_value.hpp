@@ -30,7 +30,7 @@ class LargestValue {
         while (signal_.rest() + signal_.swing() + signal_.transient(m.homogeneous) > largest ||
                leg.motion().resonant()) {
             const auto extremum = first_crossing(leg, rising ? fall_ : rise_, m, end.time);
-            if (extremum.outcome != Crossing<Real>::Outcome::crossing) break;
+            if (extremum.ending != Crossing<Real>::Ending::crossing) break;
             m = extremum.moment;
             largest = std::max(largest, signal_.value(m));
             rising = !rising;

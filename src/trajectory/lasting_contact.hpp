@@ -16,10 +16,11 @@ namespace peterka::trajectory {
 template <class Real>
 class LinearContact {
   public:
-    explicit LinearContact(const Oscillator<Real>& scene)
-        : scene_(scene),
-          contact_(motion::contact_equation(scene)),
-          release_({.position = -scene.kelvin_voigt().stiffness, .velocity = -scene.kelvin_voigt().damping},
+    explicit LinearContact(const Oscillator<Real>& oscillator)
+        : oscillator_(oscillator),
+          contact_(motion::contact_equation(oscillator)),
+          release_({.position = -oscillator.kelvin_voigt().stiffness,
+                    .velocity = -oscillator.kelvin_voigt().damping},
                    contact_),
           depth_({.position = 1}, contact_) {}
 
@@ -27,10 +28,12 @@ class LinearContact {
     [[nodiscard]] bool may_last() const { return release_.rest() + release_.swing() < 0; }
     // The decaying rest can no longer make the force vanish: the stop presses for ever.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return may_last() && phase_of(scene_, x) == Phase::contact &&
+        return may_last() && phase_of(oscillator_, x) == Phase::contact &&
                release_.rest() + release_.swing() + decaying_part(contact_, release_, x) < 0;
     }
-    [[nodiscard]] bool decays() const { return scene_.damping_ratio > 0 || scene_.kelvin_voigt().damping > 0; }
+    [[nodiscard]] bool decays() const {
+        return oscillator_.damping_ratio > 0 || oscillator_.kelvin_voigt().damping > 0;
+    }
 
     // Largest force once the transient is gone, and from the state x on.
     [[nodiscard]] Real steady_force() const { return release_.swing() - release_.rest(); }
@@ -38,13 +41,15 @@ class LinearContact {
         return steady_force() + decaying_part(contact_, release_, x);
     }
     [[nodiscard]] Real largest_displacement(const State<Real>& x) const {
-        return std::abs(depth_.rest() + scene_.gap) + depth_.swing() + decaying_part(contact_, depth_, x);
+        return std::abs(depth_.rest() + oscillator_.gap) + depth_.swing() + decaying_part(contact_, depth_, x);
     }
     [[nodiscard]] State<Real> steady() const { return steady_at_phase_0(contact_); }
-    [[nodiscard]] Jacobian<Real> jacobian() const { return contact_.flow(scene_.period()); }  // of one cycle
+    [[nodiscard]] Jacobian<Real> jacobian() const {
+        return contact_.flow(oscillator_.period());
+    }  // of one cycle
 
   private:
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     motion::LinearMotion<Real> contact_;
     motion::Probe<Real> release_;
     motion::Probe<Real> depth_;
@@ -54,21 +59,23 @@ class LinearContact {
 template <class Real>
 class RigidContact {
   public:
-    explicit RigidContact(const Oscillator<Real>& scene) : scene_(scene), stop_(scene) {}
+    explicit RigidContact(const Oscillator<Real>& oscillator) : oscillator_(oscillator), stop_(oscillator) {}
 
     [[nodiscard]] bool may_last() const { return stop_.always_presses(); }
     [[nodiscard]] bool lasts(const State<Real>& x) const {
-        return may_last() && phase_of(scene_, x) == Phase::contact;
+        return may_last() && phase_of(oscillator_, x) == Phase::contact;
     }
     [[nodiscard]] bool decays() const { return true; }  // nothing is left to decay
     [[nodiscard]] Real steady_force() const { return stop_.largest(0, 2 * std::numbers::pi_v<Real>); }
     [[nodiscard]] Real largest_force(const State<Real>& /*x*/) const { return steady_force(); }
-    [[nodiscard]] Real largest_displacement(const State<Real>& /*x*/) const { return std::abs(scene_.gap); }
+    [[nodiscard]] Real largest_displacement(const State<Real>& /*x*/) const {
+        return std::abs(oscillator_.gap);
+    }
     [[nodiscard]] State<Real> steady() const { return State<Real>::Zero(); }
     [[nodiscard]] Jacobian<Real> jacobian() const { return Jacobian<Real>::Zero(); }
 
   private:
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     RigidStop<Real> stop_;
 };
 

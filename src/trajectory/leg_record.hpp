@@ -16,21 +16,21 @@ namespace peterka::trajectory {
 // to resonance, from its energy at the start and the work that the drive can do. `position` is the probe of
 // delta.
 template <class Real>
-Real displacement_bound(const scene::Oscillator<Real>& scene, const motion::Probe<Real>& position,
+Real displacement_bound(const scene::Oscillator<Real>& oscillator, const motion::Probe<Real>& position,
                         const motion::Leg<Real>& leg, Real duration) {
     const Real natural = leg.motion().natural_frequency();
     const scene::State<Real>& x = leg.start().state;
     const Real by_parts = position.swing() + position.transient(leg.start().homogeneous);
     const Real by_energy =
-        std::hypot(x[0] - position.rest(), x[1] / natural) + scene.drive() * duration / natural;
-    return std::abs(position.rest() + scene.gap) + (by_parts < by_energy ? by_parts : by_energy);
+        std::hypot(x[0] - position.rest(), x[1] / natural) + oscillator.drive() * duration / natural;
+    return std::abs(position.rest() + oscillator.gap) + (by_parts < by_energy ? by_parts : by_energy);
 }
 
 // Largest |u| of the motion between two moments.
 template <class Real>
-Real largest_displacement(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
+Real largest_displacement(const scene::Oscillator<Real>& oscillator, const motion::Leg<Real>& leg,
                           const motion::Moment<Real>& from, const motion::Moment<Real>& end, Real largest) {
-    const motion::Signal<Real> u{.position = 1, .constant = scene.gap};
+    const motion::Signal<Real> u{.position = 1, .constant = oscillator.gap};
     largest = LargestValue<Real>(u, leg.motion()).over(leg, from, end, largest);
     return LargestValue<Real>(-u, leg.motion()).over(leg, from, end, largest);
 }
@@ -38,10 +38,11 @@ Real largest_displacement(const scene::Oscillator<Real>& scene, const motion::Le
 // `from`: up to there the displacement grows from its value at the start in one direction only.
 // `force`: the signal of the stop's force, nullptr where it doesn't press.
 template <class Real>
-void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Real>& leg,
+void record_contacts(const scene::Oscillator<Real>& oscillator, const motion::Leg<Real>& leg,
                      const motion::Moment<Real>& from, const motion::Moment<Real>& end,
                      const motion::Probe<Real>* force, Recorder<Real>& recorder) {
-    recorder.displacement(largest_displacement(scene, leg, from, end, recorder.totals().largest_displacement));
+    recorder.displacement(
+        largest_displacement(oscillator, leg, from, end, recorder.totals().largest_displacement));
     if (force == nullptr && !recorder.records_energy()) return;
 
     using Integrals = Eigen::Matrix<Real, 4, 1>;  // f, f delta', sin(theta) u', u'^2
@@ -53,7 +54,7 @@ void record_contacts(const scene::Oscillator<Real>& scene, const motion::Leg<Rea
         });
     if (force != nullptr) recorder.press({integrals[0], end.time, integrals[1]});
     if (recorder.records_energy()) {
-        recorder.energy(scene.drive() * integrals[2], 2 * scene.damping_ratio * integrals[3]);
+        recorder.energy(oscillator.drive() * integrals[2], 2 * oscillator.damping_ratio * integrals[3]);
     }
 }
 

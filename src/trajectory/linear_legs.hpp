@@ -33,13 +33,14 @@ using motion::Signal;
 template <class Real>
 class LinearLegs {
   public:
-    // The springs of a scene, without their cubic part, or with such a change.
-    explicit LinearLegs(const Oscillator<Real>& scene)
-        : LinearLegs(scene, motion::flight_equation(scene), motion::contact_equation(scene)) {}
-    LinearLegs(const Oscillator<Real>& scene, const SpringChange<Real>& change)
-        : LinearLegs(scene, change(motion::flight_equation(scene)), change(motion::contact_equation(scene))) {}
+    // The springs of a oscillator, without their cubic part, or with such a change.
+    explicit LinearLegs(const Oscillator<Real>& oscillator)
+        : LinearLegs(oscillator, motion::flight_equation(oscillator), motion::contact_equation(oscillator)) {}
+    LinearLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)
+        : LinearLegs(oscillator, change(motion::flight_equation(oscillator)),
+                     change(motion::contact_equation(oscillator))) {}
 
-    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return {scene_, x}; }
+    [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return {oscillator_, x}; }
 
     // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
     // says why.
@@ -50,9 +51,9 @@ class LinearLegs {
 
   private:
     // The equations of flight and contact, in the penetration.
-    LinearLegs(const Oscillator<Real>& scene, const LinearEquation<Real>& flight,
+    LinearLegs(const Oscillator<Real>& oscillator, const LinearEquation<Real>& flight,
                const LinearEquation<Real>& contact)
-        : scene_(scene),
+        : oscillator_(oscillator),
           flight_(flight),
           contact_(contact),
           touch_({.position = 1}, flight_),
@@ -63,20 +64,21 @@ class LinearLegs {
           peak_(force(), contact_) {}
 
     struct LegEnd {
-        typename Crossing<Real>::Outcome outcome;
+        typename Crossing<Real>::Ending ending;
         Phase next;
         Moment<Real> moment;
     };
 
     [[nodiscard]] Signal<Real> force() const {
-        return {.position = scene_.kelvin_voigt().stiffness, .velocity = scene_.kelvin_voigt().damping};
+        return {.position = oscillator_.kelvin_voigt().stiffness,
+                .velocity = oscillator_.kelvin_voigt().damping};
     }
 
     [[nodiscard]] LegEnd end_of_leg(Phase phase, const Leg<Real>& leg, Real end) const;
     void record(Phase phase, const Leg<Real>& leg, const Moment<Real>& end, Recorder<Real>& recorder) const;
     void enter(Phase next, Journey<Real>& journey, Recorder<Real>* recorder) const;
 
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     LinearMotion<Real> flight_;
     LinearMotion<Real> contact_;
     Probe<Real> touch_;
@@ -90,16 +92,16 @@ class LinearLegs {
 template <class Real>
 typename LinearLegs<Real>::LegEnd LinearLegs<Real>::end_of_leg(Phase phase, const Leg<Real>& leg,
                                                                Real end) const {
-    using Outcome = typename Crossing<Real>::Outcome;
+    using Ending = typename Crossing<Real>::Ending;
     if (phase == Phase::unloaded) {
         const auto out = first_crossing(leg, leave_, leg.start(), end);
-        const bool leaves = out.outcome == Outcome::crossing;
+        const bool leaves = out.ending == Ending::crossing;
         const auto back = first_crossing(leg, resume_, leg.start(), leaves ? out.moment.time : end);
-        if (back.outcome != Outcome::none) return {back.outcome, Phase::contact, back.moment};
-        return {out.outcome, Phase::flight, out.moment};
+        if (back.ending != Ending::none) return {back.ending, Phase::contact, back.moment};
+        return {out.ending, Phase::flight, out.moment};
     }
     const auto found = first_crossing(leg, phase == Phase::flight ? touch_ : release_, leg.start(), end);
-    return {found.outcome, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
+    return {found.ending, phase == Phase::flight ? Phase::contact : Phase::unloaded, found.moment};
 }
 
 template <class Real>
@@ -107,9 +109,9 @@ void LinearLegs<Real>::record(Phase phase, const Leg<Real>& leg, const Moment<Re
                               Recorder<Real>& recorder) const {
     const bool presses = phase == Phase::contact;
     if (presses) recorder.force(peak_.over(leg, leg.start(), end, recorder.force_to_beat()));
-    recorder.displacement_bound(displacement_bound(scene_, presses ? depth_ : touch_, leg, end.time));
+    recorder.displacement_bound(displacement_bound(oscillator_, presses ? depth_ : touch_, leg, end.time));
     if (recorder.records_contacts()) {
-        record_contacts(scene_, leg, leg.start(), end, presses ? &peak_.signal() : nullptr, recorder);
+        record_contacts(oscillator_, leg, leg.start(), end, presses ? &peak_.signal() : nullptr, recorder);
     }
 }
 
@@ -125,13 +127,14 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>*
         // rising, it can only be a new touch
         const bool resumes = journey.phase == Phase::unloaded && cycle.end[1] < 0;
         if (resumes) {
-            cycle.end[0] = -scene_.kelvin_voigt().damping / scene_.kelvin_voigt().stiffness * cycle.end[1];
+            cycle.end[0] =
+                -oscillator_.kelvin_voigt().damping / oscillator_.kelvin_voigt().stiffness * cycle.end[1];
         } else {
             ++cycle.impacts;
             cycle.last_touch = journey.time;
-            if (recorder != nullptr) recorder->touch({scene_.frequency * journey.time, cycle.end[1]});
+            if (recorder != nullptr) recorder->touch({oscillator_.frequency * journey.time, cycle.end[1]});
             cycle.end[0] = 0;
-            cycle.jacobian.row(1) -= scene_.kelvin_voigt().damping * cycle.jacobian.row(0);
+            cycle.jacobian.row(1) -= oscillator_.kelvin_voigt().damping * cycle.jacobian.row(0);
         }
     }
     journey.phase = next;
@@ -140,7 +143,7 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>*
 
 template <class Real>
 bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    using Outcome = typename Crossing<Real>::Outcome;
+    using Ending = typename Crossing<Real>::Ending;
     constexpr int most_events = 20'000;  // a cycle with more contacts than this has left physics
 
     Cycle<Real>& cycle = journey.cycle;
@@ -148,12 +151,12 @@ bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>
         stop_if_asked();
         const Phase phase = journey.phase;
         const Leg<Real> leg(phase == Phase::contact ? contact_ : flight_, cycle.end,
-                            scene_.frequency * journey.time);
+                            oscillator_.frequency * journey.time);
         const Real left = end_time - journey.time;
         const LegEnd event = end_of_leg(phase, leg, left);
-        if (event.outcome == Outcome::exhausted) break;
-        if (event.outcome == Outcome::not_finite) return journey.stop(Cycle<Real>::Outcome::not_finite);
-        const bool last = event.outcome == Outcome::none;
+        if (event.ending == Ending::exhausted) break;
+        if (event.ending == Ending::not_finite) return journey.stop(Cycle<Real>::Outcome::not_finite);
+        const bool last = event.ending == Ending::none;
         const Moment<Real> end = last ? leg.at(left) : event.moment;
 
         cycle.touched |= phase == Phase::contact;

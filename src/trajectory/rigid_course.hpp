@@ -20,7 +20,8 @@ namespace peterka::trajectory {
 template <class Real>
 class RigidCourse {
   public:
-    RigidCourse(const Oscillator<Real>& scene, const RigidStop<Real>& stop) : scene_(scene), stop_(stop) {}
+    RigidCourse(const Oscillator<Real>& oscillator, const RigidStop<Real>& stop)
+        : oscillator_(oscillator), stop_(stop) {}
 
     [[nodiscard]] const RigidStop<Real>& stop() const { return stop_; }
 
@@ -41,15 +42,15 @@ class RigidCourse {
     void hit(Journey<Real>& journey, Recorder<Real>* recorder) const;
     bool rest(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     RigidStop<Real> stop_;
 };
 
 template <class Real>
 Journey<Real> RigidCourse<Real>::depart(const State<Real>& x) const {
     // a start on the stop may be wrong by the rounding of its place
-    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(scene_.gap));
-    Journey<Real> journey(scene_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
+    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(oscillator_.gap));
+    Journey<Real> journey(oscillator_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
     journey.chain = chain_at_start(stop_, journey.cycle.pattern);
     if (x[0] > rounding) journey.stop(Cycle<Real>::Outcome::inside_stop);
     return journey;
@@ -57,7 +58,8 @@ Journey<Real> RigidCourse<Real>::depart(const State<Real>& x) const {
 
 template <class Real>
 void RigidCourse<Real>::hit(Journey<Real>& journey, Recorder<Real>* recorder) const {
-    const auto rest = strike(stop_, scene_.frequency * journey.time, journey.cycle, journey.chain, recorder);
+    const auto rest =
+        strike(stop_, oscillator_.frequency * journey.time, journey.cycle, journey.chain, recorder);
     if (!rest) return;
     journey.phase = Phase::contact;
     journey.rest_from = journey.time + *rest;
@@ -67,8 +69,9 @@ void RigidCourse<Real>::hit(Journey<Real>& journey, Recorder<Real>* recorder) co
 template <class Real>
 bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
     const Real from = journey.rest_from;
-    const Real theta = scene_.frequency * from;
-    const Real release = from + (stop_.presses(theta) ? stop_.ahead_to_release(theta) / scene_.frequency : 0);
+    const Real theta = oscillator_.frequency * from;
+    const Real release =
+        from + (stop_.presses(theta) ? stop_.ahead_to_release(theta) / oscillator_.frequency : 0);
     const bool lets_go = release < end_time;
     const Real begin = journey.time;
     journey.time = lets_go ? release : end_time;
@@ -76,9 +79,9 @@ bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Rea
     journey.cycle.touched = true;
     journey.cycle.jacobian.setZero();
     if (recorder != nullptr) {
-        record_sticking(stop_, theta, scene_.frequency * journey.time, *recorder);
-        recorder->displacement_bound(std::abs(scene_.gap));
-        recorder->displacement(std::abs(scene_.gap));
+        record_sticking(stop_, theta, oscillator_.frequency * journey.time, *recorder);
+        recorder->displacement_bound(std::abs(oscillator_.gap));
+        recorder->displacement(std::abs(oscillator_.gap));
         if (auto* observer = recorder->observer(); observer != nullptr) {
             observer->stretch(Phase::contact, begin, journey.time - begin,
                               [](Real) -> State<Real> { return State<Real>::Zero(); });

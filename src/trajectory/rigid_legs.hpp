@@ -22,10 +22,11 @@ namespace peterka::trajectory {
 template <class Real>
 class RigidLegs {
   public:
-    // The springs of a scene, without their cubic part, or with such a change.
-    explicit RigidLegs(const Oscillator<Real>& scene) : RigidLegs(scene, motion::flight_equation(scene)) {}
-    RigidLegs(const Oscillator<Real>& scene, const SpringChange<Real>& change)
-        : RigidLegs(scene, change(motion::flight_equation(scene))) {}
+    // The springs of a oscillator, without their cubic part, or with such a change.
+    explicit RigidLegs(const Oscillator<Real>& oscillator)
+        : RigidLegs(oscillator, motion::flight_equation(oscillator)) {}
+    RigidLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)
+        : RigidLegs(oscillator, change(motion::flight_equation(oscillator))) {}
 
     [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return course_.depart(x); }
 
@@ -41,8 +42,11 @@ class RigidLegs {
     void arrive(Journey<Real>& journey, Recorder<Real>* recorder) const { course_.arrive(journey, recorder); }
 
   private:
-    RigidLegs(const Oscillator<Real>& scene, const motion::LinearEquation<Real>& flight)
-        : scene_(scene), flight_(flight), touch_({.position = 1}, flight_), course_(scene, {scene, flight}) {}
+    RigidLegs(const Oscillator<Real>& oscillator, const motion::LinearEquation<Real>& flight)
+        : oscillator_(oscillator),
+          flight_(flight),
+          touch_({.position = 1}, flight_),
+          course_(oscillator, {oscillator, flight}) {}
 
     static bool from_rest(const Leg<Real>& leg) {
         return leg.start().state[0] == 0 && leg.start().state[1] == 0;
@@ -51,12 +55,12 @@ class RigidLegs {
     // the impulse response's slopes, which are positive up to 1/(w + 2 b) at least.
     [[nodiscard]] Real fall_time(Real theta) const {
         const Real slopes = 1 / (flight_.natural_frequency() + 2 * flight_.equation().damping);
-        return std::min(slopes, course_.stop().ahead_to_pressing(theta) / scene_.frequency);
+        return std::min(slopes, course_.stop().ahead_to_pressing(theta) / oscillator_.frequency);
     }
     [[nodiscard]] Crossing<Real> next_touch(const Leg<Real>& leg, Real theta, Real left) const;
     bool fly(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     motion::LinearMotion<Real> flight_;
     Probe<Real> touch_;
     RigidCourse<Real> course_;
@@ -67,37 +71,37 @@ Crossing<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Rea
     const Moment<Real>& start = leg.start();
     if (!from_rest(leg)) return first_crossing(leg, touch_, start, left);
     const Real away = std::min(std::numbers::pi_v<Real> / flight_.natural_frequency(),
-                               course_.stop().ahead_to_pressing(theta) / scene_.frequency);
-    if (away >= left) return {Crossing<Real>::Outcome::none, leg.at(left), 0};
+                               course_.stop().ahead_to_pressing(theta) / oscillator_.frequency);
+    if (away >= left) return {Crossing<Real>::Ending::none, leg.at(left), 0};
     return first_crossing(leg, touch_, leg.at(away), left);
 }
 
 // Until the next impact, which it leaves to be done, or the end. False where the journey ends before its time.
 template <class Real>
 bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
-    using Outcome = typename Crossing<Real>::Outcome;
+    using Ending = typename Crossing<Real>::Ending;
     Cycle<Real>& cycle = journey.cycle;
-    const Real theta = scene_.frequency * journey.time;
+    const Real theta = oscillator_.frequency * journey.time;
     const Leg<Real> leg(flight_, cycle.end, theta);
     const Real left = end_time - journey.time;
     const Crossing<Real> touch = next_touch(leg, theta, left);
-    if (touch.outcome == Outcome::exhausted) return journey.stop(Cycle<Real>::Outcome::too_many_events);
-    const bool hits = touch.outcome == Outcome::crossing;
+    if (touch.ending == Ending::exhausted) return journey.stop(Cycle<Real>::Outcome::too_many_events);
+    const bool hits = touch.ending == Ending::crossing;
     const Moment<Real> end = hits ? touch.moment : leg.at(left);
     cycle.separated = true;
     if (recorder != nullptr) {
-        recorder->displacement_bound(displacement_bound(scene_, touch_, leg, end.time));
+        recorder->displacement_bound(displacement_bound(oscillator_, touch_, leg, end.time));
         if (recorder->records_contacts()) {
             // from rest the hammer falls away for a while; its first steps are too short to search in
             const Real falls = from_rest(leg) ? fall_time(theta) / 2 : Real(0);
             const Moment<Real> from = falls < end.time ? leg.at(falls) : end;
-            record_contacts<Real>(scene_, leg, falls > 0 ? from : leg.start(), end, nullptr, *recorder);
+            record_contacts<Real>(oscillator_, leg, falls > 0 ? from : leg.start(), end, nullptr, *recorder);
         }
         observe_leg(Phase::flight, leg, journey.time, end.time, *recorder);
     }
     cycle.jacobian = (end.flow * cycle.jacobian).eval();
     cycle.end = end.state;
-    if (touch.outcome == Outcome::not_finite || !cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
+    if (touch.ending == Ending::not_finite || !cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
         return journey.stop(Cycle<Real>::Outcome::not_finite);
     }
     if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than rounding tells

@@ -45,12 +45,13 @@ class RigidStop {
         : restitution_(restitution), damping_(damping_ratio), frequency_(frequency), pressing_(pressing) {
         find_zeros();
     }
-    // The stop of a scene, its cubic springs included.
-    explicit RigidStop(const scene::Oscillator<Real>& scene)
-        : RigidStop(restitution_of(scene), scene.damping_ratio, scene.frequency, pressing_of(scene)) {}
+    // The stop of a oscillator, its cubic springs included.
+    explicit RigidStop(const scene::Oscillator<Real>& oscillator)
+        : RigidStop(restitution_of(oscillator), oscillator.damping_ratio, oscillator.frequency,
+                    pressing_of(oscillator)) {}
     // The same for springs that some linear equation describes.
-    RigidStop(const scene::Oscillator<Real>& scene, const motion::LinearEquation<Real>& flight)
-        : RigidStop(restitution_of(scene), flight.damping, flight.frequency,
+    RigidStop(const scene::Oscillator<Real>& oscillator, const motion::LinearEquation<Real>& flight)
+        : RigidStop(restitution_of(oscillator), flight.damping, flight.frequency,
                     {.constant = flight.offset, .linear = flight.drive}) {}
 
     [[nodiscard]] Real restitution() const { return restitution_; }
@@ -127,13 +128,15 @@ class RigidStop {
   private:
     static constexpr Real full_turn = 2 * std::numbers::pi_v<Real>;
 
-    static Real restitution_of(const scene::Oscillator<Real>& scene) { return scene.restitution().coefficient; }
-    static Pressing pressing_of(const scene::Oscillator<Real>& scene) {
-        const Real g = scene.gap;
-        Pressing pressing{.constant = -g * (1 + scene.cubic * g * g), .linear = scene.drive()};
-        if (scene.cubic_form == job::CubicForm::absolute) {
-            pressing.linear -= 3 * scene.cubic * g * g;
-            pressing.quadratic = -3 * scene.cubic * g;
+    static Real restitution_of(const scene::Oscillator<Real>& oscillator) {
+        return oscillator.restitution().coefficient;
+    }
+    static Pressing pressing_of(const scene::Oscillator<Real>& oscillator) {
+        const Real g = oscillator.gap;
+        Pressing pressing{.constant = -g * (1 + oscillator.cubic * g * g), .linear = oscillator.drive()};
+        if (oscillator.cubic_form == job::CubicForm::absolute) {
+            pressing.linear -= 3 * oscillator.cubic * g * g;
+            pressing.quadratic = -3 * oscillator.cubic * g;
         }
         return pressing;
     }

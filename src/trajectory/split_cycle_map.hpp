@@ -31,22 +31,23 @@ namespace peterka::trajectory {
 template <class Real, class Legs = LinearLegs<Real>>
 class SplitCycleMap {
   public:
-    SplitCycleMap(const Oscillator<Real>& scene, int steps_per_cycle)
-        : scene_(scene),
+    SplitCycleMap(const Oscillator<Real>& oscillator, int steps_per_cycle)
+        : oscillator_(oscillator),
           steps_(steps_per_cycle),
-          changes_(scene.cubic != 0 && scene.cubic_form == job::CubicForm::absolute && scene.frequency > 0) {
+          changes_(oscillator.cubic != 0 && oscillator.cubic_form == job::CubicForm::absolute &&
+                   oscillator.frequency > 0) {
         for (int step = 0; step <= steps_; ++step) cart_.push_back(changes_ ? std::sin(phase(step)) : Real(0));
         for (int step = 0; step < (changes_ ? steps_ : 1); ++step) legs_.push_back(legs_of(step));
     }
 
-    [[nodiscard]] const Oscillator<Real>& scene() const { return scene_; }
+    [[nodiscard]] const Oscillator<Real>& oscillator() const { return oscillator_; }
     [[nodiscard]] int steps_per_cycle() const { return steps_; }
 
     // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. Fails as a
     // solver without any steps.
     [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
-        const Real period = scene_.period();
+        const Real period = oscillator_.period();
         Journey<Real> journey = legs_.front().depart(x);
         for (int step = 0; step < steps_; ++step) {
             half_kick(cart_[static_cast<std::size_t>(step)], journey);
@@ -72,13 +73,13 @@ class SplitCycleMap {
         const Real middle = phase(step) + length / 2;
         const Real y = changes_ ? std::sin(middle) * std::sin(length / 2) / (length / 2) : Real(0);
         const Real y2 = changes_ ? (1 - std::cos(2 * middle) * std::sin(length) / length) / 2 : Real(0);
-        return Legs(scene_, cubic_about_stop(scene_, y, y2));
+        return Legs(oscillator_, cubic_about_stop(oscillator_, y, y2));
     }
 
     // What a half kick takes from the velocity.
     [[nodiscard]] Real half_kick(Real y, Real delta) const {
-        const Real impulse = scene_.cubic * scene_.period() / Real(2 * steps_);
-        return impulse * delta * delta * (3 * (scene_.gap + y) + delta);
+        const Real impulse = oscillator_.cubic * oscillator_.period() / Real(2 * steps_);
+        return impulse * delta * delta * (3 * (oscillator_.gap + y) + delta);
     }
 
     // Within a step the velocity is that of the motion at its middle alone: before it a part of the half kick
@@ -86,31 +87,31 @@ class SplitCycleMap {
     // for an observer; what is left is quadratic in the step.
     void show_motion(int step, Recorder<Real>* recorder) const {
         if (recorder == nullptr || recorder->observer() == nullptr) return;
-        const Real length = scene_.period() / Real(steps_);
+        const Real length = oscillator_.period() / Real(steps_);
         recorder->show([this, step, length](Real tau, const State<Real>& x) {
             const Real passed = tau / length - Real(step);  // 0 to 1
-            const Real y = changes_ ? std::sin(scene_.frequency * tau) : Real(0);
+            const Real y = changes_ ? std::sin(oscillator_.frequency * tau) : Real(0);
             return State<Real>(x[0], x[1] + half_kick(y, x[0]) * (1 - 2 * passed));
         });
     }
 
     void half_kick(Real y, Journey<Real>& journey) const {
         Cycle<Real>& cycle = journey.cycle;
-        const Real impulse = scene_.cubic * scene_.period() / Real(2 * steps_);
-        const Real stretch = 3 * (scene_.gap + y);
+        const Real impulse = oscillator_.cubic * oscillator_.period() / Real(2 * steps_);
+        const Real stretch = 3 * (oscillator_.gap + y);
         const Real delta = cycle.end[0];
         if (delta == 0) return;
         cycle.end[1] -= impulse * delta * delta * (stretch + delta);
         cycle.jacobian.row(1) -= impulse * delta * (2 * stretch + 3 * delta) * cycle.jacobian.row(0);
         if (journey.phase == Phase::flight) return;
         // a kick can make the force change its sign: a release, or the contact resumes
-        const Phase phase = phase_of(scene_, cycle.end);
+        const Phase phase = phase_of(oscillator_, cycle.end);
         if (phase == journey.phase) return;
         journey.phase = phase;
         if (phase != Phase::flight) cycle.pattern = append(cycle.pattern, pattern_of(phase));
     }
 
-    Oscillator<Real> scene_;
+    Oscillator<Real> oscillator_;
     int steps_;
     bool changes_;            // the linear equations change with the cart's position
     std::vector<Real> cart_;  // y where the steps begin, and at the end of the last
@@ -140,26 +141,26 @@ inline int rounded_split_steps(int steps) {
     return (steps + unit - 1) / unit * unit;
 }
 
-inline int split_steps(const Oscillator<double>& scene, double largest_displacement, double tolerance) {
-    if (scene.cubic == 0) return 1;
-    const bool absolute = scene.cubic_form == job::CubicForm::absolute;
-    const double cart = absolute ? scene.cart_reach() : 0;
+inline int split_steps(const Oscillator<double>& oscillator, double largest_displacement, double tolerance) {
+    if (oscillator.cubic == 0) return 1;
+    const bool absolute = oscillator.cubic_form == job::CubicForm::absolute;
+    const double cart = absolute ? oscillator.cart_reach() : 0;
     const double reach = largest_displacement + cart;
-    const double share = 3 * std::abs(scene.cubic) * reach * reach;
-    const double share_at_stop = 3 * std::abs(scene.cubic) * reach * (std::abs(scene.gap) + cart);
-    if (scene.cubic < 0 && share > 0.5) return 0;
-    const double fast = std::max(1.0, scene.frequency);
-    const auto* voigt = scene.spring_dashpot();  // a rigid stop isn't soft
+    const double share = 3 * std::abs(oscillator.cubic) * reach * reach;
+    const double share_at_stop = 3 * std::abs(oscillator.cubic) * reach * (std::abs(oscillator.gap) + cart);
+    if (oscillator.cubic < 0 && share > 0.5) return 0;
+    const double fast = std::max(1.0, oscillator.frequency);
+    const auto* voigt = oscillator.spring_dashpot();  // a rigid stop isn't soft
     const double second = 0.7 * std::min(share, share * share) + 0.6 * cart * share * fast * fast +
                           (voigt == nullptr ? 0.0 : 3 * share / (1 + voigt->stiffness));
     const double third = 0.1 * share_at_stop;
     const double fourth = 0.03 * share;
     const double part = tolerance / 3;
     // the linear motion between two kicks turns by pi/4 at most
-    const double stiffest = std::sqrt(1 + 3 * std::abs(scene.cubic) * scene.gap * scene.gap);
+    const double stiffest = std::sqrt(1 + 3 * std::abs(oscillator.cubic) * oscillator.gap * oscillator.gap);
     const double step = std::min({std::sqrt(part / second), std::cbrt(part / third),
                                   std::sqrt(std::sqrt(part / fourth)), 0.785 / std::max(fast, stiffest)});
-    const double steps = std::ceil(scene.period() / step);
+    const double steps = std::ceil(oscillator.period() / step);
     return steps <= most_split_steps ? rounded_split_steps(static_cast<int>(steps)) : 0;
 }
 

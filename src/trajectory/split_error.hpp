@@ -23,7 +23,7 @@ struct SplitError {
 template <class Real, class Legs>
 SplitError<Real> split_error(const SplitCycleMap<Real, Legs>& map, const State<Real>& x, int cycles,
                              int settling = 0) {
-    const SplitCycleMap<Real, Legs> fine(map.scene(), 2 * map.steps_per_cycle());
+    const SplitCycleMap<Real, Legs> fine(map.oscillator(), 2 * map.steps_per_cycle());
     State<Real> state[2] = {x, x};
     Recorder<Real> recorder[2];
     SplitError<Real> error{.comparable = true};

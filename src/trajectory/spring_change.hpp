@@ -22,12 +22,12 @@ struct SpringChange {
 
 // y, y2: means of the cart's position and of its square in the absolute form; 0 in the relative one.
 template <class Real>
-SpringChange<Real> cubic_about_stop(const scene::Oscillator<Real>& scene, Real y = 0, Real y2 = 0) {
-    const Real gap = scene.gap;
-    const bool absolute = scene.cubic_form == job::CubicForm::absolute;
-    return {.stiffness = 3 * scene.cubic * (gap * gap + 2 * gap * y + y2),
-            .offset = -scene.cubic * gap * (gap * gap + 3 * y2),
-            .drive = absolute ? -3 * scene.cubic * gap * gap : Real(0)};
+SpringChange<Real> cubic_about_stop(const scene::Oscillator<Real>& oscillator, Real y = 0, Real y2 = 0) {
+    const Real gap = oscillator.gap;
+    const bool absolute = oscillator.cubic_form == job::CubicForm::absolute;
+    return {.stiffness = 3 * oscillator.cubic * (gap * gap + 2 * gap * y + y2),
+            .offset = -oscillator.cubic * gap * (gap * gap + 3 * y2),
+            .drive = absolute ? -3 * oscillator.cubic * gap * gap : Real(0)};
 }
 
 }  // namespace peterka::trajectory

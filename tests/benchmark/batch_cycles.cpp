@@ -42,25 +42,26 @@ constexpr double split_reach = 7;                  // |u| stays below
 
 using Peaks = std::array<double, kinds>;
 
-scene::Oscillator<double> scene_of(std::size_t kind) {
+scene::Oscillator<double> oscillator_of(std::size_t kind) {
     return testing::paper_rig(testing::beam_170mm, regular_cells[kind][0], regular_cells[kind][1]);
 }
 
-scene::Oscillator<double> cubic_scene_of(std::size_t kind) {
+scene::Oscillator<double> cubic_oscillator_of(std::size_t kind) {
     return testing::cubic_rig(paper_cubic, regular_cells[kind][0], regular_cells[kind][1]);
 }
 
-int kicks_of(const scene::Oscillator<double>& scene) {
-    return trajectory::split_steps(scene, split_reach, 1e-9);
+int kicks_of(const scene::Oscillator<double>& oscillator) {
+    return trajectory::split_steps(oscillator, split_reach, 1e-9);
 }
 
 template <class Real>
-scene::Oscillator<Real> in(const scene::Oscillator<double>& scene) {
-    return {.damping_ratio = scene.damping_ratio,
-            .contact = scene::KelvinVoigt<Real>{scene.kelvin_voigt().stiffness, scene.kelvin_voigt().damping},
-            .frequency = scene.frequency,
-            .gap = scene.gap,
-            .cubic = scene.cubic};
+scene::Oscillator<Real> in(const scene::Oscillator<double>& oscillator) {
+    return {.damping_ratio = oscillator.damping_ratio,
+            .contact = scene::KelvinVoigt<Real>{oscillator.kelvin_voigt().stiffness,
+                                                oscillator.kelvin_voigt().damping},
+            .frequency = oscillator.frequency,
+            .gap = oscillator.gap,
+            .cubic = oscillator.cubic};
 }
 
 // Peak force of the last cycles, from rest; `measured`: all cycles are.
@@ -80,8 +81,8 @@ template <class Real, class MakeMap>
 Peaks scalar_peaks(int length, bool measured, const MakeMap& make_map) {
     Peaks peaks{};
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-        const auto scene = scene_of(kind);
-        peaks[kind] = peak_of<Real>(make_map(scene), testing::start_at(scene), length, measured);
+        const auto oscillator = oscillator_of(kind);
+        peaks[kind] = peak_of<Real>(make_map(oscillator), testing::start_at(oscillator), length, measured);
     }
     return peaks;
 }
@@ -90,9 +91,9 @@ template <class Real>
 Peaks split_peaks(int refined, bool measured) {
     Peaks peaks{};
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-        const auto scene = cubic_scene_of(kind);
-        const trajectory::SplitCycleMap<Real> map(in<Real>(scene), refined * kicks_of(scene));
-        peaks[kind] = peak_of<Real>(map, testing::start_at(scene), cycles, measured);
+        const auto oscillator = cubic_oscillator_of(kind);
+        const trajectory::SplitCycleMap<Real> map(in<Real>(oscillator), refined * kicks_of(oscillator));
+        peaks[kind] = peak_of<Real>(map, testing::start_at(oscillator), cycles, measured);
     }
     return peaks;
 }
@@ -108,10 +109,11 @@ Batch batch_peaks(batch::Wanted wanted) {
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
     Batch result;
     for (std::size_t first = 0; first < order.size(); first += slots) {
-        batch::BatchedCycleMap map(scene_of(0), slots, batch::BatchedCycleMap::steps_for(lowest_frequency));
+        batch::BatchedCycleMap map(oscillator_of(0), slots,
+                                   batch::BatchedCycleMap::steps_for(lowest_frequency));
         for (std::size_t slot = 0; slot < slots; ++slot) {
-            const auto scene = scene_of(order[first + slot]);
-            map.add(scene.frequency, scene.gap, testing::start_at(scene));
+            const auto oscillator = oscillator_of(order[first + slot]);
+            map.add(oscillator.frequency, oscillator.gap, testing::start_at(oscillator));
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const bool last = cycle >= cycles - last_cycles;
@@ -131,10 +133,10 @@ Batch batch_peaks(batch::Wanted wanted) {
 Batch split_batch_peaks(batch::Wanted wanted) {
     Batch result;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-        const auto scene = cubic_scene_of(kind);
-        batch::BatchedCycleMap map(scene, copies, kicks_of(scene), batch::Springs::split);
+        const auto oscillator = cubic_oscillator_of(kind);
+        batch::BatchedCycleMap map(oscillator, copies, kicks_of(oscillator), batch::Springs::split);
         for (std::size_t slot = 0; slot < copies; ++slot) {
-            map.add(scene.frequency, scene.gap, testing::start_at(scene));
+            map.add(oscillator.frequency, oscillator.gap, testing::start_at(oscillator));
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
             const bool last = cycle >= cycles - last_cycles;
@@ -186,20 +188,20 @@ std::vector<Contestant> contestants() {
                             Truth::split});
         }
     }
-    const auto exact = [](const auto& scene) { return trajectory::ExactCycleMap<double>(scene); };
+    const auto exact = [](const auto& oscillator) { return trajectory::ExactCycleMap<double>(oscillator); };
     list.push_back({"exact", scalar_cells, [=] { return scalar_peaks<double>(cycles, false, exact); }});
     list.push_back(
         {"exact + peak force", scalar_cells, [=] { return scalar_peaks<double>(cycles, true, exact); }});
     list.push_back({"split", scalar_cells, [] { return split_peaks<double>(1, false); }, Truth::split});
     list.push_back(
         {"split + peak force", scalar_cells, [] { return split_peaks<double>(1, true); }, Truth::split});
-    for (const auto& [name, integrator] : {std::pair{"cvode 1e-9", trajectory::Integrator::cvode_adams},
-                                           {"arkode 1e-9", trajectory::Integrator::arkode_explicit}}) {
+    for (const auto& [name, integrator] : {std::pair{"cvode 1e-9", integrators::Integrator::cvode_adams},
+                                           {"arkode 1e-9", integrators::Integrator::arkode_explicit}}) {
         // fewer cycles: their error is that after a shorter transient
         list.push_back({name, static_cast<double>(kinds) * 40,
                         [integrator = integrator] {
-                            return scalar_peaks<double>(40, false, [=](const auto& scene) {
-                                return trajectory::IntegratedCycleMap(scene, integrator, 1e-9);
+                            return scalar_peaks<double>(40, false, [=](const auto& oscillator) {
+                                return integrators::IntegratedCycleMap(oscillator, integrator, 1e-9);
                             });
                         },
                         Truth::early});
@@ -211,8 +213,8 @@ std::vector<Contestant> contestants() {
 
 int main(int argc, char** argv) {
     const int rounds = argc > 1 ? std::stoi(argv[1]) : 5;
-    const auto precise = [](const auto& scene) {
-        return trajectory::ExactCycleMap<long double>(in<long double>(scene));
+    const auto precise = [](const auto& oscillator) {
+        return trajectory::ExactCycleMap<long double>(in<long double>(oscillator));
     };
     const std::map<Truth, Peaks> truth{{Truth::exact, scalar_peaks<long double>(cycles, false, precise)},
                                        {Truth::early, scalar_peaks<long double>(40, false, precise)},
@@ -236,7 +238,7 @@ int main(int argc, char** argv) {
                    largest_error(one.peaks, truth.at(one.truth)), exact->best / one.best);
     }
     fmt::print("kicks per cycle of the split engines:");
-    for (std::size_t kind = 0; kind < kinds; ++kind) fmt::print(" {}", kicks_of(cubic_scene_of(kind)));
+    for (std::size_t kind = 0; kind < kinds; ++kind) fmt::print(" {}", kicks_of(cubic_oscillator_of(kind)));
     fmt::print("\nleft to the scalar twin: {:.2g} of the cycles, {:.2g} with split springs\n",
                batch_peaks({}).left_to_twin, split_batch_peaks({}).left_to_twin);
 }

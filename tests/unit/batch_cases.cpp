@@ -24,11 +24,11 @@ struct Twin {
     }
 };
 
-Twin twin_of(const scene::Oscillator<double>& scene, const BatchGrid& grid) {
+Twin twin_of(const scene::Oscillator<double>& oscillator, const BatchGrid& grid) {
     if (grid.springs == batch::Springs::split) {
-        return {scene.gap, trajectory::SplitCycleMap<double>(scene, grid.steps_per_cycle)};
+        return {oscillator.gap, trajectory::SplitCycleMap<double>(oscillator, grid.steps_per_cycle)};
     }
-    return {scene.gap, trajectory::ExactCycleMap<double>(scene)};
+    return {oscillator.gap, trajectory::ExactCycleMap<double>(oscillator)};
 }
 
 bool same_events(const Cycle<double>& a, const Cycle<double>& b) {
@@ -109,10 +109,10 @@ Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<B
     std::vector<Twin> twins;
     for (std::size_t n = 0; n < cells.size(); ++n) {
         map.add(cells[n].frequency, cells[n].gap, cells[n].state);
-        scene::Oscillator<double> scene = rig;
-        scene.frequency = cells[n].frequency;
-        scene.gap = cells[n].gap;
-        twins.push_back(twin_of(scene, grid));
+        scene::Oscillator<double> oscillator = rig;
+        oscillator.frequency = cells[n].frequency;
+        oscillator.gap = cells[n].gap;
+        twins.push_back(twin_of(oscillator, grid));
     }
     Comparison result;
     for (int cycle = 0; cycle < cycles; ++cycle) {

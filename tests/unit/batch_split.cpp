@@ -20,9 +20,9 @@ Comparison compare_split(const scene::Oscillator<double>& rig, const std::vector
 // Their settled orbits need no twin.
 TEST(BatchSplit, RegularCells) {
     for (const auto& [frequency, gap] : regular_cells) {
-        const auto scene = cubic_rig(paper_cubic, frequency, gap);
-        const int kicks = trajectory::split_steps(scene, 7, 1e-6);
-        const Comparison c = compare_split(scene, {{frequency, gap, start_at(scene)}}, kicks, 100);
+        const auto oscillator = cubic_rig(paper_cubic, frequency, gap);
+        const int kicks = trajectory::split_steps(oscillator, 7, 1e-6);
+        const Comparison c = compare_split(oscillator, {{frequency, gap, start_at(oscillator)}}, kicks, 100);
         expect_agreement(c);
         EXPECT_EQ(c.different_events, 0);
         EXPECT_GE(c.impacts, 40);

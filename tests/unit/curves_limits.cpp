@@ -35,32 +35,33 @@ scene::Oscillator<double> rigid_rig() {
 }
 
 template <class Map>
-std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> scene, const Place& place, std::int64_t period,
-                                   const State<double>& start = {0, 0}) {
-    scene.frequency = place.frequency;
-    scene.gap = place.gap;
-    const Map map(scene);
+std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const Place& place,
+                                   std::int64_t period, const State<double>& start = {0, 0}) {
+    oscillator.frequency = place.frequency;
+    oscillator.gap = place.gap;
+    const Map map(oscillator);
     State<double> x(start[0] - place.gap, start[1] - place.frequency);
     for (int cycle = 0; cycle < 2000; ++cycle) x = map(x).end;
-    return stable_orbit_near(Rig(scene), place, x, period, window);
+    return stable_orbit_near(Rig(oscillator), place, x, period, window);
 }
 
-Seed edge(const scene::Oscillator<double>& scene, const Place& from, const Place& to,
+Seed edge(const scene::Oscillator<double>& oscillator, const Place& from, const Place& to,
           const State<double>& start = {0, 0}) {
-    const bool rigid = std::holds_alternative<scene::Restitution<double>>(scene.contact);
-    const auto orbit = rigid ? orbit_at<trajectory::RigidExactMap<double>>(scene, from, 1, {-1, from.frequency})
-                             : orbit_at<trajectory::ExactCycleMap<double>>(scene, from, 1, start);
+    const bool rigid = std::holds_alternative<scene::Restitution<double>>(oscillator.contact);
+    const auto orbit =
+        rigid ? orbit_at<trajectory::RigidExactMap<double>>(oscillator, from, 1, {-1, from.frequency})
+              : orbit_at<trajectory::ExactCycleMap<double>>(oscillator, from, 1, start);
     EXPECT_TRUE(orbit);
-    const Followed followed = follow(Rig(scene), *orbit, to, window);
+    const Followed followed = follow(Rig(oscillator), *orbit, to, window);
     EXPECT_TRUE(followed.seed);
     return *followed.seed;
 }
 
 regime::CellResult by_cvode(const Place& place, const State<double>& start = {0, 0}) {
-    scene::Oscillator<double> scene = rig_170mm();
-    scene.frequency = place.frequency;
-    scene.gap = place.gap;
-    return regime::find_steady_state(scene, {start[0] - place.gap, start[1] - place.frequency}, {},
+    scene::Oscillator<double> oscillator = rig_170mm();
+    oscillator.frequency = place.frequency;
+    oscillator.gap = place.gap;
+    return regime::find_steady_state(oscillator, {start[0] - place.gap, start[1] - place.frequency}, {},
                                      {.engine = regime::Engine::cvode, .tolerance = 1e-9});
 }
 

@@ -10,38 +10,38 @@ namespace peterka::testing {
 
 using Real = ExtrapolationOracle::Real;
 
-ExtrapolationOracle::ExtrapolationOracle(const scene::Oscillator<double>& scene,
+ExtrapolationOracle::ExtrapolationOracle(const scene::Oscillator<double>& oscillator,
                                          const scene::State<double>& start)
-    : scene_(scene), y_{start[0], start[1]} {
+    : oscillator_(oscillator), y_{start[0], start[1]} {
     if (start[0] > 0) phase_ = hold(y_) > 0 ? Phase::contact : Phase::unloaded;
     if (start[0] == 0 && start[1] > 0) phase_ = Phase::contact;
 }
 
 Real ExtrapolationOracle::force(const Unknowns& y) const {
-    if (const auto* law = std::get_if<scene::KelvinVoigt<double>>(&scene_.contact)) {
+    if (const auto* law = std::get_if<scene::KelvinVoigt<double>>(&oscillator_.contact)) {
         return law->stiffness * y[0] + law->damping * y[1];
     }
-    const auto& law = std::get<scene::HuntCrossley<double>>(scene_.contact);
+    const auto& law = std::get<scene::HuntCrossley<double>>(oscillator_.contact);
     const Real spring = law.stiffness * std::pow(std::abs(y[0]), Real(law.exponent));
     return (y[0] < 0 ? -spring : spring) * (1 + law.dissipation * y[1]);
 }
 
 Real ExtrapolationOracle::hold(const Unknowns& y) const {
-    if (const auto* law = std::get_if<scene::HuntCrossley<double>>(&scene_.contact)) {
+    if (const auto* law = std::get_if<scene::HuntCrossley<double>>(&oscillator_.contact)) {
         return 1 + law->dissipation * y[1];
     }
     return force(y);
 }
 
 ExtrapolationOracle::Unknowns ExtrapolationOracle::slope(Real time, const Unknowns& y) const {
-    const Real cart = std::sin(Real(scene_.frequency) * time);
-    const Real u = y[0] + scene_.gap;
-    const bool absolute = scene_.cubic_form == job::CubicForm::absolute;
+    const Real cart = std::sin(Real(oscillator_.frequency) * time);
+    const Real u = y[0] + oscillator_.gap;
+    const bool absolute = oscillator_.cubic_form == job::CubicForm::absolute;
     const Real cubic =
-        scene_.cubic * (absolute ? (u + cart) * (u + cart) * (u + cart) - cart * cart * cart : u * u * u);
+        oscillator_.cubic * (absolute ? (u + cart) * (u + cart) * (u + cart) - cart * cart * cart : u * u * u);
     const Real f = phase_ == Phase::contact ? force(y) : Real(0);
-    const Real drive = Real(scene_.frequency) * scene_.frequency * cart;
-    const Real damper = 2 * Real(scene_.damping_ratio) * y[1];
+    const Real drive = Real(oscillator_.frequency) * oscillator_.frequency * cart;
+    const Real damper = 2 * Real(oscillator_.damping_ratio) * y[1];
     return {y[1], drive - damper - u - cubic - f, f, f * y[1], drive * y[1], damper * y[1]};
 }
 
@@ -86,7 +86,7 @@ ExtrapolationOracle::Trial ExtrapolationOracle::trial(Real step) const {
 }
 
 Real ExtrapolationOracle::over(const Unknowns& y) const {
-    const bool spring_dashpot = std::holds_alternative<scene::KelvinVoigt<double>>(scene_.contact);
+    const bool spring_dashpot = std::holds_alternative<scene::KelvinVoigt<double>>(oscillator_.contact);
     if (phase_ == Phase::flight) return y[0];
     if (phase_ == Phase::contact) return spring_dashpot ? -hold(y) : std::max(-hold(y), -y[0]);
     return std::max(-y[0], hold(y));
@@ -96,8 +96,8 @@ void ExtrapolationOracle::advance(int cycles) {
     impacts_ = 0;
     peak_force_ = impact_speed_ = reach_ = impulse_ = total_impulse_ = contact_time_ = 0;
     y_[3] = y_[4] = y_[5] = 0;
-    const Real period = 2 * std::numbers::pi_v<Real> / scene_.frequency;
-    const Real longest = 0.05L / std::max(1.0, scene_.frequency);
+    const Real period = 2 * std::numbers::pi_v<Real> / oscillator_.frequency;
+    const Real longest = 0.05L / std::max(1.0, oscillator_.frequency);
     for (int n = 0; n < cycles; ++n) {
         time_ = 0;
         Real length = longest;
@@ -150,7 +150,7 @@ void ExtrapolationOracle::look_for_extrema(Real step) {
         peak_force_ = std::max(peak_force_, climb([&](const Unknowns& y) { return force(y); }));
     }
     for (const int sign : {1, -1}) {
-        const auto outward = [&](const Unknowns& y) { return sign * (y[0] + Real(scene_.gap)); };
+        const auto outward = [&](const Unknowns& y) { return sign * (y[0] + Real(oscillator_.gap)); };
         if (outward(y_) + std::abs(y_[1] * step) * 2 > reach_) reach_ = std::max(reach_, climb(outward));
     }
 }

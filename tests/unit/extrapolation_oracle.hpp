@@ -17,7 +17,7 @@ class ExtrapolationOracle {
     using Real = long double;
 
     // start: (delta, delta') at forcing phase 0.
-    ExtrapolationOracle(const scene::Oscillator<double>& scene, const scene::State<double>& start);
+    ExtrapolationOracle(const scene::Oscillator<double>& oscillator, const scene::State<double>& start);
 
     // Carries on for so many forcing cycles.
     void advance(int cycles);
@@ -54,7 +54,7 @@ class ExtrapolationOracle {
     void finish_phase();
     void close_impact();
 
-    scene::Oscillator<double> scene_;
+    scene::Oscillator<double> oscillator_;
     Unknowns y_{};
     Real time_ = 0;  // since the cycle began
     Phase phase_ = Phase::flight;

@@ -20,6 +20,9 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
+
 using testing::beam_170mm;
 using testing::observed;
 using testing::paper_rig;
@@ -39,8 +42,8 @@ void PrintTo(const Setting& setting, std::ostream* out) {
 
 class EveryIntegrator : public ::testing::TestWithParam<Setting> {
   protected:
-    [[nodiscard]] static IntegratedCycleMap map(const Oscillator<double>& scene) {
-        return {scene, GetParam().integrator, GetParam().tolerance};
+    [[nodiscard]] static IntegratedCycleMap map(const Oscillator<double>& oscillator) {
+        return {oscillator, GetParam().integrator, GetParam().tolerance};
     }
     static double tolerance() { return GetParam().tolerance; }
     static bool is_implicit() {
@@ -88,17 +91,17 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
     int impacts = 0;
     for (int n = 0; n < 40; ++n) {
         SCOPED_TRACE(n);
-        auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
-        if (n % 5 == 1) scene.kelvin_voigt().damping *= 4;  // an overdamped stop
-        if (n % 5 == 2) scene.kelvin_voigt().damping = 0;   // an elastic one
-        if (n % 5 == 3) scene.damping_ratio = 0.4;
-        if (n % 5 == 4) scene.kelvin_voigt().stiffness = 3;  // a soft one
-        const State<double> start(speed(random) - scene.gap, speed(random));
-        const auto expected = observed(ExactCycleMap<double>(scene), start);
-        const auto cycle = observed(map(scene), start);
+        auto oscillator = paper_rig(beam_170mm, frequency(random), gap(random));
+        if (n % 5 == 1) oscillator.kelvin_voigt().damping *= 4;  // an overdamped stop
+        if (n % 5 == 2) oscillator.kelvin_voigt().damping = 0;   // an elastic one
+        if (n % 5 == 3) oscillator.damping_ratio = 0.4;
+        if (n % 5 == 4) oscillator.kelvin_voigt().stiffness = 3;  // a soft one
+        const State<double> start(speed(random) - oscillator.gap, speed(random));
+        const auto expected = observed(ExactCycleMap<double>(oscillator), start);
+        const auto cycle = observed(map(oscillator), start);
         expect_agreement(cycle, expected, 3 * allowed(expected));
         EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
-        EXPECT_GT(cycle.largest_displacement, (cycle.end[0] + scene.gap) * (1 - tolerance()));
+        EXPECT_GT(cycle.largest_displacement, (cycle.end[0] + oscillator.gap) * (1 - tolerance()));
         EXPECT_LT(cycle.largest_displacement, expected.largest_displacement * (1 + 1e-2));
         impacts += cycle.impacts;
     }
@@ -108,7 +111,7 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedFormFromRandomStarts) {
 // Three impacts in two cycles; engines that look for events at the ends of their steps miss one of the hops.
 TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
     auto engine = map(paper_rig(beam_170mm, 3.1, 0));
-    State<double> x = start_at(engine.scene());
+    State<double> x = start_at(engine.oscillator());
     for (int n = 0; n < 200; ++n) x = engine(x).end;
     double peak_force = 0;
     for (int n = 0; n < 10; ++n) {
@@ -130,13 +133,13 @@ TEST_P(EveryIntegrator, MissesNoHopAtGapZero) {
 // A hammer that rises past the stop by ten times the tolerance, for a moment much shorter than a step, touches
 // it; one that stays as much below does not.
 TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
-    auto scene = paper_rig(beam_170mm, 1.6, 0);
+    auto oscillator = paper_rig(beam_170mm, 1.6, 0);
     const auto touches = [&](auto&& engine, double gap) {
         return engine(State<double>(-1 - gap, 0.5)).impacts > 0;
     };
     const auto exact = [&](double gap) {
-        scene.gap = gap;
-        return touches(ExactCycleMap<double>(scene), gap);
+        oscillator.gap = gap;
+        return touches(ExactCycleMap<double>(oscillator), gap);
     };
     double low = 0;
     double high = 20;
@@ -144,10 +147,10 @@ TEST_P(EveryIntegrator, SeesTouchesMuchShorterThanItsSteps) {
     ASSERT_FALSE(exact(high));
     for (int n = 0; n < 50; ++n) (exact((low + high) / 2) ? low : high) = (low + high) / 2;
     for (const double margin : {10 * tolerance(), 1e-3}) {
-        scene.gap = low - margin;
-        EXPECT_TRUE(touches(map(scene), scene.gap)) << margin;
-        scene.gap = low + margin;
-        EXPECT_FALSE(touches(map(scene), scene.gap)) << margin;
+        oscillator.gap = low - margin;
+        EXPECT_TRUE(touches(map(oscillator), oscillator.gap)) << margin;
+        oscillator.gap = low + margin;
+        EXPECT_FALSE(touches(map(oscillator), oscillator.gap)) << margin;
     }
 }
 
@@ -157,13 +160,13 @@ TEST_P(EveryIntegrator, HandlesStopsFromSoftToRigid) {
         for (const double damping_ratio : {0.0, 0.1, 1.0, 100.0}) {
             const bool stiff = damping_ratio * damping_ratio * stiffness > 1e10;
             if (stiff && !is_implicit()) continue;
-            auto scene = paper_rig(beam_170mm, 2.0, 0.5);
-            scene.kelvin_voigt().stiffness = stiffness;
-            scene.kelvin_voigt().damping = 2 * damping_ratio * std::sqrt(stiffness);
+            auto oscillator = paper_rig(beam_170mm, 2.0, 0.5);
+            oscillator.kelvin_voigt().stiffness = stiffness;
+            oscillator.kelvin_voigt().damping = 2 * damping_ratio * std::sqrt(stiffness);
             SCOPED_TRACE(::testing::Message() << "stiffness " << stiffness << " damping " << damping_ratio);
             const State<double> start(-1, 2);
-            const auto expected = observed(ExactCycleMap<double>(scene), start);
-            const auto cycle = observed(map(scene), start);
+            const auto expected = observed(ExactCycleMap<double>(oscillator), start);
+            const auto cycle = observed(map(oscillator), start);
             expect_agreement(cycle, expected, 10 * allowed(expected));
             EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
         }
@@ -178,38 +181,38 @@ TEST_P(ImplicitIntegrator, FollowsCreepingContacts) {
         SCOPED_TRACE(n);
         const double stiffness = std::pow(10, 6 + 6 * unit(random));
         const double damping_ratio = std::pow(10, 0.5 + 1.5 * unit(random));
-        const Oscillator<double> scene{
+        const Oscillator<double> oscillator{
             .damping_ratio = 0.2 * unit(random),
             .contact = scene::KelvinVoigt<double>{stiffness, 2 * damping_ratio * std::sqrt(stiffness)},
             .frequency = 0.3 + 2.7 * unit(random),
             .gap = -2 + 3 * unit(random)};
-        const State<double> start(-1 - scene.gap, 1);
-        const auto expected = observed(ExactCycleMap<double>(scene), start);
-        const auto cycle = observed(map(scene), start);
+        const State<double> start(-1 - oscillator.gap, 1);
+        const auto expected = observed(ExactCycleMap<double>(oscillator), start);
+        const auto cycle = observed(map(oscillator), start);
         expect_agreement(cycle, expected, 3 * allowed(expected));
         EXPECT_NEAR(cycle.peak_force, expected.peak_force, 10 * tolerance() * expected.peak_force);
     }
 }
 
 TEST_P(EveryIntegrator, PressesForEverUnderPreload) {
-    auto scene = paper_rig(beam_170mm, 0.3, -2.0);
+    auto oscillator = paper_rig(beam_170mm, 0.3, -2.0);
     if (is_implicit()) {
-        scene.kelvin_voigt().stiffness = 1e10;
-        scene.kelvin_voigt().damping = 2 * 100 * 1e5;
+        oscillator.kelvin_voigt().stiffness = 1e10;
+        oscillator.kelvin_voigt().damping = 2 * 100 * 1e5;
     }
-    const State<double> start = LinearContact<double>(scene).steady();
-    const auto expected = observed(ExactCycleMap<double>(scene), start);
+    const State<double> start = LinearContact<double>(oscillator).steady();
+    const auto expected = observed(ExactCycleMap<double>(oscillator), start);
     ASSERT_FALSE(expected.separated);
-    const auto cycle = observed(map(scene), start);
+    const auto cycle = observed(map(oscillator), start);
     expect_agreement(cycle, expected, allowed(expected));
     EXPECT_NEAR(cycle.peak_force, expected.peak_force, 5 * tolerance() * expected.peak_force);
 }
 
 Oscillator<double> cubic_rig(double cubic, job::CubicForm form) {
-    auto scene = paper_rig(beam_170mm, 1.7, 0.4);
-    scene.cubic = cubic;
-    scene.cubic_form = form;
-    return scene;
+    auto oscillator = paper_rig(beam_170mm, 1.7, 0.4);
+    oscillator.cubic = cubic;
+    oscillator.cubic_form = form;
+    return oscillator;
 }
 
 TEST_P(EveryIntegrator, JacobianIsTheDerivativeWithCubicSprings) {
@@ -235,13 +238,13 @@ TEST_P(EveryIntegrator, JacobianIsTheDerivativeWithCubicSprings) {
 // u'' = -r dominates: what the cart does to u'^2/2 + u^2/2 + cubic u^4/4 in a cycle is some parts in 1e6.
 TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
     constexpr double cubic = 10;
-    Oscillator<double> scene{.frequency = 2, .gap = 1000, .cubic = cubic};
+    Oscillator<double> oscillator{.frequency = 2, .gap = 1000, .cubic = cubic};
     const auto energy = [&](const State<double>& x) {
-        const double u = x[0] + scene.gap;
+        const double u = x[0] + oscillator.gap;
         return x[1] * x[1] / 2 + u * u / 2 + cubic * u * u * u * u / 4;
     };
-    const State<double> start(100 - scene.gap, 0);
-    const auto cycle = observed(map(scene), start);
+    const State<double> start(100 - oscillator.gap, 0);
+    const auto cycle = observed(map(oscillator), start);
     ASSERT_EQ(cycle.outcome, Outcome::done);
     EXPECT_FALSE(cycle.touched);
     EXPECT_NEAR(energy(cycle.end) / energy(start), 1, 5e-6 + 200 * tolerance());
@@ -249,19 +252,21 @@ TEST_P(EveryIntegrator, StrongCubicFlightKeepsItsEnergy) {
 }
 
 // One cycle by Runge and Kutta's method in long double, from the model as it is written down.
-State<double> by_runge_kutta(const Oscillator<double>& scene, const State<double>& start, int steps) {
+State<double> by_runge_kutta(const Oscillator<double>& oscillator, const State<double>& start, int steps) {
     using Number = long double;
     const auto slope = [&](Number time, Number position, Number velocity) {
-        const Number y = std::sin(Number(scene.frequency) * time);
-        const Number u = position + Number(scene.gap);
-        const bool absolute = scene.cubic_form == job::CubicForm::absolute;
-        const Number r = scene.cubic * (absolute ? std::pow(u + y, Number(3)) - y * y * y : u * u * u);
-        const Number f = scene.kelvin_voigt().stiffness * position + scene.kelvin_voigt().damping * velocity;
-        return scene.drive() * y - 2 * scene.damping_ratio * velocity - u - r - (position > 0 && f > 0 ? f : 0);
+        const Number y = std::sin(Number(oscillator.frequency) * time);
+        const Number u = position + Number(oscillator.gap);
+        const bool absolute = oscillator.cubic_form == job::CubicForm::absolute;
+        const Number r = oscillator.cubic * (absolute ? std::pow(u + y, Number(3)) - y * y * y : u * u * u);
+        const Number f =
+            oscillator.kelvin_voigt().stiffness * position + oscillator.kelvin_voigt().damping * velocity;
+        return oscillator.drive() * y - 2 * oscillator.damping_ratio * velocity - u - r -
+               (position > 0 && f > 0 ? f : 0);
     };
     Number x = start[0];
     Number v = start[1];
-    const Number h = Number(2) * std::numbers::pi_v<Number> / Number(scene.frequency) / steps;
+    const Number h = Number(2) * std::numbers::pi_v<Number> / Number(oscillator.frequency) / steps;
     for (int n = 0; n < steps; ++n) {
         const Number t = n * h;
         const Number a1 = slope(t, x, v);
@@ -315,26 +320,26 @@ TEST_P(EveryIntegrator, TellsOfWhatItCannotIntegrate) {
         Oscillator<double> ringing{.contact = scene::KelvinVoigt<double>{1e14, 0}, .frequency = 1, .gap = -10};
         EXPECT_EQ(map(ringing)({1.5e-13, 0}).outcome, Outcome::solver_failed);
     }
-    EXPECT_EQ(engine(start_at(engine.scene())).outcome, Outcome::done);  // and it still works
+    EXPECT_EQ(engine(start_at(engine.oscillator())).outcome, Outcome::done);  // and it still works
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(IntegratedCycleMap, RefusesAToleranceThatItCannotHold) {
-    const auto scene = paper_rig(beam_170mm, 2, 0);
+    const auto oscillator = paper_rig(beam_170mm, 2, 0);
     for (const double tolerance : {0.0, -1e-6, 1e-13, 1.0, std::nan("")}) {
-        EXPECT_THROW(IntegratedCycleMap(scene, Integrator::cvode_adams, tolerance), Failure) << tolerance;
+        EXPECT_THROW(IntegratedCycleMap(oscillator, Integrator::cvode_adams, tolerance), Failure) << tolerance;
     }
 }
 
 TEST(IntegratedCycleMap, GoesOnAfterItIsMoved) {
-    const auto scene = paper_rig(beam_170mm, 2, 0);
+    const auto oscillator = paper_rig(beam_170mm, 2, 0);
     for (const auto integrator : {Integrator::cvode_adams, Integrator::cvode_bdf, Integrator::arkode_explicit,
                                   Integrator::arkode_implicit}) {
-        IntegratedCycleMap first(scene, integrator, 1e-6);
+        IntegratedCycleMap first(oscillator, integrator, 1e-6);
         const State<double> end = first({-5, -2.7}).end;
         IntegratedCycleMap second(std::move(first));
         EXPECT_EQ(second({-5, -2.7}).end, end);
-        EXPECT_EQ(second.scene().frequency, 2);
+        EXPECT_EQ(second.oscillator().frequency, 2);
     }
 }
 

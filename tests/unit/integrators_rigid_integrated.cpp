@@ -16,6 +16,9 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
+
 using Outcome = Cycle<double>::Outcome;
 
 constexpr std::array every_integrator{Integrator::cvode_adams, Integrator::cvode_bdf,
@@ -44,11 +47,11 @@ TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
         const double restitution = std::array{0.0, 0.3, 0.6, 0.9, 1.0}[static_cast<std::size_t>(n % 5)];
         const double zeta = 0.1 * unit(random);  // one by one: compilers differ in the order of arguments
         const double gap = -1.2 + 1.8 * unit(random);
-        const auto scene = rigid(restitution, 0.5 + 3 * unit(random), gap, zeta);
+        const auto oscillator = rigid(restitution, 0.5 + 3 * unit(random), gap, zeta);
         const double velocity = 4 * unit(random) - 2;
         const State<double> start(-2 * unit(random), velocity);
         Recorder<double> expected(Detail::energy);
-        const auto exact = RigidExactMap<double>(scene)(start, &expected);
+        const auto exact = RigidExactMap<double>(oscillator)(start, &expected);
         const bool open = expected.is_open();
         expected.finish();
         impacts += exact.impacts;
@@ -57,7 +60,7 @@ TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
             for (const double tolerance : every_tolerance) {
                 SCOPED_TRACE(label(integrator, tolerance) << ", scene " << n << ", r " << restitution);
                 Recorder<double> recorder(Detail::energy);
-                const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)(start, &recorder);
+                const auto cycle = IntegratedCycleMap(oscillator, integrator, tolerance)(start, &recorder);
                 ASSERT_EQ(cycle.outcome, exact.outcome);
                 EXPECT_EQ(recorder.is_open(), open);
                 recorder.finish();
@@ -79,7 +82,7 @@ TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {
                 EXPECT_NEAR(totals.contact_time, truth.contact_time, 10 * tolerance);
                 EXPECT_NEAR(totals.contact_work, truth.contact_work, 10 * tolerance * speed * speed);
                 EXPECT_NEAR(totals.drive_work, truth.drive_work,
-                            10 * tolerance * speed * speed * (1 + scene.drive()));
+                            10 * tolerance * speed * speed * (1 + oscillator.drive()));
                 EXPECT_NEAR(totals.damper_work, truth.damper_work, 10 * tolerance * speed * speed);
                 EXPECT_NEAR(totals.largest_displacement, truth.largest_displacement, 3 * tolerance * speed);
                 EXPECT_NEAR(totals.largest_force, truth.largest_force,
@@ -99,17 +102,17 @@ TEST(IntegratedRigidStop, OrbitsHaveTheSpeedsOfTheFormula) {
     };
     for (const Orbit& orbit : {Orbit{2, 0, 11.841323894932, 1}, Orbit{2, 0.5, 10.966655235621, 1},
                                Orbit{4, 0, 18.951633786639, 2}}) {
-        const auto scene = rigid(0.6, orbit.frequency, orbit.gap);
+        const auto oscillator = rigid(0.6, orbit.frequency, orbit.gap);
         // T to the impact at phase psi: u = P sin(theta), with P sin(theta) = g - alpha V, of the exact engine
-        const auto exact = regime::find_steady_state(scene, testing::start_at(scene, -orbit.speed / 3), {}, {},
-                                                     {.detail = Detail::contacts});
+        const auto exact = regime::find_steady_state(
+            oscillator, testing::start_at(oscillator, -orbit.speed / 3), {}, {}, {.detail = Detail::contacts});
         ASSERT_EQ(exact.period, orbit.period);
         ASSERT_NEAR(exact.impact_speed, orbit.speed, 1e-10);
-        const State<double> start(exact.orbit_displacement - scene.gap + 0.01, exact.orbit_velocity);
+        const State<double> start(exact.orbit_displacement - oscillator.gap + 0.01, exact.orbit_velocity);
         for (const auto engine : {regime::Engine::cvode, regime::Engine::arkode}) {
             for (const double tolerance : every_tolerance) {
                 SCOPED_TRACE(::testing::Message() << static_cast<int>(engine) << " at " << tolerance);
-                const auto cell = regime::find_steady_state(scene, start, {}, {engine, tolerance, 10},
+                const auto cell = regime::find_steady_state(oscillator, start, {}, {engine, tolerance, 10},
                                                             {.detail = Detail::contacts});
                 EXPECT_EQ(cell.impacts, 1);
                 EXPECT_EQ(cell.period, orbit.period);
@@ -128,24 +131,25 @@ TEST(IntegratedRigidStop, OrbitsHaveTheSpeedsOfTheFormula) {
 TEST(IntegratedRigidStop, SticksWithCubicSprings) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         for (const double restitution : {0.0, 0.5}) {
-            auto scene = rigid(restitution, 0.8, -0.2);
-            scene.cubic = 2e-3;
-            scene.cubic_form = form;
+            auto oscillator = rigid(restitution, 0.8, -0.2);
+            oscillator.cubic = 2e-3;
+            oscillator.cubic_form = form;
             const State<double> start(-0.4, 0.3);
-            const auto split = RigidSplitMap<double>(scene, 512)(start);
+            const auto split = RigidSplitMap<double>(oscillator, 512)(start);
             Recorder<double> recorder(Detail::contacts);
-            const auto best = IntegratedCycleMap(scene, Integrator::arkode_explicit, 1e-11)(start, &recorder);
+            const auto best =
+                IntegratedCycleMap(oscillator, Integrator::arkode_explicit, 1e-11)(start, &recorder);
             ASSERT_TRUE(recorder.totals().chatter || restitution == 0);
             EXPECT_GT(recorder.totals().contact_time, 0.1);
             EXPECT_LT((split.end - best.end).norm(), 1e-5);
             EXPECT_EQ(best.jacobian.norm(), 0);
             // beyond any splitting
-            scene.cubic = 0.8;
-            const auto strong = IntegratedCycleMap(scene, Integrator::arkode_explicit, 1e-11)(start);
+            oscillator.cubic = 0.8;
+            const auto strong = IntegratedCycleMap(oscillator, Integrator::arkode_explicit, 1e-11)(start);
             for (const Integrator integrator : every_integrator) {
                 for (const double tolerance : every_tolerance) {
                     SCOPED_TRACE(label(integrator, tolerance) << ", r " << restitution);
-                    const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)(start);
+                    const auto cycle = IntegratedCycleMap(oscillator, integrator, tolerance)(start);
                     ASSERT_EQ(cycle.outcome, Outcome::done);
                     EXPECT_EQ(cycle.pattern, strong.pattern);
                     EXPECT_LT((cycle.end - strong.end).norm(), 2 * tolerance);

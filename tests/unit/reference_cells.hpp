@@ -13,7 +13,7 @@ namespace peterka::testing {
 
 struct ReferenceCell {
     std::string name;
-    scene::Oscillator<double> scene;
+    scene::Oscillator<double> oscillator;
     scene::State<double> start;
     scene::State<double> end;  // on the orbit, at forcing phase 0; NaN where it isn't told
     double force_ratio_per_unit = 1;
@@ -37,18 +37,18 @@ inline ReferenceCell parse_cell(const std::string& line) {
     const double omega = std::sqrt(stiffness / mass);
     ReferenceCell cell;
     cell.name = column.at(0) + ", frequency_ratio " + column.at(7) + ", gap " + column.at(8) + " m";
-    cell.scene = {.damping_ratio = number(column.at(3)) / (2 * mass * omega),
-                  .contact = scene::KelvinVoigt<double>{number(column.at(5)) / stiffness,
-                                                        number(column.at(6)) / (mass * omega)},
-                  .frequency = number(column.at(7)),
-                  .gap = number(column.at(8)) / amplitude};
-    cell.start =
-        start_at(cell.scene, number(column.at(9)) / amplitude, number(column.at(10)) / (amplitude * omega));
+    cell.oscillator = {.damping_ratio = number(column.at(3)) / (2 * mass * omega),
+                       .contact = scene::KelvinVoigt<double>{number(column.at(5)) / stiffness,
+                                                             number(column.at(6)) / (mass * omega)},
+                       .frequency = number(column.at(7)),
+                       .gap = number(column.at(8)) / amplitude};
+    cell.start = start_at(cell.oscillator, number(column.at(9)) / amplitude,
+                          number(column.at(10)) / (amplitude * omega));
     cell.force_ratio_per_unit = stiffness * amplitude / (mass * 9.80665);
     cell.impacts = static_cast<int>(number(column.at(11)));
     cell.period = static_cast<int>(number(column.at(12)));
     cell.peak_force_ratio = number(column.at(13));
-    cell.end = {number(column.at(14)) - cell.scene.gap, number(column.at(15))};
+    cell.end = {number(column.at(14)) - cell.oscillator.gap, number(column.at(15))};
     return cell;
 }
 

@@ -21,36 +21,37 @@ scene::Oscillator<double> coexisting() {
     return paper_rig(beam_150mm, 1.8, 1.6);
 }
 
-std::vector<FoundAttractor> found_from(const scene::Oscillator<double>& scene, double displacement,
+std::vector<FoundAttractor> found_from(const scene::Oscillator<double>& oscillator, double displacement,
                                        double velocity, const EngineSettings& settings = {}) {
     std::vector<FoundAttractor> found;
     CycleDesk desk;
-    std::ignore = complete(find_steady_state(desk, scene, testing::start_at(scene, displacement, velocity), {},
-                                             settings, Measures{}, {nullptr, &found}),
-                           desk);
+    std::ignore =
+        complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity), {},
+                                   settings, Measures{}, {nullptr, &found}),
+                 desk);
     return found;
 }
 
-CellResult solve_knowing(const AttractorTable& known, const scene::Oscillator<double>& scene,
+CellResult solve_knowing(const AttractorTable& known, const scene::Oscillator<double>& oscillator,
                          double displacement, double velocity) {
     CycleDesk desk;
-    return complete(find_steady_state(desk, scene, testing::start_at(scene, displacement, velocity), {}, {},
-                                      Measures{}, {&known, nullptr}),
+    return complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity),
+                                      {}, {}, Measures{}, {&known, nullptr}),
                     desk);
 }
 
 TEST(AttractorTable, AStartThatFallsIntoANeighbourhoodTakesTheAttractorsValues) {
-    const auto scene = coexisting();
-    const auto found = found_from(scene, -1, 1);
+    const auto oscillator = coexisting();
+    const auto found = found_from(oscillator, -1, 1);
     ASSERT_EQ(found.size(), 1U);
     ASSERT_EQ(found.front().result.regime, Regime::periodic);
-    const AttractorTable known(scene, found, many);
+    const AttractorTable known(oscillator, found, many);
     std::int64_t cycles = 0;
     std::int64_t in_full = 0;
     for (double velocity = -4; velocity <= 4; velocity += 0.25) {
         SCOPED_TRACE(velocity);
-        const CellResult full = testing::solve(scene, -1, velocity);
-        const CellResult short_cut = solve_knowing(known, scene, -1, velocity);
+        const CellResult full = testing::solve(oscillator, -1, velocity);
+        const CellResult short_cut = solve_knowing(known, oscillator, -1, velocity);
         EXPECT_EQ(short_cut.regime, full.regime);
         EXPECT_EQ(short_cut.impacts, full.impacts);
         EXPECT_EQ(short_cut.period, full.period);
@@ -67,49 +68,50 @@ TEST(AttractorTable, AStartThatFallsIntoANeighbourhoodTakesTheAttractorsValues) 
 }
 
 TEST(AttractorTable, AStartOnTheOrbitItselfTakesNoCycle) {
-    const auto scene = coexisting();
-    const auto found = found_from(scene, -1, 1);
-    const AttractorTable known(scene, found, many);
+    const auto oscillator = coexisting();
+    const auto found = found_from(oscillator, -1, 1);
+    const AttractorTable known(oscillator, found, many);
     const CellResult& orbit = found.front().result;
     EXPECT_EQ(
-        solve_knowing(known, scene, orbit.orbit_displacement, orbit.orbit_velocity + scene.frequency).cycles,
+        solve_knowing(known, oscillator, orbit.orbit_displacement, orbit.orbit_velocity + oscillator.frequency)
+            .cycles,
         0);
 }
 
 TEST(AttractorTable, KnowsNothingOfAnotherMap) {
-    const auto scene = coexisting();
-    const AttractorTable known(scene, found_from(scene, -1, 1), many);
-    EXPECT_NE(known.of(scene, {}), nullptr);
-    EXPECT_EQ(known.of(scene, {.engine = Engine::arkode}), nullptr);
-    auto with_cubic = scene;
+    const auto oscillator = coexisting();
+    const AttractorTable known(oscillator, found_from(oscillator, -1, 1), many);
+    EXPECT_NE(known.of(oscillator, {}), nullptr);
+    EXPECT_EQ(known.of(oscillator, {.engine = Engine::arkode}), nullptr);
+    auto with_cubic = oscillator;
     with_cubic.cubic = 7.9e-7;
     EXPECT_EQ(known.of(with_cubic, {}), nullptr);
-    EXPECT_EQ(AttractorTable().of(scene, {}), nullptr);
+    EXPECT_EQ(AttractorTable().of(oscillator, {}), nullptr);
 }
 
 TEST(AttractorTable, MapsWithAsManyKicksAreOne) {
-    auto scene = coexisting();
-    scene.cubic = 7.9e-7;
+    auto oscillator = coexisting();
+    oscillator.cubic = 7.9e-7;
     const EngineSettings settings{Engine::split, 1e-6, 5};
-    const AttractorTable known(scene, found_from(scene, -1, 1, settings), many);
-    EXPECT_NE(known.of(scene, settings), nullptr);
-    EXPECT_EQ(known.of(scene, {Engine::split, 1e-6, 5.0000001}), known.of(scene, settings));
-    EXPECT_EQ(known.of(scene, {Engine::split, 1e-9, 50}), nullptr);
+    const AttractorTable known(oscillator, found_from(oscillator, -1, 1, settings), many);
+    EXPECT_NE(known.of(oscillator, settings), nullptr);
+    EXPECT_EQ(known.of(oscillator, {Engine::split, 1e-6, 5.0000001}), known.of(oscillator, settings));
+    EXPECT_EQ(known.of(oscillator, {Engine::split, 1e-9, 50}), nullptr);
 }
 
 TEST(AttractorTable, HoldsOnlyOrbitsThatAreWorthTheirNeighbourhood) {
-    const auto scene = coexisting();
-    const auto impacting = found_from(scene, -1, 1);
-    EXPECT_EQ(AttractorTable(scene, impacting, 1).of(scene, {}), nullptr);
+    const auto oscillator = coexisting();
+    const auto impacting = found_from(oscillator, -1, 1);
+    EXPECT_EQ(AttractorTable(oscillator, impacting, 1).of(oscillator, {}), nullptr);
     std::vector<FoundAttractor> none{impacting.front()};
     none.front().result.regime = Regime::no_impact;
-    EXPECT_EQ(AttractorTable(scene, none, many).of(scene, {}), nullptr);
+    EXPECT_EQ(AttractorTable(oscillator, none, many).of(oscillator, {}), nullptr);
     none.front().result.regime = Regime::chaotic;
-    EXPECT_EQ(AttractorTable(scene, none, many).of(scene, {}), nullptr);
+    EXPECT_EQ(AttractorTable(oscillator, none, many).of(oscillator, {}), nullptr);
     // one start found twice as often is worth twice as much
     const std::vector<FoundAttractor> often(20, impacting.front());
-    EXPECT_NE(AttractorTable(scene, often, 10).of(scene, {}), nullptr);
-    EXPECT_EQ(AttractorTable(scene, impacting, 10).of(scene, {}), nullptr);
+    EXPECT_NE(AttractorTable(oscillator, often, 10).of(oscillator, {}), nullptr);
+    EXPECT_EQ(AttractorTable(oscillator, impacting, 10).of(oscillator, {}), nullptr);
 }
 
 }  // namespace

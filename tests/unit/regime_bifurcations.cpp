@@ -109,9 +109,9 @@ TEST(CompliantOrbit, TendsToTheRigidOne) {
 TEST(EdgeOfNoImpact, IsTheFreeAmplitude) {
     for (const double eta : {0.6, 0.9, 1.5, 3.0}) {
         const auto from_steady_flight = [eta](double share_of_amplitude) {
-            auto scene = paper_rig(beam_170mm, eta, 0);
-            scene.gap = testing::free_amplitude(scene) * share_of_amplitude;
-            return find_steady_state(scene, trajectory::FreeFlight<double>(scene).steady(), {});
+            auto oscillator = paper_rig(beam_170mm, eta, 0);
+            oscillator.gap = testing::free_amplitude(oscillator) * share_of_amplitude;
+            return find_steady_state(oscillator, trajectory::FreeFlight<double>(oscillator).steady(), {});
         };
         EXPECT_EQ(from_steady_flight(1 + 1e-9).regime, Regime::no_impact) << eta;
         EXPECT_NE(from_steady_flight(1 - 1e-9).regime, Regime::no_impact) << eta;

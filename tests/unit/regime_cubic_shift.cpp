@@ -22,13 +22,13 @@ struct Place {
     double gap_ratio;
 };
 
-CubicShift shift_at(scene::Oscillator<double> scene, double cubic) {
-    const CellResult without = find_steady_state(scene, start_at(scene), {});
+CubicShift shift_at(scene::Oscillator<double> oscillator, double cubic) {
+    const CellResult without = find_steady_state(oscillator, start_at(oscillator), {});
     EXPECT_EQ(without.regime, Regime::periodic);
-    scene.cubic = cubic;
+    oscillator.cubic = cubic;
     CycleDesk desk;
-    return complete(shift_by_cubic(desk, scene, {Engine::split, 1e-9, without.largest_displacement}, without),
-                    desk);
+    return complete(
+        shift_by_cubic(desk, oscillator, {Engine::split, 1e-9, without.largest_displacement}, without), desk);
 }
 
 // Close to period doublings and folds, where the bound 3 k3 u^2/k over 1 - |multiplier| fails.
@@ -36,13 +36,14 @@ TEST(CubicShift, IsWhatARunFromTheStartShows) {
     for (const Place place : {Place{0.94110275689223057, 2.6190476190476191},
                               {3.7380952380952381, 1.3157894736842104},
                               {0.95112781954887216, 2.907268170426065}}) {
-        auto scene = paper_rig(beam_170mm, place.frequency_ratio, place.gap_ratio);
-        const CubicShift shift = shift_at(scene, paper_cubic);
+        auto oscillator = paper_rig(beam_170mm, place.frequency_ratio, place.gap_ratio);
+        const CubicShift shift = shift_at(oscillator, paper_cubic);
         ASSERT_TRUE(shift.change) << place.frequency_ratio;
 
-        const CellResult without = find_steady_state(scene, start_at(scene), {});
-        scene.cubic = paper_cubic;
-        const CellResult independent = find_steady_state(scene, start_at(scene), {}, {Engine::arkode, 1e-10});
+        const CellResult without = find_steady_state(oscillator, start_at(oscillator), {});
+        oscillator.cubic = paper_cubic;
+        const CellResult independent =
+            find_steady_state(oscillator, start_at(oscillator), {}, {Engine::arkode, 1e-10});
         EXPECT_EQ(independent.impacts, without.impacts);
         EXPECT_EQ(independent.period, without.period);
         const double right = std::abs(independent.peak_force / without.peak_force - 1);
@@ -61,9 +62,9 @@ TEST(CubicShift, IsNoneWhereTheOrbitIsLost) {
 
 // Forces on it have no bound: the orbit's own shift is told.
 TEST(CubicShift, IsThatOfTheOrbitOnARigidStop) {
-    auto scene = paper_rig(beam_170mm, 2.0, 0.5);
-    scene.contact = scene::Restitution<double>{0.6};
-    const CubicShift shift = shift_at(scene, paper_cubic);
+    auto oscillator = paper_rig(beam_170mm, 2.0, 0.5);
+    oscillator.contact = scene::Restitution<double>{0.6};
+    const CubicShift shift = shift_at(oscillator, paper_cubic);
     ASSERT_TRUE(shift.change);
     EXPECT_GT(*shift.change, 1e-7);
     EXPECT_LT(*shift.change, 1e-3);

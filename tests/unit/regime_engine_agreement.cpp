@@ -19,6 +19,9 @@
 namespace peterka::regime {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
+
 using namespace trajectory;
 using testing::ReferenceCell;
 
@@ -34,9 +37,9 @@ constexpr double tolerance = 1e-6;
 constexpr double rounding = 1e-10;
 
 Engine integrated(const std::string& name, Integrator integrator) {
-    return {name, tolerance, [integrator](const Oscillator<double>& scene) -> Map {
+    return {name, tolerance, [integrator](const Oscillator<double>& oscillator) -> Map {
                 // std::function wants to copy
-                auto map = std::make_shared<IntegratedCycleMap>(scene, integrator, tolerance);
+                auto map = std::make_shared<IntegratedCycleMap>(oscillator, integrator, tolerance);
                 return
                     [map](const State<double>& x, Recorder<double>* recorder) { return (*map)(x, recorder); };
             }};
@@ -44,9 +47,9 @@ Engine integrated(const std::string& name, Integrator integrator) {
 
 std::vector<Engine> engines() {
     return {{"exact", rounding,
-             [](const Oscillator<double>& scene) -> Map { return ExactCycleMap<double>(scene); }},
+             [](const Oscillator<double>& oscillator) -> Map { return ExactCycleMap<double>(oscillator); }},
             {"split", rounding,
-             [](const Oscillator<double>& scene) -> Map { return SplitCycleMap<double>(scene, 12); }},
+             [](const Oscillator<double>& oscillator) -> Map { return SplitCycleMap<double>(oscillator, 12); }},
             integrated("cvode_adams", Integrator::cvode_adams),
             integrated("cvode_bdf", Integrator::cvode_bdf),
             integrated("arkode_explicit", Integrator::arkode_explicit),
@@ -62,8 +65,8 @@ struct Orbit {
 Orbit orbit_of(const Map& map, const ReferenceCell& cell) {
     State<double> x = cell.end;
     if (!x.allFinite()) {
-        const CellResult exact = find_steady_state(cell.scene, cell.start, {});
-        x = {exact.orbit_displacement - cell.scene.gap, exact.orbit_velocity};
+        const CellResult exact = find_steady_state(cell.oscillator, cell.start, {});
+        x = {exact.orbit_displacement - cell.oscillator.gap, exact.orbit_velocity};
     }
     for (int step = 0; step < 3; ++step) {
         State<double> end = x;
@@ -114,7 +117,7 @@ TEST(EngineAgreement, HoldsOnEveryReferenceCell) {
         SCOPED_TRACE(cell.name);
         std::vector<std::vector<Quantity>> found;
         for (const Engine& engine : all) {
-            const Orbit orbit = orbit_of(engine.map_of(cell.scene), cell);
+            const Orbit orbit = orbit_of(engine.map_of(cell.oscillator), cell);
             ASSERT_TRUE(orbit.found) << engine.name;
             EXPECT_EQ(orbit.totals.impacts, cell.impacts) << engine.name;
             EXPECT_NEAR(orbit.totals.peak_force() * cell.force_ratio_per_unit, cell.peak_force_ratio,

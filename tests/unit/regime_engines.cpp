@@ -32,8 +32,9 @@ std::string name_of(const ::testing::TestParamInfo<EngineCase>& info) {
 
 class Engines : public ::testing::TestWithParam<EngineCase> {
   protected:
-    [[nodiscard]] static CellResult solve(const scene::Oscillator<double>& scene) {
-        return find_steady_state(scene, start_at(scene), {}, {GetParam().engine, GetParam().tolerance, 10});
+    [[nodiscard]] static CellResult solve(const scene::Oscillator<double>& oscillator) {
+        return find_steady_state(oscillator, start_at(oscillator), {},
+                                 {GetParam().engine, GetParam().tolerance, 10});
     }
 };
 
@@ -50,9 +51,9 @@ TEST_P(Engines, AgreeWithTheClosedForm) {
                                                 {2.75, 0}, {0.8, 0.2}, {4.2, 0.5}, {0.6, 0.8}};
     for (const auto& [frequency, gap] : places) {
         SCOPED_TRACE(::testing::Message() << frequency << " " << gap);
-        const auto scene = paper_rig(beam_170mm, frequency, gap);
-        const CellResult expected = find_steady_state(scene, start_at(scene), {});
-        const CellResult cell = solve(scene);
+        const auto oscillator = paper_rig(beam_170mm, frequency, gap);
+        const CellResult expected = find_steady_state(oscillator, start_at(oscillator), {});
+        const CellResult cell = solve(oscillator);
         EXPECT_EQ(cell.regime, expected.regime);
         EXPECT_EQ(cell.impacts, expected.impacts);
         EXPECT_EQ(cell.period, expected.period);
@@ -69,12 +70,13 @@ INSTANTIATE_TEST_SUITE_P(All, Engines,
 // With a cubic spring the engines that keep it agree with each other, and none with the closed form.
 TEST(CubicSpring, ShiftsTheForceAlikeInEveryEngine) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
-        auto scene = paper_rig(beam_170mm, 2.0, 0.0);
-        const double linear = find_steady_state(scene, start_at(scene), {}).peak_force;
-        scene.cubic = 100 * paper_cubic;
-        scene.cubic_form = form;
+        auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
+        const double linear = find_steady_state(oscillator, start_at(oscillator), {}).peak_force;
+        oscillator.cubic = 100 * paper_cubic;
+        oscillator.cubic_form = form;
         const auto force = [&](Engine engine, double tolerance) {
-            const CellResult cell = find_steady_state(scene, start_at(scene), {}, {engine, tolerance, 8});
+            const CellResult cell =
+                find_steady_state(oscillator, start_at(oscillator), {}, {engine, tolerance, 8});
             EXPECT_EQ(cell.impacts, 1);
             EXPECT_EQ(cell.period, 1);
             return cell.peak_force;
@@ -90,22 +92,22 @@ TEST(CubicSpring, ShiftsTheForceAlikeInEveryEngine) {
 
 // Told to split a cubic that is too strong for it, a cell fails rather than gives less than was asked for.
 TEST(CubicSpring, TooStrongToSplitIsAFailedCell) {
-    auto scene = paper_rig(beam_170mm, 2.0, 0.0);
-    scene.cubic = 1;
-    const CellResult cell = find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 8});
+    auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
+    oscillator.cubic = 1;
+    const CellResult cell = find_steady_state(oscillator, start_at(oscillator), {}, {Engine::split, 1e-9, 8});
     EXPECT_EQ(cell.regime, Regime::failed);
     EXPECT_EQ(cell.status, Status::solver_failed);
 }
 
 TEST(CubicSpring, NoImpactIsProvedWithIt) {
-    auto scene = paper_rig(beam_170mm, 3.0, 2.0);
-    scene.cubic = paper_cubic;
-    const CellResult cell = find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 10});
+    auto oscillator = paper_rig(beam_170mm, 3.0, 2.0);
+    oscillator.cubic = paper_cubic;
+    const CellResult cell = find_steady_state(oscillator, start_at(oscillator), {}, {Engine::split, 1e-9, 10});
     EXPECT_EQ(cell.regime, Regime::no_impact);
-    EXPECT_NEAR(cell.multiplier, std::exp(-scene.damping_ratio * scene.period()), 1e-6);
+    EXPECT_NEAR(cell.multiplier, std::exp(-oscillator.damping_ratio * oscillator.period()), 1e-6);
     // a hardening spring moves the resonance up: above it the free amplitude grows
-    scene.gap = testing::free_amplitude(scene) * (1 - 1e-4);
-    EXPECT_NE(find_steady_state(scene, start_at(scene), {}, {Engine::split, 1e-9, 10}).regime,
+    oscillator.gap = testing::free_amplitude(oscillator) * (1 - 1e-4);
+    EXPECT_NE(find_steady_state(oscillator, start_at(oscillator), {}, {Engine::split, 1e-9, 10}).regime,
               Regime::no_impact);
 }
 

@@ -38,15 +38,15 @@ Cycle<double> broken_cycle(Outcome outcome) {
 struct Case {
     std::string name;
     EngineSettings settings;
-    scene::Oscillator<double> scene;
+    scene::Oscillator<double> oscillator;
     trajectory::Detail detail = trajectory::Detail::force;
 };
 
 CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
     CycleDesk desk;
-    CycleMap map = make_cycle_map(cell.scene, cell.settings);
-    const auto search = find_steady_state(desk, cell.scene, testing::start_at(cell.scene), {}, cell.settings,
-                                          {cell.detail}, {});
+    CycleMap map = make_cycle_map(cell.oscillator, cell.settings);
+    const auto search = find_steady_state(desk, cell.oscillator, testing::start_at(cell.oscillator), {},
+                                          cell.settings, {cell.detail}, {});
     search.start();
     for (std::int64_t n = 0; !search.done();) {
         const CycleOrder& order = desk.order();
@@ -67,12 +67,12 @@ CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = O
 std::vector<Case> cases() {
     std::vector<Case> all;
     const auto add = [&](const std::string& name, double frequency, double gap, trajectory::Detail detail) {
-        const auto scene = testing::paper_rig(testing::beam_170mm, frequency, gap);
-        all.push_back({"exact_" + name, {}, scene, detail});
-        all.push_back({"split_" + name, {Engine::split, 1e-6, 10}, scene, detail});
-        all.push_back({"cvode_" + name, {Engine::cvode, 1e-6}, scene, detail});
-        all.push_back({"arkode_" + name, {Engine::arkode, 1e-6}, scene, detail});
-        all.back().scene.cubic = all[all.size() - 3].scene.cubic = 8e-7;
+        const auto oscillator = testing::paper_rig(testing::beam_170mm, frequency, gap);
+        all.push_back({"exact_" + name, {}, oscillator, detail});
+        all.push_back({"split_" + name, {Engine::split, 1e-6, 10}, oscillator, detail});
+        all.push_back({"cvode_" + name, {Engine::cvode, 1e-6}, oscillator, detail});
+        all.push_back({"arkode_" + name, {Engine::arkode, 1e-6}, oscillator, detail});
+        all.back().oscillator.cubic = all[all.size() - 3].oscillator.cubic = 8e-7;
     };
     add("one_a_cycle", 2.0, 0.0, trajectory::Detail::force);
     add("doubled", 2.75, 0.0, trajectory::Detail::force);

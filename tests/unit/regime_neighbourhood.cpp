@@ -56,18 +56,18 @@ TEST(Neighbourhood, IsAnEllipseInItsBox) {
 }
 
 struct Orbit {
-    scene::Oscillator<double> scene;
+    scene::Oscillator<double> oscillator;
     CellResult result;
     std::vector<Neighbourhood> neighbourhoods;
 };
 
-Orbit orbit_at(const scene::Oscillator<double>& scene, std::int64_t count) {
-    const CellResult result = testing::solve(scene);
+Orbit orbit_at(const scene::Oscillator<double>& oscillator, std::int64_t count) {
+    const CellResult result = testing::solve(oscillator);
     CycleDesk desk;
-    StroboscopicMap map(scene, {}, desk);
+    StroboscopicMap map(oscillator, {}, desk);
     const Point point =
-        map.scaled(scene::State<double>(result.orbit_displacement - scene.gap, result.orbit_velocity));
-    return {scene, result, complete(find_neighbourhoods(map, point, result.period, count), desk)};
+        map.scaled(scene::State<double>(result.orbit_displacement - oscillator.gap, result.orbit_velocity));
+    return {oscillator, result, complete(find_neighbourhoods(map, point, result.period, count), desk)};
 }
 
 // 1/1, 1/2, 2/2 and 3/2 of the 170 mm rig, and the 1/1 that coexists with no impact.
@@ -80,8 +80,8 @@ std::vector<Orbit> orbits() {
 // Distance of a state at forcing phase 0 from the orbit's point of smallest displacement after the q cycles of
 // the period in which it comes nearest, by Taylor series in extended precision.
 double distance_after(const Orbit& orbit, scene::State<long double> state, int periods) {
-    const trajectory::TaylorCycleMap map(scene::in_precision<long double>(orbit.scene));
-    const scene::State<double> target(orbit.result.orbit_displacement - orbit.scene.gap,
+    const study::TaylorCycleMap map(scene::in_precision<long double>(orbit.oscillator));
+    const scene::State<double> target(orbit.result.orbit_displacement - orbit.oscillator.gap,
                                       orbit.result.orbit_velocity);
     for (int n = 0; n < periods * orbit.result.period; ++n) state = map(state).end;
     double nearest = 1e9;
@@ -100,7 +100,7 @@ TEST(Neighbourhood, EveryStateInsideConverges) {
         SCOPED_TRACE(::testing::Message() << "z = " << orbit.result.impacts << "/" << orbit.result.period);
         ASSERT_FALSE(orbit.neighbourhoods.empty());
         CycleDesk desk;
-        const StroboscopicMap scales(orbit.scene, {}, desk);
+        const StroboscopicMap scales(orbit.oscillator, {}, desk);
         for (const Neighbourhood& ellipse : orbit.neighbourhoods) {
             EXPECT_GT(ellipse.reach().minCoeff(), 1e-3);
             for (int n = 0; n < 8; ++n) {
@@ -118,17 +118,17 @@ TEST(Neighbourhood, EveryStateInsideConverges) {
 
 // In the coexisting rig no start from which the search, run in full, ends elsewhere lies inside.
 TEST(Neighbourhood, HoldsNoStartOfAnotherBasin) {
-    const auto scene = paper_rig(beam_150mm, 1.8, 1.6);
-    const Orbit orbit = orbit_at(scene, 1);
+    const auto oscillator = paper_rig(beam_150mm, 1.8, 1.6);
+    const Orbit orbit = orbit_at(oscillator, 1);
     CycleDesk desk;
-    const StroboscopicMap scales(scene, {}, desk);
+    const StroboscopicMap scales(oscillator, {}, desk);
     int inside = 0;
     int elsewhere = 0;
     for (double displacement = -4; displacement <= 1.6; displacement += 0.1) {
         for (double velocity = -4; velocity <= 4; velocity += 0.1) {
-            const CellResult full = testing::solve(scene, displacement, velocity);
+            const CellResult full = testing::solve(oscillator, displacement, velocity);
             const bool is_inside = orbit.neighbourhoods.front().contains(
-                scales.scaled(testing::start_at(scene, displacement, velocity)));
+                scales.scaled(testing::start_at(oscillator, displacement, velocity)));
             inside += is_inside ? 1 : 0;
             elsewhere += full.regime == Regime::no_impact ? 1 : 0;
             EXPECT_FALSE(is_inside && full.regime == Regime::no_impact) << displacement << " " << velocity;
@@ -139,9 +139,9 @@ TEST(Neighbourhood, HoldsNoStartOfAnotherBasin) {
 }
 
 TEST(Neighbourhood, NoneWhereThePointIsNoOrbit) {
-    const auto scene = paper_rig(beam_170mm, 2.0, 0);
+    const auto oscillator = paper_rig(beam_170mm, 2.0, 0);
     CycleDesk desk;
-    StroboscopicMap map(scene, {}, desk);
+    StroboscopicMap map(oscillator, {}, desk);
     EXPECT_TRUE(complete(find_neighbourhoods(map, {-1, 0.5}, 1, 1), desk).empty());
 }
 

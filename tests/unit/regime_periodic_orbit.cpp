@@ -20,16 +20,16 @@ struct Followed {
 Followed follow_one_a_cycle(double last_frequency, double most_stretch) {
     constexpr double first_frequency = 2.5;
     constexpr int steps = 10;
-    auto scene = testing::paper_rig(testing::beam_170mm, first_frequency, 0);
-    const CellResult stable = find_steady_state(scene, testing::start_at(scene), {});
+    auto oscillator = testing::paper_rig(testing::beam_170mm, first_frequency, 0);
+    const CellResult stable = find_steady_state(oscillator, testing::start_at(oscillator), {});
     EXPECT_EQ(stable.regime, Regime::periodic);
-    scene::State<double> point(stable.orbit_displacement - scene.gap, stable.orbit_velocity);
+    scene::State<double> point(stable.orbit_displacement - oscillator.gap, stable.orbit_velocity);
     Followed followed;
     for (int step = 1; step <= steps; ++step) {
-        scene.frequency = first_frequency + (last_frequency - first_frequency) * step / steps;
+        oscillator.frequency = first_frequency + (last_frequency - first_frequency) * step / steps;
         const bool last = step == steps;
         CycleDesk desk;
-        StroboscopicMap map(scene, {}, desk);
+        StroboscopicMap map(oscillator, {}, desk);
         followed.orbit = last ? complete(find_orbit(map, Points{map.scaled(point)}, most_stretch), desk)
                               : complete(find_orbit(map, Points{map.scaled(point)}), desk);
         followed.cycles = map.cycles_spent();
@@ -64,12 +64,13 @@ TEST(FindOrbit, GoesOnWhereItContracts) {
 // an independent program.
 TEST(FindOrbit, ALongOrbitIsTheSameFromEveryStart) {
     const double omega = 2 * std::numbers::pi * 4.5;
-    auto scene = testing::paper_rig(testing::beam_170mm, 4.4, 1.4762520450293801);
-    scene.damping_ratio = 0.033703005987711296 / (2 * 0.298 * omega);
-    scene.kelvin_voigt().damping = 600 / (0.298 * omega);
+    auto oscillator = testing::paper_rig(testing::beam_170mm, 4.4, 1.4762520450293801);
+    oscillator.damping_ratio = 0.033703005987711296 / (2 * 0.298 * omega);
+    oscillator.kelvin_voigt().damping = 600 / (0.298 * omega);
     const double force_ratio = 0.298 * omega * omega * 0.89e-3 / (0.298 * 9.80665);  // of k A0 over the weight
     for (const auto& [x, v] : {std::pair{-3.389245317608788, 4.476190476190476}, {-3.0, 0.0}}) {
-        const CellResult cell = find_steady_state(scene, {x - scene.gap, v - scene.frequency}, {});
+        const CellResult cell =
+            find_steady_state(oscillator, {x - oscillator.gap, v - oscillator.frequency}, {});
         ASSERT_EQ(cell.regime, Regime::periodic);
         EXPECT_EQ(cell.impacts, 25);
         EXPECT_EQ(cell.period, 42);

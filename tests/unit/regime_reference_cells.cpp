@@ -13,7 +13,7 @@ TEST(ReferenceCells, AreReproduced) {
     ASSERT_EQ(cells.size(), 66U);
     for (const ReferenceCell& cell : cells) {
         SCOPED_TRACE(cell.name);
-        const CellResult result = find_steady_state(cell.scene, cell.start, {});
+        const CellResult result = find_steady_state(cell.oscillator, cell.start, {});
         EXPECT_EQ(result.impacts, cell.impacts);
         EXPECT_EQ(result.period, cell.period);
         EXPECT_EQ(result.status, Status::proved);

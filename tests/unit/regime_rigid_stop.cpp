@@ -22,9 +22,9 @@ scene::Oscillator<double> rigid(double restitution, double frequency, double gap
             .gap = gap};
 }
 
-CellResult solved(const scene::Oscillator<double>& scene, const scene::State<double>& start,
+CellResult solved(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                   const job::SteadyState& budget = {}) {
-    return find_steady_state(scene, start, budget, {}, {.detail = Detail::contacts});
+    return find_steady_state(oscillator, start, budget, {}, {.detail = Detail::contacts});
 }
 
 std::pair<int, int> z(const CellResult& cell) {
@@ -63,9 +63,9 @@ TEST(RigidRegimes, PeriodDoublesAtTheFormulasFrequency) {
 
 // At eta = 1, gap = 0 the formula has a 1/1 orbit that passes through the stop (V = 1.930).
 TEST(RigidRegimes, AnOrbitThroughTheStopIsNone) {
-    const auto scene = rigid(0.6, 1, 0);
+    const auto oscillator = rigid(0.6, 1, 0);
     for (const double velocity : {-2.0, -0.5, 0.0, 1.0}) {
-        const auto cell = solved(scene, {-1, velocity});
+        const auto cell = solved(oscillator, {-1, velocity});
         // what a plain Runge-Kutta method with bisection settles on
         ASSERT_EQ(cell.regime, Regime::periodic);
         EXPECT_EQ(z(cell), std::pair(2, 1)) << velocity;
@@ -99,12 +99,12 @@ TEST(RigidRegimes, IsTheLimitOfAStiffStop) {
     EXPECT_NEAR(limit.impact_speed, 10.33883402105, 1e-10 * 10.3);
     double last = 0;
     for (const double stiffness : {1e6, 1e8, 1e10}) {
-        const scene::Oscillator<double> scene{
+        const scene::Oscillator<double> oscillator{
             .damping_ratio = 0.02,
             .contact = scene::KelvinVoigt<double>{stiffness, 2 * zeta_i * std::sqrt(stiffness)},
             .frequency = 2,
             .gap = 0.5};
-        const auto cell = solved(scene, {-1.5, 0});
+        const auto cell = solved(oscillator, {-1.5, 0});
         ASSERT_EQ(z(cell), std::pair(1, 1));
         const double difference = std::abs(cell.impact_speed - limit.impact_speed);
         EXPECT_GT(difference, 0);
@@ -130,28 +130,28 @@ TEST(RigidRegimes, PreloadKeepsTheHammerOnTheStop) {
 }
 
 TEST(RigidRegimes, OutOfReachThereIsNoImpact) {
-    const auto scene = rigid(0.6, 2, 1.5);
-    const auto cell = solved(scene, {-1.5, -2});
+    const auto oscillator = rigid(0.6, 2, 1.5);
+    const auto cell = solved(oscillator, {-1.5, -2});
     EXPECT_EQ(cell.regime, Regime::no_impact);
     EXPECT_EQ(cell.peak_force, 0);
-    EXPECT_NEAR(cell.max_displacement, testing::free_amplitude(scene), 1e-9);
+    EXPECT_NEAR(cell.max_displacement, testing::free_amplitude(oscillator), 1e-9);
 }
 
 // Rest on the stop forgets everything before: multiplier 0, proved at once, one impact.
 TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
     struct Case {
-        scene::Oscillator<double> scene;
+        scene::Oscillator<double> oscillator;
         int impacts;
         bool chatter;
     };
     // an impact and a chatter; a chatter that goes on across phase 0; one impact without any rebound
-    for (const auto& [scene, impacts, chatter] :
+    for (const auto& [oscillator, impacts, chatter] :
          {Case{rigid(0.6, 0.4, 0.05), 2, true}, Case{rigid(0.8, 0.8, -0.55), 1, true},
           Case{rigid(0, 2, 0), 1, false}}) {
-        const auto cell = solved(scene, {-1 - scene.gap, 0});
-        ASSERT_EQ(cell.regime, Regime::periodic) << scene.frequency;
-        EXPECT_EQ(z(cell), std::pair(impacts, 1)) << scene.frequency;
-        EXPECT_EQ(cell.chatter, chatter) << scene.frequency;
+        const auto cell = solved(oscillator, {-1 - oscillator.gap, 0});
+        ASSERT_EQ(cell.regime, Regime::periodic) << oscillator.frequency;
+        EXPECT_EQ(z(cell), std::pair(impacts, 1)) << oscillator.frequency;
+        EXPECT_EQ(cell.chatter, chatter) << oscillator.frequency;
         EXPECT_EQ(cell.multiplier, 0);
         EXPECT_TRUE(std::isnan(cell.lyapunov));
         EXPECT_FALSE(std::isinf(cell.sensitivity));
@@ -159,7 +159,7 @@ TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
         EXPECT_LT(cell.cycles, 40);
         EXPECT_EQ(cell.impact_rate, static_cast<double>(cell.impacts) / cell.period);
         // the same without asking for the details of contacts
-        const auto plain = find_steady_state(scene, {-1 - scene.gap, 0}, {});
+        const auto plain = find_steady_state(oscillator, {-1 - oscillator.gap, 0}, {});
         EXPECT_EQ(z(plain), z(cell));
         EXPECT_EQ(plain.chatter, cell.chatter);
     }
@@ -167,13 +167,13 @@ TEST(RigidRegimes, ChatterThatEndsInRestIsSuperstable) {
 
 // Between two rests a perturbation may grow a lot; still, what follows a rest repeats what followed the last.
 TEST(RigidRegimes, AHammerThatComesToRestAgainIsNeverChaotic) {
-    const auto scene =
+    const auto oscillator =
         rigid(0.32, 2.925196850393701, 0, testing::paper_rig(testing::beam_170mm, 1, 0).damping_ratio);
-    const auto cell = solved(scene, start_at(scene));
+    const auto cell = solved(oscillator, start_at(oscillator));
     EXPECT_EQ(cell.regime, Regime::unresolved);
     EXPECT_EQ(cell.status, Status::budget);
     EXPECT_TRUE(cell.chatter);
-    const auto longer = solved(scene, start_at(scene), {.max_period = 200});
+    const auto longer = solved(oscillator, start_at(oscillator), {.max_period = 200});
     EXPECT_EQ(longer.regime, Regime::periodic);
     EXPECT_EQ(z(longer), std::pair(72, 68));
     EXPECT_EQ(longer.multiplier, 0);
@@ -193,12 +193,12 @@ TEST(RigidRegimes, AStartInsideTheStopFails) {
 }
 
 TEST(RigidRegimes, SplitCarriesACubicSpring) {
-    auto scene = rigid(0.6, 2, 0.5);
-    const auto linear = solved(scene, {-1.5, 0});
+    auto oscillator = rigid(0.6, 2, 0.5);
+    const auto linear = solved(oscillator, {-1.5, 0});
     for (const double cubic : {1e-6, 2e-6}) {
-        scene.cubic = cubic;
-        const auto cell =
-            find_steady_state(scene, {-1.5, 0}, {}, {Engine::split, 1e-9, 15}, {.detail = Detail::contacts});
+        oscillator.cubic = cubic;
+        const auto cell = find_steady_state(oscillator, {-1.5, 0}, {}, {Engine::split, 1e-9, 15},
+                                            {.detail = Detail::contacts});
         ASSERT_EQ(z(cell), std::pair(1, 1));
         const double shift = cell.impact_speed / linear.impact_speed - 1;
         EXPECT_GT(std::abs(shift), 1e-2 * cubic);

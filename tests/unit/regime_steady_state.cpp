@@ -39,10 +39,10 @@ TEST(Regimes, ShortHopsCount) {
 }
 
 TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
-    const auto scene = paper_rig(beam_150mm, 1.80, 1.60);
+    const auto oscillator = paper_rig(beam_150mm, 1.80, 1.60);
     std::map<Regime, int> found;
     for (double velocity = -5; velocity <= 5; velocity += 1) {
-        const CellResult cell = solve(scene, -1, velocity);
+        const CellResult cell = solve(oscillator, -1, velocity);
         ++found[cell.regime];
         if (cell.regime == Regime::periodic) {
             EXPECT_EQ(std::make_pair(cell.impacts, cell.period), std::make_pair(1, 1));
@@ -55,14 +55,14 @@ TEST(Regimes, StartDecidesWhereTwoAttractorsExist) {
 
 // Followed by hand, far beyond the cycle that proves that no impact comes any more.
 TEST(Regimes, LastImpactIsTheLastCycleWithAContact) {
-    const auto scene = paper_rig(beam_150mm, 1.80, 2.2);
-    const trajectory::ExactCycleMap<double> map(scene);
+    const auto oscillator = paper_rig(beam_150mm, 1.80, 2.2);
+    const trajectory::ExactCycleMap<double> map(oscillator);
     std::set<std::int32_t> found;
     for (double velocity = -6; velocity <= 6; velocity += 0.5) {
-        const CellResult cell = solve(scene, -1, velocity);
+        const CellResult cell = solve(oscillator, -1, velocity);
         ASSERT_EQ(cell.regime, Regime::no_impact);
         std::int32_t last = 0;
-        scene::State<double> x = testing::start_at(scene, -1, velocity);
+        scene::State<double> x = testing::start_at(oscillator, -1, velocity);
         for (std::int32_t cycle = 1; cycle <= 2000; ++cycle) {
             const auto passage = map(x);
             if (passage.touched) last = cycle;
@@ -93,11 +93,11 @@ TEST(Regimes, ChaosHasAPositiveExponentAndAWindow) {
 TEST(Regimes, ChaosThatMayEndIsWatchedLonger) {
     int chaotic = 0;
     for (double gap = 1.2; gap < 1.7; gap += 0.02) {
-        const auto scene = paper_rig(beam_170mm, 3.8, gap);
-        const CellResult cell = solve(scene);
+        const auto oscillator = paper_rig(beam_170mm, 3.8, gap);
+        const CellResult cell = solve(oscillator);
         if (cell.regime != Regime::chaotic) continue;
         ++chaotic;
-        EXPECT_GE(cell.cycles, testing::free_amplitude(scene) < gap ? 1000 : 300) << gap;
+        EXPECT_GE(cell.cycles, testing::free_amplitude(oscillator) < gap ? 1000 : 300) << gap;
     }
     EXPECT_GT(chaotic, 0);
 }
@@ -117,17 +117,17 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
     std::map<Regime, int> found;
     int went_ahead = 0;
     for (int n = 0; n < 600; ++n) {
-        auto scene = paper_rig(beam_170mm, std::uniform_real_distribution(2.6, 4.4)(random),
-                               std::uniform_real_distribution(0.0, 1.0)(random));
-        if (n % 3 == 2) scene.contact = scene::Restitution<double>{0.3 + 0.001 * n};
+        auto oscillator = paper_rig(beam_170mm, std::uniform_real_distribution(2.6, 4.4)(random),
+                                    std::uniform_real_distribution(0.0, 1.0)(random));
+        if (n % 3 == 2) oscillator.contact = scene::Restitution<double>{0.3 + 0.001 * n};
         const auto detail = n % 3 == 1 ? trajectory::Detail::contacts : trajectory::Detail::force;
         job::SteadyState budget;
         if (n % 2 == 1)
             budget = {.max_cycles = 186 + n % 14, .max_period = 64, .chaos_cycles = 150};  // any turn
-        const auto start = testing::start_at(scene);
-        const CellResult many = find_steady_state(scene, start, budget, {}, {.detail = detail});
+        const auto start = testing::start_at(oscillator);
+        const CellResult many = find_steady_state(oscillator, start, budget, {}, {.detail = detail});
         const CellResult single =
-            find_steady_state(scene, start, budget, {}, {.detail = detail, .force_per_cycle = true});
+            find_steady_state(oscillator, start, budget, {}, {.detail = detail, .force_per_cycle = true});
         EXPECT_TRUE(same_label(many, single)) << n;
         EXPECT_EQ(many.status, single.status) << n;
         for (const auto number : {&CellResult::peak_force, &CellResult::impact_rate, &CellResult::lyapunov,
@@ -158,25 +158,25 @@ TEST(Regimes, BudgetEndsInUnresolved) {
 }
 
 TEST(Regimes, NothingSettlesWithoutDissipation) {
-    auto scene = paper_rig(beam_170mm, 1.7, 0.2);
-    scene.damping_ratio = 0;
-    scene.kelvin_voigt().damping = 0;
-    const CellResult cell = solve(scene);
+    auto oscillator = paper_rig(beam_170mm, 1.7, 0.2);
+    oscillator.damping_ratio = 0;
+    oscillator.kelvin_voigt().damping = 0;
+    const CellResult cell = solve(oscillator);
     EXPECT_EQ(cell.regime, Regime::unresolved);
     EXPECT_EQ(cell.status, Status::conservative);
 }
 
 TEST(Regimes, UndampedResonanceIsNotHidden) {
-    auto scene = paper_rig(beam_170mm, 1.0, 50.0);
-    scene.damping_ratio = 0;  // grows until it reaches even this stop
-    const CellResult cell = solve(scene);
+    auto oscillator = paper_rig(beam_170mm, 1.0, 50.0);
+    oscillator.damping_ratio = 0;  // grows until it reaches even this stop
+    const CellResult cell = solve(oscillator);
     EXPECT_EQ(cell.regime == Regime::periodic || cell.regime == Regime::chaotic, true);
     EXPECT_GT(cell.peak_force, 0);
 }
 
 TEST(Regimes, PreloadedHammerNeverSeparates) {
-    const auto scene = paper_rig(beam_170mm, 0.5, -3.0);
-    const CellResult cell = solve(scene);
+    const auto oscillator = paper_rig(beam_170mm, 0.5, -3.0);
+    const CellResult cell = solve(oscillator);
     EXPECT_EQ(cell.regime, Regime::sustained_contact);
     EXPECT_EQ(cell.impacts, 0);
     EXPECT_EQ(cell.period, 1);
@@ -196,11 +196,11 @@ TEST(Regimes, NoRandomCellFails) {
     std::uniform_real_distribution<double> frequency(0.5, 4.5);
     std::uniform_real_distribution<double> gap(0, 5);
     for (int n = 0; n < 40'000; ++n) {
-        const auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
-        const CellResult cell = solve(scene, 0, 0, {.max_cycles = 200, .chaos_cycles = 200});
-        ASSERT_NE(cell.regime, Regime::failed) << scene.frequency << " " << scene.gap;
+        const auto oscillator = paper_rig(beam_170mm, frequency(random), gap(random));
+        const CellResult cell = solve(oscillator, 0, 0, {.max_cycles = 200, .chaos_cycles = 200});
+        ASSERT_NE(cell.regime, Regime::failed) << oscillator.frequency << " " << oscillator.gap;
         if (cell.regime == Regime::no_impact) {
-            ASSERT_GE(scene.gap, testing::free_amplitude(scene));
+            ASSERT_GE(oscillator.gap, testing::free_amplitude(oscillator));
         }
     }
 }
@@ -212,21 +212,22 @@ TEST(Regimes, ExtremeScenesEnd) {
     std::uniform_real_distribution<double> share(0, 1);
     std::map<Regime, int> found;
     for (int n = 0; n < 400; ++n) {
-        scene::Oscillator<double> scene;
-        scene.damping_ratio = n % 10 == 0 ? 0 : std::pow(10.0, -6 + 6.3 * share(random));
-        scene.kelvin_voigt().stiffness = std::pow(10.0, -2 + 17 * share(random));
+        scene::Oscillator<double> oscillator;
+        oscillator.damping_ratio = n % 10 == 0 ? 0 : std::pow(10.0, -6 + 6.3 * share(random));
+        oscillator.kelvin_voigt().stiffness = std::pow(10.0, -2 + 17 * share(random));
         const double contact_damping_ratio = n % 7 == 0 ? 0 : std::pow(10.0, -3 + 5 * share(random));
-        scene.kelvin_voigt().damping = 2 * contact_damping_ratio * std::sqrt(scene.kelvin_voigt().stiffness);
-        scene.frequency = std::pow(10.0, -2 + 3.7 * share(random));
-        scene.gap = n % 5 == 0 ? 0 : 6 * (share(random) - 0.3);
+        oscillator.kelvin_voigt().damping =
+            2 * contact_damping_ratio * std::sqrt(oscillator.kelvin_voigt().stiffness);
+        oscillator.frequency = std::pow(10.0, -2 + 3.7 * share(random));
+        oscillator.gap = n % 5 == 0 ? 0 : 6 * (share(random) - 0.3);
         const double spread = n % 11 == 0 ? 1e6 : 3;
         const CellResult cell = find_steady_state(
-            scene, {spread * (share(random) - 0.5) - scene.gap, spread * (share(random) - 0.5)},
+            oscillator, {spread * (share(random) - 0.5) - oscillator.gap, spread * (share(random) - 0.5)},
             {.max_cycles = 1000});
         ++found[cell.regime];
         if (cell.regime == Regime::failed) {
             EXPECT_EQ(cell.status, Status::too_many_events) << n;
-            EXPECT_EQ(scene.kelvin_voigt().damping, 0) << n;
+            EXPECT_EQ(oscillator.kelvin_voigt().damping, 0) << n;
         } else {
             EXPECT_TRUE(std::isfinite(cell.peak_force)) << n;
         }

@@ -39,20 +39,20 @@ inline job::Job job_170mm(double cubic_stiffness_n_per_m3) {
 }
 
 // Relative state at phase 0 of a hammer that starts at x/A0, x'/(A0 omega).
-inline scene::State<double> start_at(const scene::Oscillator<double>& scene, double displacement = 0,
+inline scene::State<double> start_at(const scene::Oscillator<double>& oscillator, double displacement = 0,
                                      double velocity = 0) {
-    return {displacement - scene.gap, velocity - scene.frequency};
+    return {displacement - oscillator.gap, velocity - oscillator.frequency};
 }
 
-inline regime::CellResult solve(const scene::Oscillator<double>& scene, double displacement = 0,
+inline regime::CellResult solve(const scene::Oscillator<double>& oscillator, double displacement = 0,
                                 double velocity = 0, const job::SteadyState& budget = {}) {
-    return regime::find_steady_state(scene, start_at(scene, displacement, velocity), budget);
+    return regime::find_steady_state(oscillator, start_at(oscillator, displacement, velocity), budget);
 }
 
 // Amplitude of the steady motion without a stop: the edge of no impact is gap = this.
-inline double free_amplitude(const scene::Oscillator<double>& scene) {
-    const double eta = scene.frequency;
-    return eta * eta / std::hypot(1 - eta * eta, 2 * scene.damping_ratio * eta);
+inline double free_amplitude(const scene::Oscillator<double>& oscillator) {
+    const double eta = oscillator.frequency;
+    return eta * eta / std::hypot(1 - eta * eta, 2 * oscillator.damping_ratio * eta);
 }
 
 }  // namespace peterka::testing

@@ -13,13 +13,16 @@
 namespace peterka::trajectory {
 namespace {
 
+using study::Rk4CycleMap;
+using study::Rk4Events;
+
 // A stop soft enough for coarse steps, struck once a cycle.
 Oscillator<double> soft_stop() {
     return {.damping_ratio = 0.02, .contact = scene::KelvinVoigt<double>{400, 8}, .frequency = 2, .gap = 0.5};
 }
 
-State<double> settled(const Oscillator<double>& scene) {
-    const ExactCycleMap<double> exact(scene);
+State<double> settled(const Oscillator<double>& oscillator) {
+    const ExactCycleMap<double> exact(oscillator);
     State<double> x(-1.5, 0);
     for (int n = 0; n < 2000; ++n) x = exact(x, nullptr).end;
     return x;
@@ -32,10 +35,10 @@ struct Errors {
 };
 
 Errors errors_of(int steps, Rk4Events events) {
-    const auto scene = soft_stop();
-    const State<double> x = settled(scene);
-    const auto expected = testing::observed(ExactCycleMap<double>(scene), x);
-    const auto cycle = Rk4CycleMap(scene, steps, events)(x, true);
+    const auto oscillator = soft_stop();
+    const State<double> x = settled(oscillator);
+    const auto expected = testing::observed(ExactCycleMap<double>(oscillator), x);
+    const auto cycle = Rk4CycleMap(oscillator, steps, events)(x, true);
     EXPECT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
     EXPECT_EQ(cycle.impacts, expected.impacts);
     return {(cycle.end - expected.end).norm(), std::abs(cycle.peak_force / expected.peak_force - 1),
@@ -67,17 +70,17 @@ TEST(Rk4CycleMap, HasOrderOneWithoutEvents) {
 }
 
 TEST(Rk4CycleMap, JacobianIsThatOfTheExactMap) {
-    const auto scene = soft_stop();
-    const State<double> x = settled(scene);
-    const auto expected = ExactCycleMap<double>(scene)(x, nullptr).jacobian;
-    EXPECT_LT((Rk4CycleMap(scene, 8000, Rk4Events::located)(x, false).jacobian - expected).norm(), 1e-8);
+    const auto oscillator = soft_stop();
+    const State<double> x = settled(oscillator);
+    const auto expected = ExactCycleMap<double>(oscillator)(x, nullptr).jacobian;
+    EXPECT_LT((Rk4CycleMap(oscillator, 8000, Rk4Events::located)(x, false).jacobian - expected).norm(), 1e-8);
 }
 
 TEST(Rk4CycleMap, StepsTooLongForTheStopLeaveTheRangeOfNumbers) {
-    const auto scene =
+    const auto oscillator =
         testing::paper_rig(testing::beam_170mm, 0.5, -1);  // pressed: contact for the whole cycle
     State<double> x(0.1, 0);
-    const Rk4CycleMap map(scene, 100, Rk4Events::located);
+    const Rk4CycleMap map(oscillator, 100, Rk4Events::located);
     auto outcome = Cycle<double>::Outcome::done;
     for (int n = 0; n < 50 && outcome == Cycle<double>::Outcome::done; ++n) {
         const auto cycle = map(x, false);

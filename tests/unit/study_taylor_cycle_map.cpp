@@ -16,6 +16,8 @@
 namespace peterka::trajectory {
 namespace {
 
+using study::TaylorCycleMap;
+
 using Real = long double;
 using testing::beam_170mm;
 using testing::paper_rig;
@@ -40,9 +42,9 @@ TEST(TaylorCycleMap, IsTheClosedFormToExtendedPrecisionOnRegularCells) {
         State<double> start = testing::start_at(rig);
         for (int n = 0; n < 1000; ++n) start = settling(start, nullptr).end;
 
-        const auto scene = scene::in_precision<Real>(rig);
-        const ExactCycleMap<Real> exact(scene);
-        const TaylorCycleMap taylor(scene);
+        const auto oscillator = scene::in_precision<Real>(rig);
+        const ExactCycleMap<Real> exact(oscillator);
+        const TaylorCycleMap taylor(oscillator);
         State<Real> x = start.cast<Real>();
         State<Real> y = x;
         for (int n = 0; n < 20; ++n) {
@@ -74,11 +76,11 @@ TEST(TaylorCycleMap, IsTheClosedFormFromRandomStartsAtStopsOfAllKinds) {
         if (n % 4 == 1) rig.kelvin_voigt().damping *= 12;   // overdamped
         if (n % 4 == 2) rig.kelvin_voigt().stiffness = 50;  // soft
         if (n % 4 == 3) rig.kelvin_voigt().damping = 0;     // elastic
-        const auto scene = scene::in_precision<Real>(rig);
+        const auto oscillator = scene::in_precision<Real>(rig);
         const double velocity = state(random);
         const State<Real> x(state(random), velocity);
-        const auto expected = testing::observed(ExactCycleMap<Real>(scene), x);
-        const auto cycle = TaylorCycleMap(scene)(x);
+        const auto expected = testing::observed(ExactCycleMap<Real>(oscillator), x);
+        const auto cycle = TaylorCycleMap(oscillator)(x);
         impacts += expected.impacts;
         ASSERT_EQ(cycle.outcome, Outcome::done) << n;
         EXPECT_EQ(cycle.impacts, expected.impacts) << n;
@@ -143,11 +145,11 @@ TEST(TaylorCycleMap, AChatterEndsInStickingAndCountsOnce) {
 }
 
 TEST(TaylorCycleMap, AHammerHeldOnARigidStopIsPressedByTheSprings) {
-    const auto scene = rigid(0.5L, -3, 0.6L);
-    const auto cycle = TaylorCycleMap(scene)({0, 0});
+    const auto oscillator = rigid(0.5L, -3, 0.6L);
+    const auto cycle = TaylorCycleMap(oscillator)({0, 0});
     EXPECT_FALSE(cycle.separated);
     EXPECT_EQ(cycle.impacts, 0);
-    EXPECT_LT(distance(cycle.peak_force, scene.drive() + 3), 1e-17L);
+    EXPECT_LT(distance(cycle.peak_force, oscillator.drive() + 3), 1e-17L);
 }
 
 TEST(TaylorCycleMap, HuntCrossleyOfExponentOneIsALinearSpring) {
@@ -182,13 +184,13 @@ TEST(TaylorCycleMap, HuntCrossleyImpactLosesWhatItsIntegralSays) {
     constexpr Real speed = 20;
     for (const Real exponent : {1.5L, 2.5L}) {
         for (const Real dissipation : {0.0L, 0.02L}) {
-            const Oscillator<Real> scene{.contact = scene::HuntCrossley<Real>{stiffness, exponent, dissipation},
-                                         .frequency = 5};
-            const auto cycle = TaylorCycleMap(scene)({0, speed});
+            const Oscillator<Real> oscillator{
+                .contact = scene::HuntCrossley<Real>{stiffness, exponent, dissipation}, .frequency = 5};
+            const auto cycle = TaylorCycleMap(oscillator)({0, speed});
             ASSERT_EQ(cycle.outcome, Outcome::done);
             // back from the end of the cycle along u = a sin(eta tau) + b sin(tau)
-            const Real a = scene.drive() / (1 - scene.drive()) * scene.frequency;
-            const Real rebound = -a - (cycle.end[1] - a) / std::cos(scene.period());
+            const Real a = oscillator.drive() / (1 - oscillator.drive()) * oscillator.frequency;
+            const Real rebound = -a - (cycle.end[1] - a) / std::cos(oscillator.period());
             if (dissipation == 0) {
                 EXPECT_LT(distance(rebound, speed), 1e-3L);
                 const Real deepest =
@@ -206,9 +208,9 @@ TEST(TaylorCycleMap, HuntCrossleyImpactLosesWhatItsIntegralSays) {
 }
 
 TEST(TaylorCycleMap, ASofteningSpringThatGivesWayIsNotFinite) {
-    auto scene = scene::in_precision<Real>(paper_rig(beam_170mm, 2, 20));
-    scene.cubic = -0.01L;
-    EXPECT_EQ(TaylorCycleMap(scene)({-60, 0}).outcome, Outcome::not_finite);
+    auto oscillator = scene::in_precision<Real>(paper_rig(beam_170mm, 2, 20));
+    oscillator.cubic = -0.01L;
+    EXPECT_EQ(TaylorCycleMap(oscillator)({-60, 0}).outcome, Outcome::not_finite);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ using regime::Regime;
 using testing::beam_170mm;
 using testing::paper_rig;
 
-Verdict judged(const scene::Oscillator<double>& scene) {
-    return judge(scene, testing::start_at(scene));
+Verdict judged(const scene::Oscillator<double>& oscillator) {
+    return judge(oscillator, testing::start_at(oscillator));
 }
 
 TEST(Verdict, TellsRegimesOfThePapersRig) {

@@ -13,8 +13,8 @@ class TaylorOracle {
     using Real = long double;
 
     // start: (delta, delta') at forcing phase 0.
-    TaylorOracle(const scene::Oscillator<double>& scene, const scene::State<double>& start)
-        : map_(scene::in_precision<Real>(scene)), x_(start.cast<Real>()) {}
+    TaylorOracle(const scene::Oscillator<double>& oscillator, const scene::State<double>& start)
+        : map_(scene::in_precision<Real>(oscillator)), x_(start.cast<Real>()) {}
 
     // Carries on for so many forcing cycles.
     void advance(int cycles) {
@@ -34,7 +34,7 @@ class TaylorOracle {
     [[nodiscard]] int impacts() const { return impacts_; }         // in the last advance
 
   private:
-    trajectory::TaylorCycleMap map_;
+    study::TaylorCycleMap map_;
     scene::State<Real> x_;
     Real peak_force_ = 0;
     int impacts_ = 0;

@@ -50,7 +50,7 @@ TEST_P(TraceOfOrbit, HasThePeakForceOfTheMap) {
         EXPECT_EQ(trace.impacts.size(), static_cast<std::size_t>(4 * impacts));
         const double peak = trace.course.cell->peak_force;
         EXPECT_NEAR(trace.impacts[trace.hardest->index].record.peak_force / peak, 1, 1e-9);
-        EXPECT_NEAR(quantities(trace.course.scene, trace.hardest->peak).force / peak, 1, 1e-9);
+        EXPECT_NEAR(quantities(trace.course.oscillator, trace.hardest->peak).force / peak, 1, 1e-9);
     }
 }
 
@@ -92,8 +92,8 @@ TEST(Trace, HasTheForcesPerCycleOfTheMap) {
     EXPECT_NEAR(cell.peak_force_q95, std::max(one, other), 1e-9 * one);
 }
 
-double energy(const Instant& instant, const scene::Oscillator<double>& scene) {
-    const double u = instant.state[0] + scene.gap;
+double energy(const Instant& instant, const scene::Oscillator<double>& oscillator) {
+    const double u = instant.state[0] + oscillator.gap;
     return (instant.state[1] * instant.state[1] + u * u) / 2;
 }
 
@@ -105,8 +105,8 @@ TEST(Trace, BalancesEnergy) {
         ASSERT_GT(trace.impacts.size(), 5U);
         double into_stop = 0;
         for (const Impact& impact : trace.impacts) into_stop += impact.record.work;
-        const double gained = energy(trace.instants.back(), trace.course.scene) -
-                              energy(trace.instants.front(), trace.course.scene);
+        const double gained = energy(trace.instants.back(), trace.course.oscillator) -
+                              energy(trace.instants.front(), trace.course.oscillator);
         const double scale = trace.totals.drive_work + into_stop;
         EXPECT_NEAR(gained, trace.totals.drive_work - trace.totals.damper_work - into_stop, 1e-11 * scale);
     }
@@ -138,7 +138,7 @@ TEST(Trace, OfSplitSpringsShowsTheMotionAndNotItsKicks) {
     job.solver.tolerance = 1e-6;  // few kicks
     job.solver.engine = job::EngineChoice::split;
     const Trace split = trace_of(job);
-    EXPECT_NEAR(split.instants.front().state[1] + split.course.scene.frequency, 1, 1e-14);
+    EXPECT_NEAR(split.instants.front().state[1] + split.course.oscillator.frequency, 1, 1e-14);
     job.solver.engine = job::EngineChoice::cvode;
     job.solver.tolerance = 1e-10;
     const Trace whole = trace_of(job);
@@ -174,8 +174,10 @@ TEST(Trace, ShowsTheJumpOfTheForceAtTouch) {
         hardest.instants, [&](const Instant& instant) { return std::abs(instant.time - impact.time) < 1e-12; });
     ASSERT_NE(touch, hardest.instants.end());
     ASSERT_NE(touch, hardest.instants.begin());
-    const auto force = [&](const Instant& instant) { return quantities(trace.course.scene, instant).force; };
-    EXPECT_NEAR(force(*touch) / force_at_touch(trace.course.scene, impact.speed), 1, 1e-12);
+    const auto force = [&](const Instant& instant) {
+        return quantities(trace.course.oscillator, instant).force;
+    };
+    EXPECT_NEAR(force(*touch) / force_at_touch(trace.course.oscillator, impact.speed), 1, 1e-12);
     EXPECT_EQ(force(*(touch - 1)), 0);
 }
 
@@ -187,10 +189,10 @@ TEST(Trace, AcceleratesAsItMoves) {
     const double step = trace.instants[1].time;
     for (std::size_t n = 1; n + 1 < trace.instants.size(); n += 97) {
         const auto x = [&](std::size_t i) {
-            return quantities(trace.course.scene, trace.instants[i]).hammer();
+            return quantities(trace.course.oscillator, trace.instants[i]).hammer();
         };
         EXPECT_NEAR((x(n + 1) - 2 * x(n) + x(n - 1)) / (step * step),
-                    quantities(trace.course.scene, trace.instants[n]).acceleration, 1e-4);
+                    quantities(trace.course.oscillator, trace.instants[n]).acceleration, 1e-4);
     }
 }
 
@@ -209,10 +211,10 @@ TEST(Trace, OfARigidStopHasImpactsWithoutAForce) {
 TEST(Trace, KeepsACubicSpringWhereAMapDoes) {
     job::Job job = traced(2, 0);
     job.hammer.cubic_stiffness_n_per_m3 = 238.2325;
-    EXPECT_EQ(trace_of(job).course.scene.cubic, 0);
+    EXPECT_EQ(trace_of(job).course.oscillator.cubic, 0);
     job.solver.omit_tolerance = 0;
     const Trace kept = trace_of(job);
-    EXPECT_GT(kept.course.scene.cubic, 0);
+    EXPECT_GT(kept.course.oscillator.cubic, 0);
     EXPECT_EQ(kept.course.settings.engine, regime::Engine::split);
     EXPECT_NEAR(kept.impacts[kept.hardest->index].record.peak_force / kept.course.cell->peak_force, 1, 1e-9);
 }

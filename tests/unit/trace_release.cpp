@@ -30,11 +30,11 @@ TEST(Release, DecaysFreely) {
     EXPECT_FALSE(trace.course.cell);
     EXPECT_TRUE(trace.impacts.empty());
     ASSERT_EQ(trace.instants.size(), 451U);  // 4.5 natural periods in a second
-    const double zeta = trace.course.scene.damping_ratio;
+    const double zeta = trace.course.oscillator.damping_ratio;
     const double swing = std::sqrt(1 - zeta * zeta);
     for (const Instant& instant : trace.instants) {
         const double t = instant.time;
-        const Quantities q = quantities(trace.course.scene, instant);
+        const Quantities q = quantities(trace.course.oscillator, instant);
         const double expected =
             -3 * std::exp(-zeta * t) * (std::cos(swing * t) + zeta / swing * std::sin(swing * t));
         EXPECT_NEAR(q.hammer(), expected, 1e-12);

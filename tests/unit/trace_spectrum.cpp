@@ -17,8 +17,8 @@ using Complex = std::complex<double>;
 
 // The stop holds the hammer at a constant depth for a while: a rectangular pulse of force.
 TEST(Spectrum, OfARectangularPulse) {
-    const scene::Oscillator<double> scene{.contact = scene::KelvinVoigt<double>{7, 0}, .frequency = 1};
-    Transform transform(scene, 1, 5, 0.1, 401);
+    const scene::Oscillator<double> oscillator{.contact = scene::KelvinVoigt<double>{7, 0}, .frequency = 1};
+    Transform transform(oscillator, 1, 5, 0.1, 401);
     transform.stretch(Phase::flight, 0, 2, [](double) { return State<double>(-1, 0); });
     transform.stretch(Phase::contact, 2, 0.5, [](double) { return State<double>(1, 0); });
     for (const std::size_t n : {0U, 3U, 50U, 400U}) {
@@ -32,9 +32,9 @@ TEST(Spectrum, OfARectangularPulse) {
 
 // A free swing u = cos(t) of an undamped hammer in a cart at rest, cut to the part.
 TEST(Spectrum, OfASine) {
-    const scene::Oscillator<double> scene{.contact = scene::KelvinVoigt<double>{1, 0}, .gap = 10};
+    const scene::Oscillator<double> oscillator{.contact = scene::KelvinVoigt<double>{1, 0}, .gap = 10};
     const double length = 7;
-    Transform transform(scene, 0, length, 0.1, 200);
+    Transform transform(oscillator, 0, length, 0.1, 200);
     transform.stretch(Phase::flight, 0, 9,
                       [](double t) { return State<double>(std::cos(t) - 10, -std::sin(t)); });
     const auto swing = [&](double w) {  // integral of exp(i w t)
@@ -62,21 +62,21 @@ job::Job alternating() {
 // the stop.
 TEST(Spectrum, OfAnOrbitObeysTheEquationOfMotion) {
     const Trace trace = make_trace(scene::Scene(alternating()));
-    const auto& scene = trace.course.scene;
+    const auto& oscillator = trace.course.oscillator;
     const Spectrum& spectrum = trace.spectrum;
     ASSERT_EQ(trace.course.period, 2);
-    EXPECT_NEAR(spectrum.step, scene.frequency / 2, 1e-12);
+    EXPECT_NEAR(spectrum.step, oscillator.frequency / 2, 1e-12);
     ASSERT_GT(spectrum.lines(), 400);
     for (std::int64_t n = 1; n < spectrum.lines(); ++n) {
         if (n == 2) continue;
         const double w = static_cast<double>(n) * spectrum.step;
-        const double compliance = w * w / std::abs(Complex(1 - w * w, 2 * scene.damping_ratio * w));
+        const double compliance = w * w / std::abs(Complex(1 - w * w, 2 * oscillator.damping_ratio * w));
         const auto line = static_cast<std::size_t>(n);
         EXPECT_NEAR(spectrum.acceleration[line], compliance * spectrum.force[line], 1e-8 * spectrum.force[0]);
     }
     double impulses = 0;
     for (std::size_t n = 0; n < 2; ++n) impulses += trace.impacts[n].record.impulse;
-    EXPECT_NEAR(spectrum.force[0], impulses / (2 * scene.period()), 1e-9 * spectrum.force[0]);
+    EXPECT_NEAR(spectrum.force[0], impulses / (2 * oscillator.period()), 1e-9 * spectrum.force[0]);
     EXPECT_NEAR(spectrum.acceleration[0], 0, 1e-8 * spectrum.force[0]);
 }
 
@@ -90,8 +90,8 @@ TEST(Spectrum, OfImpulses) {
     const Trace trace = make_trace(scene::Scene(job));
     ASSERT_EQ(trace.course.period, 1);
     const double impulse = 1.6 * 11.841323894932;
-    EXPECT_NEAR(trace.spectrum.force[0], impulse / trace.course.scene.period(), 1e-9);
-    EXPECT_NEAR(trace.spectrum.force[7], 2 * impulse / trace.course.scene.period(), 1e-9);
+    EXPECT_NEAR(trace.spectrum.force[0], impulse / trace.course.oscillator.period(), 1e-9);
+    EXPECT_NEAR(trace.spectrum.force[7], 2 * impulse / trace.course.oscillator.period(), 1e-9);
     EXPECT_NEAR(trace.spectrum.acceleration[0], 0, 1e-9);
 }
 

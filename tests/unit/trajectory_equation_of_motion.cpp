@@ -11,6 +11,9 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::first_rise;
+using integrators::Sample;
+
 // Signals of one radian between two samples, by their closed form.
 TEST(StepSearch, FindsHopsAndMaximaBetweenSamples) {
     const auto hop = [](double offset, double phase) {
@@ -39,29 +42,29 @@ TEST(StepSearch, FindsHopsAndMaximaBetweenSamples) {
 }
 
 TEST(EquationOfMotion, CubicFormsDifferAsComputedByHand) {
-    Oscillator<double> scene{.damping_ratio = 0.1, .frequency = 2, .gap = 0.25, .cubic = 0.5};
+    Oscillator<double> oscillator{.damping_ratio = 0.1, .frequency = 2, .gap = 0.25, .cubic = 0.5};
     const double theta = std::numbers::pi / 6;  // y = 1/2
     const State<double> x(0.75, 2);             // u = 1, x = 3/2
     const double cosine = std::sqrt(3.0) / 2;
-    const auto relative = acceleration(scene, Phase::flight, x, theta);
+    const auto relative = acceleration(oscillator, Phase::flight, x, theta);
     EXPECT_NEAR(relative.value, 4 * 0.5 - 0.4 - 1 - 0.5, 1e-14);
     EXPECT_NEAR(relative.by_position, -1 - 1.5, 1e-14);
     EXPECT_NEAR(relative.by_velocity, -0.2, 1e-14);
     EXPECT_NEAR(relative.by_time, 8 * cosine, 1e-14);
     EXPECT_NEAR(relative.by_position_twice, -3, 1e-14);
-    scene.cubic_form = job::CubicForm::absolute;
-    const auto absolute = acceleration(scene, Phase::flight, x, theta);
+    oscillator.cubic_form = job::CubicForm::absolute;
+    const auto absolute = acceleration(oscillator, Phase::flight, x, theta);
     EXPECT_NEAR(absolute.value, 4 * 0.5 - 0.4 - 1 - 0.5 * (27.0 / 8 - 1.0 / 8), 1e-14);
     EXPECT_NEAR(absolute.by_position, -1 - 1.5 * 9.0 / 4, 1e-14);
     EXPECT_NEAR(absolute.by_time, 8 * cosine - 1.5 * (9.0 / 4 - 1.0 / 4) * 2 * cosine, 1e-14);
     EXPECT_NEAR(absolute.by_position_twice, -4.5, 1e-14);
-    scene.kelvin_voigt().stiffness = 100;
-    scene.kelvin_voigt().damping = 7;
-    const auto contact = acceleration(scene, Phase::contact, x, theta);
+    oscillator.kelvin_voigt().stiffness = 100;
+    oscillator.kelvin_voigt().damping = 7;
+    const auto contact = acceleration(oscillator, Phase::contact, x, theta);
     EXPECT_NEAR(contact.value, absolute.value - 75 - 14, 1e-12);
     EXPECT_NEAR(contact.by_position, absolute.by_position - 100, 1e-12);
     EXPECT_NEAR(contact.by_velocity, -7.2, 1e-14);
-    EXPECT_EQ(acceleration(scene, Phase::unloaded, x, theta).value, absolute.value);
+    EXPECT_EQ(acceleration(oscillator, Phase::unloaded, x, theta).value, absolute.value);
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
 using testing::beam_170mm;
 using testing::observed;
 using testing::paper_rig;
@@ -48,17 +50,17 @@ TEST(ExactCycleMap, JacobianIsTheDerivative) {
         if (size > 50) continue;  // next to grazing the differences themselves are off
         ++compared;
         EXPECT_LT((cycle.jacobian - *expected).norm(), 1e-4 * (1 + size))
-            << map.scene().frequency << " " << x.transpose();
+            << map.oscillator().frequency << " " << x.transpose();
     }
     EXPECT_GT(compared, 200);
 }
 
 TEST(ExactCycleMap, ShrinksAreasByItsDissipation) {
     // det J = exp(-2 zeta T) exp(-chi t_contact) and the entries' saltation leaves areas alone
-    const auto scene = paper_rig(beam_170mm, 2.0, 0.0);
-    const auto cycle = ExactCycleMap<double>(scene)({-5.0, -2.7});
+    const auto oscillator = paper_rig(beam_170mm, 2.0, 0.0);
+    const auto cycle = ExactCycleMap<double>(oscillator)({-5.0, -2.7});
     ASSERT_EQ(cycle.impacts, 1);
-    EXPECT_LT(cycle.jacobian.determinant(), std::exp(-2 * scene.damping_ratio * scene.period()));
+    EXPECT_LT(cycle.jacobian.determinant(), std::exp(-2 * oscillator.damping_ratio * oscillator.period()));
     EXPECT_GT(cycle.jacobian.determinant(), 0);
 }
 
@@ -69,13 +71,13 @@ TEST(ExactCycleMap, AgreesWithIntegrationFromRandomStarts) {
     std::uniform_real_distribution<double> speed(-3, 3);
     int impacts = 0;
     for (int n = 0; n < 40; ++n) {
-        auto scene = paper_rig(beam_170mm, frequency(random), gap(random));
-        if (n % 4 == 1) scene.kelvin_voigt().damping *= 12;  // an overdamped stop
-        if (n % 4 == 2) scene.kelvin_voigt().damping = 0;    // an elastic one
-        if (n % 4 == 3) scene.damping_ratio = 0.4;
-        const State<double> start(speed(random) - scene.gap, speed(random));
-        const auto cycle = observed(ExactCycleMap<double>(scene), start);
-        const auto expected = IntegratedCycleMap(scene, Integrator::cvode_bdf, 1e-8)(start);
+        auto oscillator = paper_rig(beam_170mm, frequency(random), gap(random));
+        if (n % 4 == 1) oscillator.kelvin_voigt().damping *= 12;  // an overdamped stop
+        if (n % 4 == 2) oscillator.kelvin_voigt().damping = 0;    // an elastic one
+        if (n % 4 == 3) oscillator.damping_ratio = 0.4;
+        const State<double> start(speed(random) - oscillator.gap, speed(random));
+        const auto cycle = observed(ExactCycleMap<double>(oscillator), start);
+        const auto expected = IntegratedCycleMap(oscillator, Integrator::cvode_bdf, 1e-8)(start);
         impacts += cycle.impacts;
         EXPECT_EQ(cycle.impacts, expected.impacts) << n;
         EXPECT_EQ(cycle.pattern, expected.pattern) << n;

@@ -9,7 +9,7 @@ namespace peterka::trajectory {
 namespace {
 
 using motion::LinearMotion;
-using Outcome = Crossing<double>::Outcome;
+using Ending = Crossing<double>::Ending;
 
 // x = cos(t - 2) - level: touches zero at t = 2 when level is 1.
 Crossing<double> search_cosine(double level, double end = 6.0) {
@@ -24,13 +24,13 @@ class GrazingHop : public ::testing::TestWithParam<double> {};
 TEST_P(GrazingHop, IsFoundWhenItRises) {
     const double rise = GetParam();
     const auto search = search_cosine(1 - rise);
-    ASSERT_EQ(search.outcome, Outcome::crossing);
+    ASSERT_EQ(search.ending, Ending::crossing);
     const double expected = 2 - 2 * std::asin(std::sqrt(rise / 2));
     EXPECT_NEAR(search.moment.time, expected, 4e-16 / std::sqrt(rise) + 2e-15);
 }
 
 TEST_P(GrazingHop, IsNotInventedWhenItStaysBelow) {
-    EXPECT_EQ(search_cosine(1 + GetParam()).outcome, Outcome::none);
+    EXPECT_EQ(search_cosine(1 + GetParam()).ending, Ending::none);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heights, GrazingHop, ::testing::Values(1e-1, 1e-3, 1e-6, 1e-9, 1e-12));
@@ -42,8 +42,8 @@ TEST(FirstCrossing, TakesFewEvaluations) {
 
 TEST(FirstCrossing, StopsAtTheEndOfTheLeg) {
     const double crossing = 2 - std::acos(0.3);
-    EXPECT_EQ(search_cosine(0.3, crossing - 1e-9).outcome, Outcome::none);
-    EXPECT_EQ(search_cosine(0.3, crossing + 1e-9).outcome, Outcome::crossing);
+    EXPECT_EQ(search_cosine(0.3, crossing - 1e-9).ending, Ending::none);
+    EXPECT_EQ(search_cosine(0.3, crossing + 1e-9).ending, Ending::crossing);
 }
 
 TEST(FirstCrossing, LeavesAZeroAtTheStart) {
@@ -51,7 +51,7 @@ TEST(FirstCrossing, LeavesAZeroAtTheStart) {
     const Leg<double> leg(motion, {0, -1}, 0);  // goes down, and is back at zero after half a natural period
     const Probe<double> probe({.position = 1}, motion);
     const auto search = first_crossing(leg, probe, leg.start(), 6.0);
-    ASSERT_EQ(search.outcome, Outcome::crossing);
+    ASSERT_EQ(search.ending, Ending::crossing);
     EXPECT_NEAR(search.moment.time, std::numbers::pi / std::sqrt(1 - 1e-4), 1e-14);
 }
 

@@ -18,6 +18,9 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
+
 using scene::HuntCrossley;
 using testing::ExtrapolationOracle;
 using Outcome = Cycle<double>::Outcome;
@@ -34,9 +37,9 @@ constexpr std::array every_tolerance{1e-4, 1e-6, 1e-9};
 TEST(HuntCrossleyForce, HasTheDerivativesOfItsFormula) {
     for (const double n : {1.0, 1.3, 1.5, 2.0, 2.5}) {
         SCOPED_TRACE(n);
-        const Oscillator<double> scene{.contact = HuntCrossley<double>{50, n, 0.4}, .frequency = 2};
+        const Oscillator<double> oscillator{.contact = HuntCrossley<double>{50, n, 0.4}, .frequency = 2};
         const auto response = [&](double position, double velocity) {
-            return contact_response(scene, State<double>(position, velocity));
+            return contact_response(oscillator, State<double>(position, velocity));
         };
         constexpr double h = 1e-5;
         const auto f = response(0.3, -0.7);
@@ -101,7 +104,7 @@ TEST(HuntCrossleyImpact, IsThatOfAFreeMass) {
     for (const double n : {1.0, 1.001, 1.5, 2.0, 2.5}) {
         for (const double dissipation : {0.0, 0.01, 0.3, 3.0, 100.0}) {
             const Collision collision{n, dissipation};
-            const Oscillator<double> scene{
+            const Oscillator<double> oscillator{
                 .contact = HuntCrossley<double>{Collision::stiffness, n, dissipation},
                 .frequency = 3,
                 .gap = 1};
@@ -111,7 +114,8 @@ TEST(HuntCrossleyImpact, IsThatOfAFreeMass) {
                 for (const double tolerance : every_tolerance) {
                     SCOPED_TRACE(label(integrator, tolerance) << ", n " << n << ", D " << dissipation);
                     Recorder<double> recorder(Detail::contacts);
-                    const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)({-2, -2}, &recorder);
+                    const auto cycle =
+                        IntegratedCycleMap(oscillator, integrator, tolerance)({-2, -2}, &recorder);
                     const auto& totals = recorder.totals();
                     ASSERT_EQ(cycle.outcome, Outcome::done);
                     ASSERT_EQ(totals.impacts, 1);
@@ -132,15 +136,15 @@ TEST(HuntCrossleyImpact, IsThatOfAFreeMass) {
 
 Oscillator<double> random_scene(std::mt19937& random, double exponent) {
     std::uniform_real_distribution<double> unit(0, 1);
-    Oscillator<double> scene{
+    Oscillator<double> oscillator{
         .damping_ratio = 0.2 * unit(random),
         .contact = HuntCrossley<double>{std::pow(10, 1 + 4 * unit(random)), exponent, 2 * unit(random)},
         .frequency = 0.6 + 3 * unit(random),
         .gap = -0.5 + 2 * unit(random)};
-    if (unit(random) < 0.3) std::get<HuntCrossley<double>>(scene.contact).dissipation = 0;
-    if (unit(random) < 0.4) scene.cubic = unit(random);
-    if (unit(random) < 0.5) scene.cubic_form = job::CubicForm::absolute;
-    return scene;
+    if (unit(random) < 0.3) std::get<HuntCrossley<double>>(oscillator.contact).dissipation = 0;
+    if (unit(random) < 0.4) oscillator.cubic = unit(random);
+    if (unit(random) < 0.5) oscillator.cubic_form = job::CubicForm::absolute;
+    return oscillator;
 }
 
 TEST(HuntCrossleyCycle, AgreesWithAnIndependentIntegration) {
@@ -149,16 +153,16 @@ TEST(HuntCrossleyCycle, AgreesWithAnIndependentIntegration) {
     int impacts = 0;
     for (const double n : {1.0, 1.05, 1.5, 1.5, 2.0, 2.5}) {
         for (int sample = 0; sample < 4; ++sample) {
-            const auto scene = random_scene(random, n);
-            const State<double> start(-1.2 - scene.gap, state(random));
-            ExtrapolationOracle oracle(scene, start);
+            const auto oscillator = random_scene(random, n);
+            const State<double> start(-1.2 - oscillator.gap, state(random));
+            ExtrapolationOracle oracle(oscillator, start);
             oracle.advance(1);
             impacts += oracle.impacts();
             for (const Integrator integrator : every_integrator) {
                 for (const double tolerance : every_tolerance) {
                     SCOPED_TRACE(label(integrator, tolerance) << ", n " << n << ", sample " << sample);
                     Recorder<double> recorder(Detail::energy);
-                    const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)(start, &recorder);
+                    const auto cycle = IntegratedCycleMap(oscillator, integrator, tolerance)(start, &recorder);
                     recorder.finish();
                     const auto& totals = recorder.totals();
                     ASSERT_EQ(cycle.outcome, Outcome::done);
@@ -173,7 +177,8 @@ TEST(HuntCrossleyCycle, AgreesWithAnIndependentIntegration) {
                     EXPECT_NEAR(totals.impulse, oracle.largest_impulse(), 3 * tolerance * (1 + speed));
                     EXPECT_NEAR(totals.contact_time, oracle.contact_time(), 3 * tolerance * (1 + speed));
                     EXPECT_NEAR(totals.contact_work, oracle.contact_work(), 3 * tolerance * energy);
-                    EXPECT_NEAR(totals.drive_work, oracle.drive_work(), 3 * tolerance * energy * scene.drive());
+                    EXPECT_NEAR(totals.drive_work, oracle.drive_work(),
+                                3 * tolerance * energy * oscillator.drive());
                     EXPECT_NEAR(totals.damper_work, oracle.damper_loss(), 3 * tolerance * energy);
                     EXPECT_NEAR(totals.largest_displacement, oracle.largest_displacement(),
                                 tolerance * (1 + oracle.largest_displacement()));
@@ -187,14 +192,14 @@ TEST(HuntCrossleyCycle, AgreesWithAnIndependentIntegration) {
 
 TEST(HuntCrossleyCycle, JacobianIsTheDerivative) {
     for (const double n : {1.0, 1.2, 1.5, 2.5}) {
-        const Oscillator<double> scene{
+        const Oscillator<double> oscillator{
             .damping_ratio = 0.02, .contact = HuntCrossley<double>{300, n, 0.4}, .frequency = 1.7, .gap = 0.4};
         const State<double> x(-1.5, 0.8);
         constexpr double h = 1e-4;
         Jacobian<double> slope;
         for (int i = 0; i < 2; ++i) {
             const auto end = [&](double shift) {
-                ExtrapolationOracle oracle(scene, x + shift * State<double>::Unit(i));
+                ExtrapolationOracle oracle(oscillator, x + shift * State<double>::Unit(i));
                 oracle.advance(1);
                 return oracle.state();
             };
@@ -203,7 +208,7 @@ TEST(HuntCrossleyCycle, JacobianIsTheDerivative) {
         for (const Integrator integrator : every_integrator) {
             for (const double tolerance : every_tolerance) {
                 SCOPED_TRACE(label(integrator, tolerance) << ", n " << n);
-                const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)(x, nullptr);
+                const auto cycle = IntegratedCycleMap(oscillator, integrator, tolerance)(x, nullptr);
                 EXPECT_GT(cycle.impacts, 0);
                 const double size = 1 + slope.norm();
                 EXPECT_LT((cycle.jacobian - slope).norm(), (20 * tolerance + 1e-8) * size * size);
@@ -215,13 +220,13 @@ TEST(HuntCrossleyCycle, JacobianIsTheDerivative) {
 // Without dissipation a contact gives back what it took.
 TEST(HuntCrossleyCycle, ElasticContactsTakeNoWork) {
     for (const double n : {1.0, 1.5, 2.5}) {
-        const Oscillator<double> scene{
+        const Oscillator<double> oscillator{
             .damping_ratio = 0.1, .contact = HuntCrossley<double>{1e4, n, 0}, .frequency = 1.3, .gap = 0.2};
         for (const Integrator integrator : every_integrator) {
             for (const double tolerance : every_tolerance) {
                 SCOPED_TRACE(label(integrator, tolerance) << ", n " << n);
                 Recorder<double> recorder(Detail::contacts);
-                const auto cycle = IntegratedCycleMap(scene, integrator, tolerance)({-1.4, 2}, &recorder);
+                const auto cycle = IntegratedCycleMap(oscillator, integrator, tolerance)({-1.4, 2}, &recorder);
                 ASSERT_GT(cycle.impacts, 0);
                 ASSERT_FALSE(recorder.is_open());
                 const double speed = recorder.totals().impact_speed;
@@ -240,10 +245,10 @@ TEST(HuntCrossleyCycle, IntegratorsAgreeOnExtremeStops) {
         for (const double dissipation : {0.0, 1.0, 1e3}) {
             for (const double n : {1.0, 1.5, 2.5}) {
                 if (n == 1 && dissipation == 1e3 && stiffness == 1e12) continue;  // rings for a million radians
-                const Oscillator<double> scene{.damping_ratio = 0.02,
-                                               .contact = HuntCrossley<double>{stiffness, n, dissipation},
-                                               .frequency = 1.5,
-                                               .gap = 0.3};
+                const Oscillator<double> oscillator{.damping_ratio = 0.02,
+                                                    .contact = HuntCrossley<double>{stiffness, n, dissipation},
+                                                    .frequency = 1.5,
+                                                    .gap = 0.3};
                 SCOPED_TRACE(::testing::Message() << "K " << stiffness << ", D " << dissipation << ", n " << n);
                 std::vector<Cycle<double>> cycles;
                 std::vector<double> forces;
@@ -251,7 +256,8 @@ TEST(HuntCrossleyCycle, IntegratorsAgreeOnExtremeStops) {
                     // Adams follows the creeping return of such stops in more steps than it may take
                     if (dissipation == 1e3 && integrator == Integrator::cvode_adams) continue;
                     Recorder<double> recorder;
-                    cycles.push_back(IntegratedCycleMap(scene, integrator, tolerance)({-1.5, 1}, &recorder));
+                    cycles.push_back(
+                        IntegratedCycleMap(oscillator, integrator, tolerance)({-1.5, 1}, &recorder));
                     forces.push_back(recorder.totals().peak_force());
                     ASSERT_EQ(cycles.back().outcome, Outcome::done);
                     ASSERT_GT(cycles.back().impacts, 0);
@@ -282,22 +288,22 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
     for (const Place& place :
          {Place{2.0, 0.0, 2e4, 1.5, 0.2}, Place{1.5, 0.5, 1e6, 1.0, 0.5}, Place{2.8, 0.0, 300, 2.5, 1.0},
           Place{0.8, 0.6, 1e5, 2.0, 0.1}, Place{4.2, 0.5, 1e4, 1.5, 0.4}}) {
-        const Oscillator<double> scene{
+        const Oscillator<double> oscillator{
             .damping_ratio = 0.02,
             .contact = HuntCrossley<double>{place.stiffness, place.exponent, place.dissipation},
             .frequency = place.frequency,
             .gap = place.gap};
         const auto solved = [&](Engine engine, double tolerance) {
-            return regime::find_steady_state(scene, testing::start_at(scene), {}, {engine, tolerance, 10},
-                                             {.detail = Detail::contacts});
+            return regime::find_steady_state(oscillator, testing::start_at(oscillator), {},
+                                             {engine, tolerance, 10}, {.detail = Detail::contacts});
         };
         const auto best = solved(Engine::arkode, 1e-11);
         SCOPED_TRACE(::testing::Message()
                      << "frequency " << place.frequency << ", z " << best.impacts << "/" << best.period);
         ASSERT_EQ(best.regime, regime::Regime::periodic);
         ASSERT_GT(best.impacts, 0);
-        const State<double> point(best.orbit_displacement - scene.gap, best.orbit_velocity);
-        ExtrapolationOracle oracle(scene, point);
+        const State<double> point(best.orbit_displacement - oscillator.gap, best.orbit_velocity);
+        ExtrapolationOracle oracle(oscillator, point);
         oracle.advance(best.period);
         EXPECT_LT((oracle.state() - point).norm(), 1e-10 * (1 + point.norm()));
         EXPECT_EQ(oracle.impacts(), best.impacts);
@@ -305,7 +311,7 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
         // over a period the drive brings in what stop and damper take
         EXPECT_NEAR(oracle.drive_work(), oracle.damper_loss() + oracle.contact_work(),
                     1e-9 * oracle.drive_work());
-        EXPECT_NEAR(best.contact_power * scene.period() * best.period, oracle.contact_work(),
+        EXPECT_NEAR(best.contact_power * oscillator.period() * best.period, oracle.contact_work(),
                     1e-9 * oracle.drive_work());
         for (const Engine engine : {Engine::cvode, Engine::arkode}) {
             for (const double tolerance : every_tolerance) {
@@ -322,11 +328,11 @@ TEST(HuntCrossleyOrbits, KeepTheToleranceAskedFor) {
 
 // A preload that never lets go: proved as an orbit, for nothing about this contact is linear.
 TEST(HuntCrossleyOrbits, SustainedContactIsFound) {
-    const Oscillator<double> scene{
+    const Oscillator<double> oscillator{
         .damping_ratio = 0.1, .contact = HuntCrossley<double>{50, 1.5, 0.5}, .frequency = 0.5, .gap = -2};
-    const auto cell = regime::find_steady_state(scene, {-0.5, 0}, {}, {regime::Engine::cvode, 1e-8, 10});
+    const auto cell = regime::find_steady_state(oscillator, {-0.5, 0}, {}, {regime::Engine::cvode, 1e-8, 10});
     EXPECT_EQ(cell.regime, regime::Regime::sustained_contact);
-    ExtrapolationOracle oracle(scene, {cell.orbit_displacement - scene.gap, cell.orbit_velocity});
+    ExtrapolationOracle oracle(oscillator, {cell.orbit_displacement - oscillator.gap, cell.orbit_velocity});
     oracle.advance(1);
     EXPECT_EQ(oracle.impacts(), 0);
     EXPECT_NEAR(cell.peak_force / oracle.peak_force(), 1, 1e-8);

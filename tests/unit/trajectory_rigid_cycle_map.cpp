@@ -107,9 +107,9 @@ TEST(RigidOrbit, OneImpactInNCyclesIsThatOfTheFormula) {
 
 // Newton's method on (orbit closes, multiplier is exactly so), derivatives by differences.
 double critical(double multiplier, Eigen::Vector3d y,
-                const std::function<scene::Oscillator<double>(double)>& scene) {
+                const std::function<scene::Oscillator<double>(double)>& oscillator) {
     const auto residual = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
-        const auto cycle = RigidExactMap<double>(scene(at[2]))(State<double>(at[0], at[1]));
+        const auto cycle = RigidExactMap<double>(oscillator(at[2]))(State<double>(at[0], at[1]));
         const auto& j = cycle.jacobian;
         return {cycle.end[0] - at[0], cycle.end[1] - at[1],
                 multiplier * multiplier - multiplier * j.trace() + j.determinant()};
@@ -153,13 +153,13 @@ struct BruteForce {
     int impacts = 0;
 };
 
-BruteForce<long double> brute_force(const scene::Oscillator<double>& scene, const State<double>& start,
+BruteForce<long double> brute_force(const scene::Oscillator<double>& oscillator, const State<double>& start,
                                     int steps) {
     using Real = long double;
-    const Real r = std::get<scene::Restitution<double>>(scene.contact).coefficient;
+    const Real r = std::get<scene::Restitution<double>>(oscillator.contact).coefficient;
     const auto slope = [&](const State<Real>& x, Real t) {
-        return State<Real>(x[1], scene.drive() * std::sin(scene.frequency * t) -
-                                     2 * scene.damping_ratio * x[1] - x[0] - scene.gap);
+        return State<Real>(x[1], oscillator.drive() * std::sin(oscillator.frequency * t) -
+                                     2 * oscillator.damping_ratio * x[1] - x[0] - oscillator.gap);
     };
     const auto step = [&](const State<Real>& x, Real t, Real h) -> State<Real> {
         const State<Real> a = slope(x, t);
@@ -168,7 +168,7 @@ BruteForce<long double> brute_force(const scene::Oscillator<double>& scene, cons
         const State<Real> d = slope(x + h * c, t + h);
         return x + h / 6 * (a + 2 * b + 2 * c + d);
     };
-    const Real period = 2 * std::numbers::pi_v<Real> / scene.frequency;
+    const Real period = 2 * std::numbers::pi_v<Real> / oscillator.frequency;
     const Real longest = period / steps;
     BruteForce<Real> result{start.cast<Real>()};
     Real time = 0;
@@ -201,13 +201,13 @@ TEST(RigidCycleMap, AgreesWithBruteForce) {
     int impacts = 0;
     int compared = 0;
     for (int n = 0; n < 60; ++n) {
-        const auto scene = rigid(0.3 + 0.7 * uniform(random), 0.6 + 3 * uniform(random),
-                                 2 * uniform(random) - 0.5, n % 3 == 0 ? 0.4 : 0.02);
+        const auto oscillator = rigid(0.3 + 0.7 * uniform(random), 0.6 + 3 * uniform(random),
+                                      2 * uniform(random) - 0.5, n % 3 == 0 ? 0.4 : 0.02);
         const State<double> x(-3 * uniform(random), 8 * uniform(random) - 4);
-        const auto cycle = RigidExactMap<double>(scene)(x);
+        const auto cycle = RigidExactMap<double>(oscillator)(x);
         ASSERT_EQ(cycle.outcome, Outcome::done);
         if (cycle.impacts > 12) continue;  // steps don't resolve the end of a chatter
-        const auto expected = brute_force(scene, x, 4000);
+        const auto expected = brute_force(oscillator, x, 4000);
         EXPECT_EQ(cycle.impacts, expected.impacts) << n;
         EXPECT_LT((cycle.end.cast<long double>() - expected.end).norm(), 1e-9L * (1 + cycle.jacobian.norm()))
             << n;
@@ -223,8 +223,8 @@ TEST(RigidCycleMap, JacobianIsTheDerivative) {
     std::uniform_real_distribution<double> uniform(0, 1);
     int compared = 0;
     for (int n = 0; n < 200; ++n) {
-        const auto scene = rigid(uniform(random), 0.5 + 4 * uniform(random), 3 * uniform(random) - 1);
-        const RigidExactMap<double> map(scene);
+        const auto oscillator = rigid(uniform(random), 0.5 + 4 * uniform(random), 3 * uniform(random) - 1);
+        const RigidExactMap<double> map(oscillator);
         const State<double> x(-0.01 - 4 * uniform(random), 6 * uniform(random) - 3);
         const auto cycle = map(x);
         Jacobian<double> expected;
@@ -248,18 +248,18 @@ TEST(RigidCycleMap, JacobianIsTheDerivative) {
 // on.
 TEST(RigidCycleMap, SticksUntilThePhaseOfRelease) {
     for (const double gap : {0.0, 0.5, 1.0}) {
-        const auto scene = rigid(0, 2, gap);
-        const RigidStop<double> stop(scene);
+        const auto oscillator = rigid(0, 2, gap);
+        const RigidStop<double> stop(oscillator);
         const double release = std::numbers::pi - std::asin(gap / 4);
         // from rest at the release to the end of the cycle
-        const motion::LinearMotion<double> flight(motion::flight_equation(scene));
+        const motion::LinearMotion<double> flight(motion::flight_equation(oscillator));
         const Leg<double> fall(flight, State<double>::Zero(), release);
         const State<double> expected = fall.at((2 * std::numbers::pi - release) / 2).state;
         ASSERT_LT(expected[0], 0);
 
         const State<double> x(-1, 5);
         Recorder<double> recorder(Detail::contacts);
-        const auto cycle = RigidExactMap<double>(scene)(x, &recorder);
+        const auto cycle = RigidExactMap<double>(oscillator)(x, &recorder);
         ASSERT_EQ(cycle.impacts, 1);
         EXPECT_LT((cycle.end - expected).norm(), 1e-14);
         EXPECT_EQ(cycle.jacobian.norm(), 0);
@@ -283,8 +283,8 @@ TEST(RigidCycleMap, SticksUntilThePhaseOfRelease) {
 // Many small impacts end in rest: one impact, flagged, and as long as the impacts one by one say.
 TEST(RigidCycleMap, ACompletedChatterIsOneImpact) {
     for (const double r : {0.2, 0.6, 0.8}) {
-        const auto scene = rigid(r, 1.3, 0.2);
-        const RigidExactMap<double> map(scene);
+        const auto oscillator = rigid(r, 1.3, 0.2);
+        const RigidExactMap<double> map(oscillator);
         const State<double> x(-0.01, 0.05);
         Recorder<double> recorder(Detail::energy);
         const auto cycle = map(x, &recorder);
@@ -305,9 +305,9 @@ TEST(RigidCycleMap, ACompletedChatterIsOneImpact) {
 
 // Two chains of which only the second ends in rest: the first counts impact by impact.
 TEST(RigidCycleMap, ChatterThatIsNotCompletedCountsEachImpact) {
-    const auto scene = rigid(0.9, 3.0, 0.0);
+    const auto oscillator = rigid(0.9, 3.0, 0.0);
     Recorder<double> recorder;
-    const auto cycle = RigidExactMap<double>(scene)({-0.1, 4}, &recorder);
+    const auto cycle = RigidExactMap<double>(oscillator)({-0.1, 4}, &recorder);
     ASSERT_GT(cycle.impacts, 0);
     EXPECT_FALSE(recorder.totals().chatter);
     EXPECT_EQ(recorder.totals().impacts, cycle.impacts);
@@ -321,9 +321,9 @@ TEST(RigidCycleMap, ChatterMayCrossTheEndOfACycle) {
     for (const auto& [eta, gap] :
          {std::pair{0.4, -0.1}, std::pair{0.6, -0.3}, std::pair{0.8, -0.55}, std::pair{1.0, -0.9}}) {
         for (const double r : {0.3, 0.6, 0.8}) {
-            const auto scene = rigid(r, eta, gap);
-            const RigidLegs<double> legs(scene);
-            const RigidExactMap<double> map(scene);
+            const auto oscillator = rigid(r, eta, gap);
+            const RigidLegs<double> legs(oscillator);
+            const RigidExactMap<double> map(oscillator);
             State<double> x(-1, 0);
             for (int n = 0; n < 300; ++n) x = map(x).end;
             Recorder<double> recorder(Detail::energy);
@@ -343,11 +343,11 @@ TEST(RigidCycleMap, ChatterMayCrossTheEndOfACycle) {
             Journey<double> journey = legs.depart(x);
             double last = x[0];
             for (int n = 1; n <= pieces; ++n) {
-                ASSERT_TRUE(legs.run(journey, scene.period() * n / pieces, nullptr));
+                ASSERT_TRUE(legs.run(journey, oscillator.period() * n / pieces, nullptr));
                 sum += (last + journey.cycle.end[0]) / 2 + gap;
                 last = journey.cycle.end[0];
             }
-            EXPECT_NEAR(totals.impulse, -sum * scene.period() / pieces, 1e-5) << gap << " " << r;
+            EXPECT_NEAR(totals.impulse, -sum * oscillator.period() / pieces, 1e-5) << gap << " " << r;
         }
     }
     EXPECT_GE(crossed, 6);
@@ -423,31 +423,31 @@ TEST(RigidCycleMap, RefusesStartsInsideTheStop) {
 // Kicks vanish at the stop, so sticking is that of the linear equation, which carries the cubic's load there.
 TEST(RigidSplitMap, SticksAsTheCubicSpringLetsIt) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
-        auto scene = rigid(0.05, 2, 0.3);
-        scene.cubic = 0.05;
-        scene.cubic_form = form;
+        auto oscillator = rigid(0.05, 2, 0.3);
+        oscillator.cubic = 0.05;
+        oscillator.cubic_form = form;
         const State<double> x(-1, 5);
         Recorder<double> recorder(Detail::contacts);
-        const auto cycle = ::peterka::trajectory::RigidSplitMap<double>(scene, 400)(x, &recorder);
+        const auto cycle = ::peterka::trajectory::RigidSplitMap<double>(oscillator, 400)(x, &recorder);
         ASSERT_EQ(cycle.outcome, Outcome::done);
         EXPECT_EQ(cycle.jacobian.norm(), 0);
         EXPECT_EQ(recorder.totals().impacts, 1);
         // second order in the step
         Recorder<double> finer(Detail::contacts);
-        const auto fine = ::peterka::trajectory::RigidSplitMap<double>(scene, 1600)(x, &finer);
+        const auto fine = ::peterka::trajectory::RigidSplitMap<double>(oscillator, 1600)(x, &finer);
         Recorder<double> coarser(Detail::contacts);
-        const auto coarse = ::peterka::trajectory::RigidSplitMap<double>(scene, 100)(x, &coarser);
+        const auto coarse = ::peterka::trajectory::RigidSplitMap<double>(oscillator, 100)(x, &coarser);
         EXPECT_LT((cycle.end - fine.end).norm(), 3e-5);
         EXPECT_LT((cycle.end - fine.end).norm(), (coarse.end - fine.end).norm() / 8);
         EXPECT_NEAR(recorder.totals().contact_time, finer.totals().contact_time, 1e-5);
     }
     // without a cubic the steps change nothing
-    const auto scene = rigid(0.6, 1.3, 0.2);
+    const auto oscillator = rigid(0.6, 1.3, 0.2);
     const State<double> x(-0.01, 0.3);
-    EXPECT_LT(
-        (::peterka::trajectory::RigidSplitMap<double>(scene, 20)(x).end - RigidExactMap<double>(scene)(x).end)
-            .norm(),
-        1e-14);
+    EXPECT_LT((::peterka::trajectory::RigidSplitMap<double>(oscillator, 20)(x).end -
+               RigidExactMap<double>(oscillator)(x).end)
+                  .norm(),
+              1e-14);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ scene::Oscillator<double> rigid(double restitution, double frequency, double gap
 }
 
 TEST(RigidStop, PressesWhereTheCartBeatsTheSpring) {
-    const auto scene = rigid(0.6, 2.0, 1.0);  // 4 sin(theta) > 1
-    const RigidStop<double> stop(scene);
+    const auto oscillator = rigid(0.6, 2.0, 1.0);  // 4 sin(theta) > 1
+    const RigidStop<double> stop(oscillator);
     const double rise = std::asin(0.25);
     EXPECT_FALSE(stop.presses(0));
     EXPECT_FALSE(stop.presses(rise - 1e-12));
@@ -56,14 +56,15 @@ TEST(RigidStop, FindsEveryReleaseOfACubicSpring) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     int releases = 0;
     for (int n = 0; n < 300; ++n) {
-        auto scene = rigid(0.5, 1.2 + uniform(random), 2 * uniform(random));
-        scene.cubic = 0.5 * uniform(random);
-        scene.cubic_form = n % 2 == 0 ? job::CubicForm::absolute : job::CubicForm::relative;
-        const RigidStop<double> stop(scene);
+        auto oscillator = rigid(0.5, 1.2 + uniform(random), 2 * uniform(random));
+        oscillator.cubic = 0.5 * uniform(random);
+        oscillator.cubic_form = n % 2 == 0 ? job::CubicForm::absolute : job::CubicForm::relative;
+        const RigidStop<double> stop(oscillator);
         const auto a = [&](double theta) {
-            const double y = scene.cubic_form == job::CubicForm::absolute ? std::sin(theta) : 0;
-            const double g = scene.gap;
-            return scene.drive() * std::sin(theta) - g - scene.cubic * (std::pow(g + y, 3) - y * y * y);
+            const double y = oscillator.cubic_form == job::CubicForm::absolute ? std::sin(theta) : 0;
+            const double g = oscillator.gap;
+            return oscillator.drive() * std::sin(theta) - g -
+                   oscillator.cubic * (std::pow(g + y, 3) - y * y * y);
         };
         constexpr int steps = 20'000;
         for (int i = 0; i < steps; ++i) {
@@ -84,7 +85,8 @@ TEST(RigidStop, FindsEveryReleaseOfACubicSpring) {
         }
         // and the impulse of a stretch
         double sum = 0;
-        for (int i = 0; i < steps; ++i) sum += a(1 + 2.5 * (i + 0.5) / steps) * 2.5 / steps / scene.frequency;
+        for (int i = 0; i < steps; ++i)
+            sum += a(1 + 2.5 * (i + 0.5) / steps) * 2.5 / steps / oscillator.frequency;
         EXPECT_NEAR(stop.impulse(1, 3.5), sum, 1e-7);
         double largest = -1e300;
         for (int i = 0; i <= steps; ++i) largest = std::max(largest, a(1 + 2.5 * i / steps));
@@ -95,10 +97,10 @@ TEST(RigidStop, FindsEveryReleaseOfACubicSpring) {
 }
 
 // Impact by impact in long double, the flights by the series of delta'' = a(t) - 2 zeta delta' - delta.
-long double time_to_rest(const scene::Oscillator<double>& scene, long double theta, long double w) {
-    const long double r = std::get<scene::Restitution<double>>(scene.contact).coefficient;
-    const long double eta = scene.frequency;
-    const long double zeta = scene.damping_ratio;
+long double time_to_rest(const scene::Oscillator<double>& oscillator, long double theta, long double w) {
+    const long double r = std::get<scene::Restitution<double>>(oscillator.contact).coefficient;
+    const long double eta = oscillator.frequency;
+    const long double zeta = oscillator.damping_ratio;
     long double time = 0;
     for (int n = 0; n < 100'000 && w > 1e-30L; ++n) {
         const long double sine = std::sin(theta + eta * time);
@@ -107,12 +109,12 @@ long double time_to_rest(const scene::Oscillator<double>& scene, long double the
         std::array<long double, 12> c{0, -w};
         std::array<long double, 10> wave{};
         const std::array<long double, 4> cycle{sine, cosine, -sine, -cosine};
-        long double factor = scene.drive();
+        long double factor = oscillator.drive();
         for (std::size_t k = 0; k < wave.size(); ++k) {
             wave[k] = factor * cycle[k % 4];
             factor *= eta / static_cast<long double>(k + 1);
         }
-        wave[0] -= scene.gap;
+        wave[0] -= oscillator.gap;
         for (std::size_t k = 0; k < wave.size(); ++k) {
             const auto j = static_cast<long double>(k);
             c[k + 2] = (wave[k] - 2 * zeta * (j + 1) * c[k + 1] - c[k]) / ((j + 1) * (j + 2));
@@ -149,12 +151,12 @@ class ChatterTime : public ::testing::TestWithParam<Chatter> {};
 
 TEST_P(ChatterTime, IsThatOfTheImpactsOneByOne) {
     const auto [r, zeta, theta, share] = GetParam();
-    const auto scene = rigid(r, 1.7, 0.4, zeta);
-    const RigidStop<double> stop(scene);
+    const auto oscillator = rigid(r, 1.7, 0.4, zeta);
+    const RigidStop<double> stop(oscillator);
     double w = 1;
     while (!stop.time_to_rest(theta, w)) w *= 0.9;
     w *= share;
-    const auto exact = static_cast<double>(time_to_rest(scene, theta, w));
+    const auto exact = static_cast<double>(time_to_rest(oscillator, theta, w));
     const double told = *stop.time_to_rest(theta, w);
     // what is left is lost in the rounding of a time of order 1
     EXPECT_NEAR(told, exact, 2e-17);

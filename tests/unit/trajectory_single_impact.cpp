@@ -20,7 +20,7 @@ class SingleImpact : public ::testing::TestWithParam<Collision> {
   protected:
     // So stiff a stop that the beam spring and the cart do nothing during the collision.
     static constexpr double stiffness = 1e26;
-    [[nodiscard]] scene::Oscillator<double> scene() const {
+    [[nodiscard]] scene::Oscillator<double> oscillator() const {
         return {.damping_ratio = 0.05,  // later impacts are weaker
                 .contact =
                     scene::KelvinVoigt<double>{stiffness, 2 * GetParam().damping_ratio * std::sqrt(stiffness)},
@@ -30,13 +30,13 @@ class SingleImpact : public ::testing::TestWithParam<Collision> {
 };
 
 TEST_P(SingleImpact, LosesSpeedByTheRestitution) {
-    const auto oscillator = scene();
+    const auto oscillator = this->oscillator();
     const motion::LinearMotion<double> contact(motion::contact_equation(oscillator));
     const Leg<double> leg(contact, {0, 1}, 0);
     const Probe<double> release({.position = -stiffness, .velocity = -oscillator.kelvin_voigt().damping},
                                 contact);
     const auto end = first_crossing(leg, release, leg.start(), 1.0);
-    ASSERT_EQ(end.outcome, Crossing<double>::Outcome::crossing);
+    ASSERT_EQ(end.ending, Crossing<double>::Ending::crossing);
     EXPECT_NEAR(-end.moment.state[1], GetParam().restitution, 1e-12);
     EXPECT_LE(end.evaluations, 40);
     if (GetParam().damping_ratio < 1) {
@@ -48,7 +48,7 @@ TEST_P(SingleImpact, LosesSpeedByTheRestitution) {
 
 TEST_P(SingleImpact, PeaksAsTheFormulaSays) {
     const double zeta = GetParam().damping_ratio;
-    const auto cycle = observed(ExactCycleMap<double>(scene()), State<double>(0, 1));
+    const auto cycle = observed(ExactCycleMap<double>(oscillator()), State<double>(0, 1));
     ASSERT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
     const double expected =
         zeta > 0.5 ? 2 * zeta

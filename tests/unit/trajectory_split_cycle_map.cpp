@@ -35,10 +35,10 @@ constexpr std::array<Place, 8> regular_cells{
     {{2.0, 0.0}, {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3}, {2.75, 0.0}, {0.8, 0.2}, {3.1, 0.0}, {4.2, 0.5}}};
 
 Oscillator<double> rig(const Place& place, double cubic, CubicForm form = CubicForm::relative) {
-    auto scene = paper_rig(beam_170mm, place.frequency, place.gap);
-    scene.cubic = cubic;
-    scene.cubic_form = form;
-    return scene;
+    auto oscillator = paper_rig(beam_170mm, place.frequency, place.gap);
+    oscillator.cubic = cubic;
+    oscillator.cubic_form = form;
+    return oscillator;
 }
 
 struct Orbit {
@@ -66,12 +66,13 @@ Orbit settle(const Map& map, const State<double>& start) {
 
 template <class Map>
 Orbit settle(const Map& map) {
-    return settle(map, testing::start_at(map.scene()));
+    return settle(map, testing::start_at(map.oscillator()));
 }
 
 // The stable orbit near a point, by the oracle, over four cycles.
-TaylorOracle settled_oracle(const Oscillator<double>& scene, const State<double>& near, int settling = 60) {
-    TaylorOracle oracle(scene, near);
+TaylorOracle settled_oracle(const Oscillator<double>& oscillator, const State<double>& near,
+                            int settling = 60) {
+    TaylorOracle oracle(oscillator, near);
     oracle.advance(settling);
     oracle.advance(4);
     return oracle;
@@ -85,14 +86,14 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
     int impacts = 0;
     for (int n = 0; n < 200; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
-        const auto scene = rig({frequency(random), gap(random)}, 0, form);
+        const auto oscillator = rig({frequency(random), gap(random)}, 0, form);
         const State<double> x(state(random), state(random));
-        const auto exact = observed(ExactCycleMap<double>(scene), x);
-        const auto one_step = observed(SplitCycleMap<double>(scene, 1), x);
+        const auto exact = observed(ExactCycleMap<double>(oscillator), x);
+        const auto one_step = observed(SplitCycleMap<double>(oscillator, 1), x);
         EXPECT_EQ(one_step.end, exact.end) << n;
         EXPECT_EQ(one_step.peak_force, exact.peak_force) << n;
         EXPECT_EQ(one_step.largest_displacement, exact.largest_displacement) << n;
-        const auto steps = observed(SplitCycleMap<double>(scene, 12), x);
+        const auto steps = observed(SplitCycleMap<double>(oscillator, 12), x);
         impacts += exact.impacts;
         EXPECT_EQ(steps.pattern, exact.pattern) << n;
         EXPECT_EQ(steps.impacts, exact.impacts) << n;
@@ -107,9 +108,9 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
 TEST(SplitCycleMap, IsSecondOrderInTheStep) {
     for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
         for (const Place& place : {Place{2.0, 0.0}, Place{2.75, 0.0}, Place{4.2, 0.5}}) {
-            const auto scene = rig(place, 1e3 * paper_cubic, form);
-            const auto near = settle(SplitCycleMap<double>(scene, 256)).point;
-            TaylorOracle oracle(scene, near);
+            const auto oscillator = rig(place, 1e3 * paper_cubic, form);
+            const auto near = settle(SplitCycleMap<double>(oscillator, 256)).point;
+            TaylorOracle oracle(oscillator, near);
             oracle.advance(100);
             std::array<State<double>, 2> points;  // an orbit of two cycles has two points
             for (State<double>& point : points) {
@@ -118,7 +119,7 @@ TEST(SplitCycleMap, IsSecondOrderInTheStep) {
             }
             double coarse = 0;
             for (const int steps : {64, 128, 256}) {
-                const auto orbit = settle(SplitCycleMap<double>(scene, steps), near);
+                const auto orbit = settle(SplitCycleMap<double>(oscillator, steps), near);
                 const double error =
                     std::min((orbit.point - points[0]).norm(), (orbit.point - points[1]).norm());
                 if (steps > 64) {
@@ -138,14 +139,14 @@ TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
     int impacts = 0;
     for (int n = 0; n < 60; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
-        auto scene = rig({frequency(random), gap(random)}, 0.02, form);
-        if (n % 4 == 1) scene.kelvin_voigt().damping *= 12;   // an overdamped stop
-        if (n % 4 == 2) scene.kelvin_voigt().stiffness = 50;  // a soft one
-        if (n % 4 == 3) scene.cubic = -0.004;                 // a softening spring
-        if (n % 5 == 0) scene.kelvin_voigt().damping = 0;     // an elastic stop
+        auto oscillator = rig({frequency(random), gap(random)}, 0.02, form);
+        if (n % 4 == 1) oscillator.kelvin_voigt().damping *= 12;   // an overdamped stop
+        if (n % 4 == 2) oscillator.kelvin_voigt().stiffness = 50;  // a soft one
+        if (n % 4 == 3) oscillator.cubic = -0.004;                 // a softening spring
+        if (n % 5 == 0) oscillator.kelvin_voigt().damping = 0;     // an elastic stop
         const State<double> start(-std::abs(speed(random)), speed(random));
-        const auto cycle = observed(SplitCycleMap<double>(scene, 512), start);
-        TaylorOracle expected(scene, start);
+        const auto cycle = observed(SplitCycleMap<double>(oscillator, 512), start);
+        TaylorOracle expected(oscillator, start);
         expected.advance(1);
         ASSERT_EQ(cycle.outcome, Cycle<double>::Outcome::done);
         impacts += cycle.impacts;
@@ -192,9 +193,9 @@ TEST(SplitCycleMap, JacobianIsTheDerivative) {
 TEST(SplitCycleMap, ThePapersCubicShiftsPeakForceAsTaylorIntegrationSays) {
     for (const Place& place : regular_cells) {
         const auto linear = settle(ExactCycleMap<double>(rig(place, 0)));
-        const auto scene = rig(place, paper_cubic);
-        const auto orbit = settle(SplitCycleMap<double>(scene, 64));
-        const auto expected = settled_oracle(scene, orbit.point);
+        const auto oscillator = rig(place, paper_cubic);
+        const auto orbit = settle(SplitCycleMap<double>(oscillator, 64));
+        const auto expected = settled_oracle(oscillator, orbit.point);
         const auto force = static_cast<double>(expected.peak_force());
         EXPECT_EQ(orbit.impacts, expected.impacts());
         EXPECT_NEAR(orbit.peak_force / force, 1, 3e-10) << place.frequency;
@@ -215,12 +216,12 @@ TEST(SplitCycleMap, KeepsThreeImpactsInTwoCycles) {
 
 TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
     // a spring that presses the hammer on the stop; the cubic adds cubic * |gap|^3 to the load
-    auto scene = rig({0.5, -3.0}, 0.01);
-    auto linear = scene;
+    auto oscillator = rig({0.5, -3.0}, 0.01);
+    auto linear = oscillator;
     linear.cubic = 0;
     const LinearContact<double> exact(linear);
-    const auto pressed = settle(SplitCycleMap<double>(scene, 16), exact.steady());
-    const auto expected = settled_oracle(scene, pressed.point, 1);
+    const auto pressed = settle(SplitCycleMap<double>(oscillator, 16), exact.steady());
+    const auto expected = settled_oracle(oscillator, pressed.point, 1);
     EXPECT_EQ(pressed.impacts, 0);
     const auto force = static_cast<double>(expected.peak_force());
     EXPECT_NEAR(pressed.peak_force / force, 1, 1e-6);
@@ -232,17 +233,17 @@ TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {
     for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
         for (const double stronger : {1.0, 1e3, 1e5}) {
             for (const Place& place : regular_cells) {
-                const auto scene = rig(place, stronger * paper_cubic, form);
+                const auto oscillator = rig(place, stronger * paper_cubic, form);
                 // strong cubics have several stable orbits: all start near the same one
-                const auto guess = settle(SplitCycleMap<double>(scene, 128));
+                const auto guess = settle(SplitCycleMap<double>(oscillator, 128));
                 if (guess.impacts == 0) continue;
-                const auto expected = settled_oracle(scene, guess.point);
+                const auto expected = settled_oracle(oscillator, guess.point);
                 const auto force = static_cast<double>(expected.peak_force());
                 for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
-                    const int steps = split_steps(scene, guess.largest_displacement, tolerance);
+                    const int steps = split_steps(oscillator, guess.largest_displacement, tolerance);
                     if (steps == 0) continue;
                     ++fit;
-                    const auto orbit = settle(SplitCycleMap<double>(scene, steps), guess.point);
+                    const auto orbit = settle(SplitCycleMap<double>(oscillator, steps), guess.point);
                     EXPECT_LT(std::abs(orbit.peak_force / force - 1), tolerance)
                         << place.frequency << " " << stronger << " " << steps;
                 }
@@ -253,19 +254,19 @@ TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {
 }
 
 TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
-    auto scene = rig({2.0, 0.5}, 0);
-    EXPECT_EQ(split_steps(scene, 7, 1e-9), 1);
-    scene.cubic = paper_cubic;
-    const int weak = split_steps(scene, 7, 1e-9);
+    auto oscillator = rig({2.0, 0.5}, 0);
+    EXPECT_EQ(split_steps(oscillator, 7, 1e-9), 1);
+    oscillator.cubic = paper_cubic;
+    const int weak = split_steps(oscillator, 7, 1e-9);
     EXPECT_GT(weak, 8);
     EXPECT_LT(weak, 128);
-    EXPECT_GT(split_steps(scene, 14, 1e-9), weak);
-    EXPECT_LT(split_steps(scene, 7, 1e-6), weak);
-    scene.cubic = 1e5 * paper_cubic;
-    EXPECT_EQ(split_steps(scene, 7, 1e-9), 0);
-    scene.cubic = -0.01;  // gives way at |u| = 10
-    EXPECT_EQ(split_steps(scene, 7, 1e-2), 0);
-    EXPECT_EQ(SplitCycleMap<double>(scene, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
+    EXPECT_GT(split_steps(oscillator, 14, 1e-9), weak);
+    EXPECT_LT(split_steps(oscillator, 7, 1e-6), weak);
+    oscillator.cubic = 1e5 * paper_cubic;
+    EXPECT_EQ(split_steps(oscillator, 7, 1e-9), 0);
+    oscillator.cubic = -0.01;  // gives way at |u| = 10
+    EXPECT_EQ(split_steps(oscillator, 7, 1e-2), 0);
+    EXPECT_EQ(SplitCycleMap<double>(oscillator, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
 }
 
 TEST(SplitSteps, AreFewDifferentNumbers) {
@@ -284,10 +285,10 @@ TEST(SplitSteps, AreFewDifferentNumbers) {
 
 TEST(SplitError, TellsTheErrorByHalvingTheStep) {
     for (const Place& place : {Place{3.1, 0.0}, Place{4.2, 0.5}, Place{3.5, 0.3}}) {
-        const auto scene = rig(place, 1e3 * paper_cubic);
-        const SplitCycleMap<double> map(scene, 32);
+        const auto oscillator = rig(place, 1e3 * paper_cubic);
+        const SplitCycleMap<double> map(oscillator, 32);
         const auto orbit = settle(map);
-        const auto expected = settled_oracle(scene, orbit.point, 100);
+        const auto expected = settled_oracle(oscillator, orbit.point, 100);
         const double error = std::abs(orbit.peak_force / static_cast<double>(expected.peak_force()) - 1);
         const auto told = split_error(map, orbit.point, 4, 400);
         ASSERT_TRUE(told.comparable);

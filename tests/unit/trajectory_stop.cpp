@@ -15,16 +15,22 @@
 namespace peterka::trajectory {
 namespace {
 
+using integrators::IntegratedCycleMap;
+using integrators::Integrator;
+using study::Rk4CycleMap;
+using study::Rk4Events;
+using study::TaylorCycleMap;
+
 scene::Oscillator<double> bouncing() {
-    auto scene = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
-    scene.contact = scene::KelvinVoigt<double>{1e4, 0};  // pressed against it, without any loss
-    return scene;
+    auto oscillator = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
+    oscillator.contact = scene::KelvinVoigt<double>{1e4, 0};  // pressed against it, without any loss
+    return oscillator;
 }
 
 scene::Oscillator<double> hopping() {
-    auto scene = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
-    scene.contact = scene::Restitution<double>{0.99};
-    return scene;
+    auto oscillator = testing::paper_rig(testing::beam_170mm, 0.05, -0.5);
+    oscillator.contact = scene::Restitution<double>{0.99};
+    return oscillator;
 }
 
 template <class Map>
@@ -45,24 +51,24 @@ TEST(StopWithinACycle, OfTheClosedForm) {
 }
 
 TEST(StopWithinACycle, OfTheSplitMap) {
-    auto scene = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
-    scene.cubic = 1e-3;
-    expect_to_stop(SplitCycleMap<double>(scene, 64), {-0.5, 1});
+    auto oscillator = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
+    oscillator.cubic = 1e-3;
+    expect_to_stop(SplitCycleMap<double>(oscillator, 64), {-0.5, 1});
 }
 
 TEST(StopWithinACycle, OfTheIntegrators) {
-    const auto scene = testing::paper_rig(testing::beam_170mm, 0.5, 0.0);
+    const auto oscillator = testing::paper_rig(testing::beam_170mm, 0.5, 0.0);
     for (const auto integrator : {Integrator::cvode_adams, Integrator::cvode_bdf, Integrator::arkode_explicit,
                                   Integrator::arkode_implicit}) {
-        IntegratedCycleMap map(scene, integrator, 1e-9);
+        IntegratedCycleMap map(oscillator, integrator, 1e-9);
         expect_to_stop([&](const State<double>& x) { return map(x); }, {-0.5, 1});
     }
 }
 
 TEST(StopWithinACycle, OfTheStudysMethods) {
-    const auto scene = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
+    const auto oscillator = testing::paper_rig(testing::beam_170mm, 2.0, 0.0);
     expect_to_stop(
-        [&](const State<double>& x) { return Rk4CycleMap(scene, 500, Rk4Events::located)(x, false); },
+        [&](const State<double>& x) { return Rk4CycleMap(oscillator, 500, Rk4Events::located)(x, false); },
         {-0.5, 1});
     for (const auto& each : {bouncing(), hopping()}) {
         const TaylorCycleMap map(scene::in_precision<long double>(each));
