@@ -14,10 +14,15 @@
 
 namespace peterka::integrators {
 
+using trajectory::append;
+using trajectory::at_release;
+using trajectory::Cycle;
 using trajectory::Journey;
 using trajectory::phase_of;
+using trajectory::Recorder;
 using trajectory::response_length;
 using trajectory::RigidCourse;
+using trajectory::RigidStop;
 
 template <class Stepper>
 class CycleIntegration {

@@ -16,17 +16,12 @@
 
 namespace peterka::integrators {
 
-using trajectory::append;
-using trajectory::at_release;
 using trajectory::contact_response;
-using trajectory::Cycle;
 using trajectory::grip;
 using trajectory::lets_go_at_surface;
 using trajectory::lets_go_inside;
 using trajectory::linearized_contact;
 using trajectory::parabola_step;
-using trajectory::Recorder;
-using trajectory::RigidStop;
 
 // Taylor's series of a step so short that nothing beyond it can be told from rounding.
 inline LegPoint extrapolated(const SundialsLeg& leg, const LegPoint& point, double step) {
