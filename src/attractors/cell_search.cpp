@@ -17,11 +17,12 @@ using regime::CellResult;
 using regime::CycleDesk;
 using regime::FoundAttractor;
 
-// Rounds have 1, 7, 56, 448, 448, ... starts: the first ones soon tell the attractors with large shares.
-constexpr std::int64_t largest_round = 448;
+// Rounds have 1, 7, 8, 16, 32, ..., 256, 256, ... starts: the first ones soon tell the attractors with large
+// shares.
+constexpr std::int64_t largest_round = 256;
 
 std::int64_t size_of_round(std::int64_t begun) {
-    return begun == 0 ? 1 : std::min(begun * 7, largest_round);
+    return begun <= 1 ? 1 + 6 * begun : std::min(begun, largest_round);
 }
 
 // What a start that ends in a neighbourhood still takes, and what a proof of one takes for each cycle of its
@@ -44,7 +45,13 @@ Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> oscillat
 }  // namespace
 
 Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts)
-    : scene(map), known(known_before), of_starts(attractors::of_starts(map.job())), ends(ends_of_starts) {}
+    : scene(map),
+      known(known_before),
+      of_starts(attractors::of_starts(map.job())),
+      of_short_starts(of_starts),
+      ends(ends_of_starts) {
+    of_short_starts.steady_state = Prospects::smaller(of_starts.steady_state);
+}
 
 CellSearch::CellSearch(const Setting& setting, std::int64_t row, std::int64_t column)
     : setting_(setting), cell_(setting.scene.cell(row, column)) {}
@@ -95,25 +102,29 @@ std::vector<Begin> CellSearch::next_round() {
     }
     const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
     for (; begun_ < end; ++begun_) {
-        searches.push_back(search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_)));
+        searches.push_back(
+            search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_), prospects_.sooner()));
     }
     return searches;
 }
 
-Begin CellSearch::search_from(const scene::State<double>& start) const {
-    return [this, start](CycleDesk& desk, std::vector<FoundAttractor>* found) {
-        return regime::solve_cell(desk, setting_.of_starts, {cell_.oscillator, start}, {&table_, found});
+Begin CellSearch::search_from(const scene::State<double>& start, Sooner sooner) const {
+    return [this, start, sooner](CycleDesk& desk, std::vector<FoundAttractor>* found) {
+        return regime::solve_cell(desk, sooner.unresolved ? setting_.of_short_starts : setting_.of_starts,
+                                  {cell_.oscillator, start}, {&table_, found, sooner.chaos, false});
     };
 }
 
 void CellSearch::take_starts(std::span<const Ended> ended) {
     if (seen_ == 0) {
         solved_.cell = ended.front().result;
+        prospects_.take(solved_.cell);
         take_found(ended.front().found);
         ended = ended.subspan(1);
     }
     for (const Ended& start : ended) {
         tally_.add(start.result, start.found);
+        prospects_.take(start.result);
         if (setting_.ends == Ends::told) solved_.ends.push_back(start.result);
         take_found(start.found);
     }
@@ -163,7 +174,10 @@ std::vector<Begin> CellSearch::finish_starts() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
     kept_.resize(std::min(kept_.size(), static_cast<std::size_t>(setting_.of_starts.starts.attractors)));
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
-    for (const Tally::Entry& entry : kept_) solved_.attractors.push_back(as_attractor(entry, count()));
+    for (const Tally::Entry& entry : kept_) {
+        solved_.attractors.push_back(as_attractor(entry, count()));
+        if (setting_.ends == Ends::firsts) solved_.firsts.push_back({entry.result, entry.first});
+    }
     if (!setting_.scene.job().output.has(job::OptionalField::critical_kick)) return {};
     stage_ = Stage::kicks;
     const auto& velocities = setting_.of_starts.starts.velocity_ratio;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "attractors/kicks.hpp"
+#include "attractors/prospects.hpp"
 #include "attractors/solved_cell.hpp"
 #include "attractors/tally.hpp"
 #include "attractors/work.hpp"
@@ -19,8 +20,8 @@
 
 namespace peterka::attractors {
 
-// Whether a solved cell tells the end of each start, too.
-enum class Ends { counted, told };
+// Whether a solved cell tells the end of each start, too, or of the first one on each attractor.
+enum class Ends { counted, told, firsts };
 
 // What the cells of a map share; outlives their searches.
 struct Setting {
@@ -29,6 +30,7 @@ struct Setting {
     const scene::Scene& scene;
     const regime::AttractorTable& known;  // for [start]: none but in a basin
     job::Job of_starts;                   // measures nothing that is not kept of attractors
+    job::Job of_short_starts;             // the same, with a smaller budget
     Ends ends;
 };
 
@@ -57,7 +59,7 @@ class CellSearch {
     void take_starts(std::span<const Ended> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
     void take_kicks();
-    [[nodiscard]] Begin search_from(const scene::State<double>& start) const;
+    [[nodiscard]] Begin search_from(const scene::State<double>& start, Sooner sooner = {}) const;
     [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;
     [[nodiscard]] std::int64_t count() const { return setting_.of_starts.starts.count; }
 
@@ -68,6 +70,7 @@ class CellSearch {
     std::int64_t seen_ = 0;
     std::int64_t cycles_ = 0;  // of all searches
     Tally tally_;
+    Prospects prospects_;
     std::vector<Known> known_;
     std::vector<std::size_t> proving_;                        // of known_
     std::vector<std::vector<regime::Neighbourhood>> proved_;  // the same, where searches leave them

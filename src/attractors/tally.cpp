@@ -32,8 +32,9 @@ void Tally::add(const regime::CellResult& result, std::span<const regime::FoundA
     if (known >= 0) {
         ++entries_[static_cast<std::size_t>(known)].starts;
     } else {
-        entries_.push_back({result, orbit_of(result, found), 1});
+        entries_.push_back({result, orbit_of(result, found), 1, added_});
     }
+    ++added_;
 }
 
 std::vector<Tally::Entry> Tally::in_order() const {

@@ -21,6 +21,7 @@ class Tally {
         regime::CellResult result;                    // of the first start
         std::optional<regime::FoundAttractor> orbit;  // the same, with the map on which it is one
         std::int64_t starts = 0;
+        std::int64_t first = 0;  // of them
     };
 
     // found: what the searches of this start ended on.
@@ -31,6 +32,7 @@ class Tally {
 
   private:
     std::vector<Entry> entries_;
+    std::int64_t added_ = 0;
 };
 
 // The first of these that a result belongs to; -1 for none.

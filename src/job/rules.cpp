@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "job/axis.hpp"
+#include "job/branches.hpp"
 #include "job/derived.hpp"
 #include "job/names.hpp"
 #include "job/settle.hpp"
@@ -83,15 +84,26 @@ std::string rule_of_gaps(const Sweep& sweep) {
                        toml_text(*twice));
 }
 
-std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep) {
+// A rank keeps a branch until it is whole; with [starts], all branches of a gap and the motions on all
+// attractors of each point.
+std::string rule_of_samples(const Job& job) {
     constexpr std::int64_t most = 16'000'000;   // half a gigabyte a copy
     constexpr std::int64_t least_samples = 16;  // what a point takes without any
-    if (frequencies.points <= most / std::max(sweep.samples, least_samples)) return {};
+    const std::int64_t motions =
+        job.starts.count == 0 ? 1 : branches_of_a_gap(job.sweep) + job.starts.attractors + 1;
+    const std::int64_t samples = std::max(job.sweep.samples, least_samples) * motions;
+    if (job.columns.points <= most / samples) return {};
+    const std::string of_all =
+        motions == 1 ? ""
+                     : fmt::format(" on each of {} motions (with [starts] those of all attractors)", motions);
     return fmt::format(
-        "a branch has {} points with up to {} samples each; a rank keeps a branch in memory until it is whole, "
-        "so their product is at most {}, where each point counts as {} samples at least; give fewer points or "
+        "a branch has {} points with up to {} samples each{}; a rank keeps a branch in memory until it is "
+        "whole, "
+        "so their product is at most {}, where each point counts as {} samples at least; give fewer points{} "
+        "or "
         "sweep.samples",
-        frequencies.points, sweep.samples, most, least_samples);
+        job.columns.points, job.sweep.samples, of_all, most, least_samples,
+        motions == 1 ? "" : ", starts.attractors");
 }
 
 std::string rule_of_interval(std::string_view name, const std::vector<double>& interval) {
@@ -109,7 +121,7 @@ std::string rule_of_interval(std::string_view name, const std::vector<double>& i
 
 std::string rule_of_kick(const Job& job) {
     if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0) return {};
-    return "output.fields asks for critical_kick, which is one of each attractor; only a map with [starts] "
+    return "output.fields asks for critical_kick, which is one of each attractor; only a job with [starts] "
            "looks for "
            "those; set starts.count, or remove the field";
 }

@@ -29,9 +29,9 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_interval(std::string_view name, const std::vector<double>& interval);
 // The stop must leave some of the starts where it stands closest.
 [[nodiscard]] std::string rule_of_room(const Job& job);
-// A kick is one of an attractor, and only a map with [starts] has these.
+// A kick is one of an attractor, and only a job with [starts] has these.
 [[nodiscard]] std::string rule_of_kick(const Job& job);
-[[nodiscard]] std::string rule_of_samples(const Axis& frequencies, const Sweep& sweep);
+[[nodiscard]] std::string rule_of_samples(const Job& job);
 [[nodiscard]] std::string rule_of_cells(const Study& study);
 [[nodiscard]] std::string rule_of_study(const Contact& contact);
 // Of a trace with a rig of its own: what fits to a cart at rest and to one that vibrates, and how long it is.

@@ -7,6 +7,7 @@
 #include "job/rules.hpp"
 #include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
+#include "job/schema_starts.hpp"
 
 namespace peterka::job {
 
@@ -49,9 +50,9 @@ void describe_sweep(Walker& file, Job& job) {
     take_first_values(job);
     describe_branches(file, job);
     describe_start(file, job);
-    file.refuse("starts", "is for maps; a sweep goes from state to state; remove this table");
+    describe_starts(file, job);
     file.refuse("refine", "is for maps; every point of a sweep starts from the one before; remove this table");
-    file.rule({"axes", "sweep"}, [&] { return rule_of_samples(job.columns, job.sweep); });
+    file.rule({"axes", "sweep", "starts"}, [&] { return rule_of_samples(job); });
     file.rule({"axes", "sweep", "operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });
     file.rule({"sweep", "start", "operating_point", "hammer", "cart"}, [&] { return rule_of_rigid_stop(job); });
 }

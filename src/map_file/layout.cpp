@@ -4,9 +4,11 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "job/axis_quantity.hpp"
+#include "job/branches.hpp"
 #include "map_file/audit_table.hpp"
 #include "map_file/cell_attractors.hpp"
 #include "map_file/samples.hpp"
@@ -58,9 +60,12 @@ constexpr hdf5::Variable attractor_row{"attractor", hdf5::Number::int32, -1, "1"
 constexpr hdf5::Variable attractor_cells{"cells", hdf5::Number::int64, 0, "1", "cells that lead to the attractor"};
 constexpr hdf5::Variable attractor_count{"count", hdf5::Number::int32, 0, "1", "rows in use"};
 // clang-format on
+constexpr const char* point_attractor =
+    "attractor that the branch is on at the point; -1 for none of those that are kept";
 
 parallel::Extent largest_tile(const job::Job& job) {
-    return job.kind == job::Kind::sweep ? parallel::Extent{1, job.columns.points} : parallel::tile_extent;
+    if (job.kind != job::Kind::sweep) return parallel::tile_extent;
+    return {job.starts.count > 0 ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
 }
 
 // What an axis runs over, as a coordinate. Its texts live as long as the program.
@@ -81,24 +86,6 @@ DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::v
     return {"/", variable, std::move(dimensions), std::move(chunk)};
 }
 
-void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
-    const Dimension branches{branch.name, job.row_count()};
-    const hdf5::Variable axis = coordinate_of(column_key(job));
-    const Dimension along{axis.name, job.columns.points};
-    const Dimension samples{sample.name, job.sweep.samples};
-    plans.push_back({"/", branch, {branches}});
-    plans.push_back({"/", axis, {along}});
-    plans.push_back({"/", sample, {samples}});
-    if (!job.sweep.gap_ratio.empty()) plans.push_back({"/", gap_ratio, {branches}});
-    plans.push_back({"/", direction, {branches}});
-    for (const quantities::Field& field : quantities::stored_fields(job)) {
-        plans.push_back(on_cells(job, field.variable, {branches, along}));
-    }
-    for (const hdf5::Variable& variable : sample_variables) {
-        plans.push_back(on_cells(job, variable, {branches, along, samples}));
-    }
-}
-
 // Several values of each cell: planes, one after the other, cut into the same tiles.
 void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
                          const Dimension& columns) {
@@ -110,6 +97,28 @@ void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, c
         std::vector<std::int64_t> chunk = on_cells(job, field.variable, {rows, columns}).chunk;
         chunk.insert(chunk.begin(), slots.size);
         plans.push_back({"/", field.variable, {slots, rows, columns}, std::move(chunk)});
+    }
+}
+
+void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
+    const Dimension branches{branch.name, job.row_count()};
+    const hdf5::Variable axis = coordinate_of(column_key(job));
+    const Dimension along{axis.name, job.columns.points};
+    const Dimension samples{sample.name, job.sweep.samples};
+    plans.push_back({"/", branch, {branches}});
+    plans.push_back({"/", axis, {along}});
+    plans.push_back({"/", sample, {samples}});
+    if (!job.sweep.gap_ratio.empty()) plans.push_back({"/", gap_ratio, {branches}});
+    plans.push_back({"/", direction, {branches}});
+    for (const quantities::Field& field : quantities::stored_fields(job)) {
+        hdf5::Variable variable = field.variable;
+        // a point of a branch starts where the one before ended
+        if (std::string_view(variable.name) == "start_attractor") variable.long_name = point_attractor;
+        plans.push_back(on_cells(job, variable, {branches, along}));
+    }
+    add_cell_attractors(plans, job, branches, along);
+    for (const hdf5::Variable& variable : stored_sample_variables(job)) {
+        plans.push_back(on_cells(job, variable, {branches, along, samples}));
     }
 }
 

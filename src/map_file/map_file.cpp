@@ -8,6 +8,7 @@
 #include "findings/attractors.hpp"
 #include "hdf5/block.hpp"
 #include "hdf5/stored.hpp"
+#include "map_file/attractor_samples.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/make_layout.hpp"
 #include "map_file/number_attractors.hpp"
@@ -86,15 +87,27 @@ void MapFile::write_tile(const parallel::Tile& tile, std::span<const attractors:
                         stored_attractors(cells, job_.starts.attractors, scales)));
 }
 
-void MapFile::write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
-                           double seconds) {
+void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
+                             std::span<const attractors::PointAttractors> attractors, double seconds) {
     std::vector<quantities::StoredCell> stored;
-    for (std::int64_t column = 0; column < std::ssize(points); ++column) {
-        stored.push_back(quantities::in_file_units(points[static_cast<std::size_t>(column)].cell,
-                                                   scales_(tile.row, column)));
+    std::vector<attractors::SolvedCell> cells(attractors.empty() ? 0 : points.size());
+    std::vector<scene::Scales> scales;
+    for (std::int64_t i = 0; i < std::ssize(points); ++i) {
+        const std::int64_t column = i % tile.extent.columns;
+        scales.push_back(scales_(tile.row + i / tile.extent.columns, column));
+        stored.push_back(quantities::in_file_units(points[static_cast<std::size_t>(i)].cell, scales.back()));
+        if (cells.empty()) continue;
+        cells[static_cast<std::size_t>(i)].attractors = attractors[static_cast<std::size_t>(column)].kept;
     }
+    std::vector<std::byte> several = encode(quantities::stored_attractor_fields(job_),
+                                            stored_attractors(cells, job_.starts.attractors, scales));
+    const auto append = [&](std::span<const std::byte> bytes) {
+        several.insert(several.end(), bytes.begin(), bytes.end());
+    };
     const std::vector<double> samples = sample_values(points, job_.sweep.samples);
-    tiles_.write(tile, stored, {seconds, rank_}, std::as_bytes(std::span(samples)));
+    append(std::as_bytes(std::span(samples)));
+    if (!cells.empty()) append(attractor_sample_bytes(attractors, tile.extent.rows, job_.sweep.samples));
+    tiles_.write(tile, stored, {seconds, rank_}, several);
 }
 
 RemainingTiles MapFile::remaining_tiles() {
@@ -120,6 +133,10 @@ quantities::StoredCell MapFile::read_cell(std::int64_t row, std::int64_t column)
 
 std::vector<quantities::StoredCell> MapFile::read_tile(std::int64_t index) const {
     return tiles_.read(tiling().tile(index));
+}
+
+std::vector<quantities::StoredAttractor> MapFile::read_attractors(std::int64_t index) const {
+    return tiles_.read_attractors(tiling().tile(index));
 }
 
 std::optional<AuditReport> MapFile::audit_report() {

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "attractors/along_branch.hpp"
 #include "findings/statistics.hpp"
 #include "hdf5/checked.hpp"
 #include "hdf5/disk_file.hpp"
@@ -67,8 +68,9 @@ class MapFile {
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
     void write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells, double seconds);
-    // The same for a branch of a sweep.
-    void write_branch(const parallel::Tile& tile, std::span<const regime::BranchPoint> points, double seconds);
+    // The same for branches of a sweep, and with [starts] for the attractors of each point, which these share.
+    void write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
+                        std::span<const attractors::PointAttractors> attractors, double seconds);
 
     // Independent. Throws if the file's name is gone or leads to another file.
     void require_presence() const { disk_.require_presence(); }
@@ -82,6 +84,7 @@ class MapFile {
     // Independent, for cells that are there; those of other ranks after settle().
     [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
+    [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(std::int64_t index) const;
     [[nodiscard]] AuditTable audit() const { return {open_map(), job_.starts.count > 0}; }
 
     // Collective. What the audit says, on every rank; nothing where the job wants none.

@@ -3,7 +3,18 @@
 #include <cmath>
 #include <cstddef>
 
+#include "map_file/attractor_samples.hpp"
+
 namespace peterka::map_file {
+
+std::vector<hdf5::Variable> stored_sample_variables(const job::Job& job) {
+    if (job.kind != job::Kind::sweep) return {};
+    std::vector<hdf5::Variable> stored(sample_variables.begin(), sample_variables.end());
+    if (job.starts.count > 0) {
+        stored.insert(stored.end(), attractor_sample_variables.begin(), attractor_sample_variables.end());
+    }
+    return stored;
+}
 
 std::vector<double> sample_values(std::span<const regime::BranchPoint> points, std::int64_t samples) {
     const auto per_point = static_cast<std::size_t>(samples);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdf5/variable.hpp"
+#include "job/job.hpp"
 #include "regime/branch.hpp"
 
 namespace peterka::map_file {
@@ -23,6 +24,9 @@ inline constexpr std::array<hdf5::Variable, 4> sample_variables{
     hdf5::Variable{"impact_velocity", hdf5::Number::float64, regime::unknown, "1", "hammer velocity relative to the cart at first touch, (x' - y')/(A0 omega); NaN beyond the motion's own impacts"},
 };
 // clang-format on
+
+// Those of a job, with those of its attractors (attractor_samples.hpp) where it has [starts].
+[[nodiscard]] std::vector<hdf5::Variable> stored_sample_variables(const job::Job& job);
 
 // Variable after variable, each [point][sample], so many of them per point.
 [[nodiscard]] std::vector<double> sample_values(std::span<const regime::BranchPoint> points,

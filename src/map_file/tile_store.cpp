@@ -29,8 +29,7 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
     for (const quantities::AttractorField& field : attractor_fields_) {
         datasets_.emplace_back(map, std::string("/") + field.variable.name, field.variable.number);
     }
-    if (samples_ == 0) return;
-    for (const hdf5::Variable& variable : sample_variables) {
+    for (const hdf5::Variable& variable : stored_sample_variables(job)) {
         datasets_.emplace_back(map, std::string("/") + variable.name, variable.number);
     }
 }
@@ -38,7 +37,8 @@ TileStore::TileStore(const hdf5::OpenMap& map, const job::Job& job)
 std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < datasets_.size(); ++i) {
-        const hdf5::Block several = samples_ > 0 ? hdf5::Block(tile, samples_) : hdf5::Block(kept_, tile);
+        const bool is_sample = i >= fields_.size() + attractor_fields_.size();
+        const hdf5::Block several = is_sample ? hdf5::Block(tile, samples_) : hdf5::Block(kept_, tile);
         const hdf5::Block block = i < fields_.size() ? hdf5::Block(tile) : several;
         parts.push_back({datasets_[i], block, datasets_[i].bytes(block)});
     }

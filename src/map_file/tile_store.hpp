@@ -32,9 +32,9 @@ class TileStore {
   public:
     TileStore(const hdf5::OpenMap& map, const job::Job& job);
 
-    // Of a sweep with its samples (samples.hpp), of a map with [starts] with its attractors
-    // (cell_attractors.hpp): the bytes of what each cell has several of. First the cells, then their checksum,
-    // then the done mark: a kill in between leaves no mark that lies.
+    // With [starts] with its attractors (cell_attractors.hpp), of a sweep with its samples (samples.hpp), in this
+    // order: the bytes of what each cell has several of. First the cells, then their checksum, then the done
+    // mark: a kill in between leaves no mark that lies.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                const TileOrigin& origin, std::span<const std::byte> several = {});
     // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as
@@ -68,7 +68,7 @@ class TileStore {
     parallel::Tiling tiling_;
     std::vector<quantities::Field> fields_;
     std::int64_t samples_;                                      // of a sweep, per cell and variable
-    std::vector<quantities::AttractorField> attractor_fields_;  // of a map with [starts]
+    std::vector<quantities::AttractorField> attractor_fields_;  // of a job with [starts]
     std::int64_t kept_;                                         // attractors of each cell there
     std::vector<hdf5::Stored> datasets_;  // one per field and one per variable of which a cell has several
     hdf5::Stored checksum_;

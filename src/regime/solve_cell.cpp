@@ -64,7 +64,7 @@ class Solution {
         } else {
             result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
         }
-        if (has_lasting_proof(result) && result.status == Status::proved &&
+        if (attractors_.tells_rounding && has_lasting_proof(result) && result.status == Status::proved &&
             result.sensitivity > rounding_decides && !same_label(result, co_await from_next_door(result))) {
             result.status = Status::rounding;
         }

@@ -46,9 +46,10 @@ class Search {
   public:
     Search(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
            const job::SteadyState& budget, const EngineSettings& engine, const Measures& measures,
-           const AttractorTable* known, double most_growth, CycleDesk& desk)
+           const Attractors& attractors, double most_growth, CycleDesk& desk)
         : map_(oscillator, engine, desk),
-          known_(known != nullptr ? known->of(oscillator, engine) : nullptr),
+          known_(attractors.known != nullptr ? attractors.known->of(oscillator, engine) : nullptr),
+          knows_chaos_(attractors.chaos),
           conservative_(is_conservative(oscillator)),
           trajectory_(map_, start, budget,
                       conservative_ ? std::min(budget.chaos_cycles, budget.max_cycles) : budget.max_cycles,
@@ -75,6 +76,7 @@ class Search {
                 }
                 if (trajectory_.is_at_checkpoint() && !conservative_) {
                     if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
+                    if (joins_chaos()) co_return unproved(Regime::chaotic, Status::proved);
                     if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
                         const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
                         if (orbit && converged(*orbit)) {
@@ -126,6 +128,10 @@ class Search {
     }
     [[nodiscard]] bool grew_too_much() const {
         return most_growth_ < std::numeric_limits<double>::infinity() && growth_.sensitivity() > most_growth_;
+    }
+    [[nodiscard]] bool joins_chaos() const {
+        return knows_chaos_ && trajectory_.cycles() >= Attractors::cycles_to_settle &&
+               growth_.sensitivity() > rounding_decides;
     }
     [[nodiscard]] bool is_chaotic() const {
         return ChaosClaim::looks_chaotic(growth_) && chaos_.lasted_long_enough(growth_, trajectory_.cycles());
@@ -267,6 +273,7 @@ class Search {
 
     StroboscopicMap map_;
     const AttractorTable::OfOneMap* known_;  // nullptr: none
+    bool knows_chaos_;
     bool conservative_;
     FollowedTrajectory trajectory_;
     Settling settling_;
@@ -285,7 +292,7 @@ class Search {
 Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> oscillator,
                                    scene::State<double> start, job::SteadyState budget, EngineSettings engine,
                                    Measures measures, Attractors attractors, double most_growth) {
-    Search search(oscillator, start, budget, engine, measures, attractors.known, most_growth, desk);
+    Search search(oscillator, start, budget, engine, measures, attractors, most_growth, desk);
     const CellResult result = co_await search.run();
     if (attractors.found != nullptr) attractors.found->push_back({oscillator.cubic, engine, result});
     co_return result;

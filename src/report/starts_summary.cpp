@@ -94,7 +94,8 @@ std::string starts_summary(const job::Job& job, const StartFindings& findings) {
     text += fmt::format(
         "  with impacts from some starts and without from others: {}; without impacts from every start: {}\n",
         readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
-    text += fmt::format("  [start] ends on another attractor than most starts in {} of the cells\n",
+    text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
+                        job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",
                         readable_share(counts.minority, counts.cells));
     if (counts.not_kept > 0)
         text += fmt::format("  and on none of those that are kept in {}\n",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "findings/statistics.hpp"
+#include "findings/sweep_attractors.hpp"
 #include "findings/sweep_findings.hpp"
 #include "job/job.hpp"
 #include "map_file/audit_table.hpp"
@@ -21,11 +22,16 @@ struct RunEffort {
     double wall_seconds = 0;
 };
 
+struct SweepFindings {
+    std::vector<BranchFindings> branches = {};
+    std::vector<GapAttractors> beside = {};  // of each gap, with [starts]
+};
+
 struct Findings {
     const findings::Statistics& statistics;
     std::optional<map_file::AuditReport> audit;
     std::span<const std::string> omitted;       // sentences: what was left out, and why
-    std::vector<BranchFindings> branches = {};  // of a sweep
+    SweepFindings sweep = {};
 };
 
 struct SummaryInput {

@@ -77,7 +77,29 @@ class Words {
                                 name(motion_class(at(up, middle))), name(motion_class(at(down, middle)))));
     }
 
+    // What the starts of all points found, and where no branch is on it.
+    [[nodiscard]] std::string beside(const GapAttractors& found) const {
+        const std::string several =
+            fmt::format("{} of {} points have several attractors, {} at most", readable_count(found.several),
+                        readable_count(found.points), found.most);
+        return line("starts", "coexisting", several) + line("", "on no branch", unvisited(found));
+    }
+
   private:
+    [[nodiscard]] std::string unvisited(const GapAttractors& found) const {
+        if (found.unvisited.empty()) return "nothing that the starts found";
+        std::string text = fmt::format(
+            "at {}:", found.with_unvisited == 1 ? "1 point" : readable_count(found.with_unvisited) + " points");
+        for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
+            const Unvisited& each = found.unvisited[i];
+            text += fmt::format("{}{} at {} from {:.4g} to {:.4g}, up to {:.2g} % of the starts",
+                                i == 0 ? " " : "," + next_line, name(each.motion), each.points,
+                                value(each.first), value(each.last), 100 * each.largest_share);
+        }
+        if (found.unvisited.size() > most_listed)
+            text += fmt::format(" and {} more", found.unvisited.size() - most_listed);
+        return text;
+    }
     static std::string line(const std::string& branch, const char* what, const std::string& text) {
         return text.empty() ? "" : fmt::format("  {:<12}{:<18}{}\n", branch, what, text);
     }
@@ -197,14 +219,18 @@ class Words {
 
 }  // namespace
 
-std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches) {
+std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches,
+                       std::span<const GapAttractors> beside) {
     const Words words(scene);
     const bool both = scene.job().sweep.direction == job::Direction::both;
     std::string text;
     for (std::size_t i = 0; i < branches.size(); ++i) {
         if (!both || i % 2 == 0) text += words.gap(static_cast<std::int64_t>(i));
         text += words.branch(branches[i]);
-        if (both && i % 2 == 1) text += words.hysteresis(branches[i - 1], branches[i]);
+        if (both && i % 2 == 0) continue;
+        if (both) text += words.hysteresis(branches[i - 1], branches[i]);
+        const std::size_t gap = both ? i / 2 : i;
+        if (gap < beside.size()) text += words.beside(beside[gap]);
     }
     return text;
 }

@@ -4,12 +4,14 @@
 #include <span>
 #include <string>
 
+#include "findings/sweep_attractors.hpp"
 #include "findings/sweep_findings.hpp"
 #include "scene/scene.hpp"
 
 namespace peterka {
 
-// `branches` in the order of the sweep.
-[[nodiscard]] std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches);
+// `branches` in the order of the sweep; `beside` of each gap, with [starts].
+[[nodiscard]] std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches,
+                                     std::span<const GapAttractors> beside = {});
 
 }  // namespace peterka

@@ -1,30 +1,20 @@
 #include "run/check_job.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <variant>
 
-#include "attractors/solved_cell.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
 #include "job/write.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/map_size.hpp"
-#include "map_file/samples.hpp"
 #include "refine/lattice.hpp"
-#include "refine/region.hpp"
-#include "refine/regions.hpp"
-#include "regime/branch.hpp"
-#include "regime/engine.hpp"
 #include "report/starts_inside.hpp"
+#include "run/price.hpp"
 #include "run/run_plan.hpp"
 #include "run/traced_cell.hpp"
 #include "scene/rigs.hpp"
@@ -34,24 +24,6 @@
 
 namespace peterka {
 namespace {
-
-// What hundreds of cells in hand take, where they are solved side by side [bytes]; as measured.
-std::int64_t cells_in_hand_bytes(const job::Job& job) {
-    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
-    if (job.kind == job::Kind::sweep || !regime::may_use_batch(rig, job.solver)) return 0;
-    return job.kind == job::Kind::basin ? 4'000'000 : 26'000'000;
-}
-
-// What a rank needs [bytes]: what this process has so far, that is program, MPI and HDF5; what opening the file
-// through MPI-IO adds (3 MB were measured); cells in hand; and while ranks look for missing tiles, two bits for
-// each. Not by getrusage, whose peak is that of the process that started this one, if that is larger.
-std::int64_t memory_per_rank(const job::Job& job, std::int64_t tiles) {
-    constexpr std::int64_t open_file = 3'000'000;
-    std::int64_t pages = 0;
-    std::int64_t resident_pages = 0;
-    std::ifstream("/proc/self/statm") >> pages >> resident_pages;
-    return resident_pages * sysconf(_SC_PAGESIZE) + open_file + cells_in_hand_bytes(job) + tiles / 4;
-}
 
 std::string free_space_text(const std::filesystem::path& file) {
     std::error_code unknown;
@@ -68,47 +40,6 @@ std::string refine_text(const job::Job& job) {
         refine::Lattice(job.rows.points, stride).lines() * refine::Lattice(job.columns.points, stride).lines();
     return fmt::format("#   refine   from a grid of stride {}, {} cells, to all of them where it must\n",
                        stride, readable_count(coarsest));
-}
-
-// Of a map with [starts]: what they cost. Microseconds and core of a start as measured on the paper's rig,
-// where the machine has AVX-512; other laws, engines and strong cubic springs take many times as long.
-std::string starts_price(const job::Job& job) {
-    if (job.starts.count == 0) return "";
-    constexpr double microseconds = 9;
-    const double starts = static_cast<double>(job.starts.count) * static_cast<double>(job.cells());
-    return fmt::format("#   starts   {} in each cell, {:.3g} in all: some {} of one core, about\n",
-                       readable_count(job.starts.count), starts,
-                       readable_duration(starts * microseconds * 1e-6));
-}
-
-// Cells are open until all their starts have ended, with the results of a round of these [bytes].
-std::int64_t starts_bytes(const job::Job& job) {
-    if (job.starts.count == 0) return 0;
-    const std::int64_t open_cells = std::min<std::int64_t>(800, job.cells());
-    constexpr std::int64_t largest_round = 448;
-    constexpr std::int64_t result = 1000;
-    const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
-    const std::int64_t kept =
-        job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
-    return open_cells * std::min(job.starts.count + 1, largest_round) * result + 2 * tiles * kept;
-}
-
-// A rank keeps regions of a refined map until they are whole.
-std::int64_t region_bytes(const job::Job& job) {
-    if (job.refine.levels == 0) return 0;
-    const parallel::Tiling regions = refine::regions_of({job.rows.points, job.columns.points}, 1);
-    const parallel::Place middle{job.rows.points / 2, job.columns.points / 2};
-    const auto in_hand = std::min(static_cast<std::int64_t>(refine::most_in_hand), regions.count());
-    return in_hand * refine::Region::bytes(job, regions.tile(regions.index_at(middle)));
-}
-
-// A rank keeps a branch of a sweep until it is whole: as samples, and as the bytes of its tile.
-std::int64_t branch_bytes(const job::Job& job) {
-    if (job.kind != job::Kind::sweep) return 0;
-    constexpr std::int64_t copies = 3;
-    const std::int64_t samples = std::ssize(map_file::sample_variables) * job.sweep.samples;
-    const std::int64_t point = copies * samples * static_cast<std::int64_t>(sizeof(double));
-    return job.columns.points * (point + static_cast<std::int64_t>(sizeof(regime::BranchPoint)));
 }
 
 // Of a sweep: its branches in their order.
@@ -195,6 +126,7 @@ std::string check_job(const Request& request) {
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
     if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
+    require_memory(request.job_file.string(), job);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job);
     const parallel::Tiling tiling = map_file::tiling(job);
@@ -210,9 +142,8 @@ std::string check_job(const Request& request) {
                axes.columns, readable_count(job.row_count()), axes.rows, cell_text(traced), refine_text(job),
                branches_text(job), rigs_text(job), starts_text(job), starts_price(job),
                readable_count(tiling.count()), tiling.largest_tile().rows, tiling.largest_tile().columns,
-               readable_bytes(memory_per_rank(job, tiling.count()) + region_bytes(job) + branch_bytes(job) +
-                              starts_bytes(job)),
-               file.string(), readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +
+               readable_bytes(memory_per_rank(job)), file.string(),
+               readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +
            job::resolved_text(job, origins);
 }
 

@@ -45,11 +45,18 @@ MapFile open_or_create(const Session& session, const RunPlan& plan, const scene:
 }
 
 // Rank 0 alone, once every rank's branches are in the file.
-std::vector<BranchFindings> find_in_branches(const Session& session, const RunPlan& plan, const MapFile& file) {
-    std::vector<BranchFindings> found;
+SweepFindings find_in_sweep(const Session& session, const RunPlan& plan, const MapFile& file) {
+    SweepFindings found;
     if (plan.job.kind != job::Kind::sweep || plan.quiet || !session.is_root()) return found;
-    for (std::int64_t i = 0; i < plan.job.sweep.branches(); ++i) {
-        found.push_back(find_in_branch(plan.job.sweep.branch(i), file.read_tile(i)));
+    const std::int64_t columns = plan.job.columns.points;
+    for (std::int64_t index = 0; index < file.tiling().count(); ++index) {
+        const std::vector<quantities::StoredCell> cells = file.read_tile(index);
+        for (auto row = cells.begin(); row != cells.end(); row += columns) {
+            found.branches.push_back(
+                find_in_branch(plan.job.sweep.branch(std::ssize(found.branches)), {row, row + columns}));
+        }
+        if (plan.job.starts.count == 0) continue;
+        found.beside.push_back(find_beside_branches(cells, file.read_attractors(index), columns));
     }
     return found;
 }
@@ -120,9 +127,9 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
             const findings::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts());
-            words = summary(session, plan, scene,
-                            {statistics, file.audit_report(), omitted, find_in_branches(session, plan, file)},
-                            wall);
+            words =
+                summary(session, plan, scene,
+                        {statistics, file.audit_report(), omitted, find_in_sweep(session, plan, file)}, wall);
             code = judge(session, plan, statistics);
         } catch (const Stopped&) {  // all ranks come here together
             if (solve_seconds == 0) solve_seconds = solving.seconds();

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -10,11 +9,10 @@
 #include "parallel/dealing.hpp"
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
-#include "regime/branch.hpp"
 #include "run/known_attractors.hpp"
 #include "run/progress_style.hpp"
 #include "run/solve_tiles.hpp"
-#include "support/stopwatch.hpp"
+#include "run/whole_branches.hpp"
 #include "support/tell.hpp"
 
 namespace peterka {
@@ -80,15 +78,6 @@ class RefinedRegions {
     std::unordered_map<std::int64_t, refine::Region> regions_;  // those in hand
 };
 
-// Branches of a sweep, one after the other.
-std::function<void(parallel::TileSource&)> whole_branches(const scene::Scene& scene, MapFile& file) {
-    return parallel::one_by_one([&](const Tile& tile, const parallel::Look& look) {
-        const Stopwatch stopwatch;
-        const auto points = regime::follow_branch(scene, tile.row, look);
-        file.write_branch(tile, points, stopwatch.seconds());
-    });
-}
-
 // The tiles that the file lacks.
 parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan, MapFile& file) {
     map_file::RemainingTiles remaining = file.remaining_tiles();
@@ -116,7 +105,7 @@ void solve_missing_tiles(const Session& session, const RunPlan& plan, const scen
     const auto solve = [&](parallel::TileSource& source) { solve_tiles(scene, known, work, source); };
     const bool sweeps = plan.job.kind == job::Kind::sweep;
     parallel::deal_tiles(session, tiling, std::move(missing),
-                         {.solve = sweeps ? whole_branches(scene, file) : solve,
+                         {.solve = sweeps ? parallel::one_by_one(whole_branches(scene, file)) : solve,
                           .stop_requested = [&] { return stop.requested(); },
                           .on_progress =
                               [&](std::int64_t solved) {

@@ -37,10 +37,10 @@ def tile_count(path):
 
 
 def tile_of_cells(file):
-    """The number of the tile in which each cell lies; in a sweep the branch."""
+    """The number of the tile in which each cell lies; in a sweep the branch, with [starts] the gap."""
     rows, columns = file["regime"].shape
     if "direction" in file:
-        return np.repeat(np.arange(rows)[:, None], columns, axis=1)
+        return np.repeat(np.arange(rows)[:, None] // (rows // file["tiles/done"].size), columns, axis=1)
     across = -(-columns // TILE)
     return np.arange(rows)[:, None] // TILE * across + np.arange(columns) // TILE
 

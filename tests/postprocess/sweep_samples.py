@@ -56,3 +56,21 @@ def write_sweep(path, gaps=GAPS, directions=(0, 1), **attributes):
         file["peak_force_ratio"] = force
         file["stroboscopic_displacement"], file["impact_displacement"] = stroboscopic, impact
     return path
+
+
+def write_sweep_with_starts(path):
+    """The same with two attractors kept: at 1.5 one of force 70 besides, at the first six points."""
+    write_sweep(path)
+    with SealedFile(path, "r+") as file:
+        force = file["peak_force_ratio"][()]
+        other = np.full(force.shape, np.nan)
+        other[2:, :6] = 70
+        share = np.where(np.isfinite(other), 0.25, 0)
+        file["attractor"] = np.arange(2, dtype="i4")
+        file["basin_share"] = np.stack([1 - share, share])
+        file["attractor_peak_force_ratio"] = np.stack([force, other])
+        samples = file["stroboscopic_displacement"][()]
+        samples[2:, :6, 1] = -9
+        file["attractor_stroboscopic_displacement"] = samples
+        file["attractor_impact_displacement"] = file["impact_displacement"][()]
+    return path

@@ -6,13 +6,13 @@ from colour_distance import deuteranope_sight, difference, normal_sight
 from peterka.files.opened import NotDrawable
 from peterka.look.classes import CLASSES
 from peterka.look.figures import figure_of
-from peterka.sweeps import bifurcation, response
+from peterka.sweeps import bifurcation, every_attractor, response
 from peterka.measurements import marks
 from peterka.measurements.points import Measurements, Point
 from peterka.sweeps.sweep_file import SweepFile
 from peterka.sweeps.sweep_panels import LOOKS
 from sealing import SealedFile
-from sweep_samples import WEIGHT, write_sweep
+from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
 NOTHING = Measurements([], [])
 
@@ -165,3 +165,41 @@ def test_damaged_content_is_refused(tmp_path, name, values):
         file[name] = values
     with pytest.raises(NotDrawable, match=name if name != "stroboscopic_displacement" else "shape"):
         SweepFile(path)
+
+
+def dots_of(ax):
+    return [line for line in ax.lines if line.get_color() == every_attractor.COLOUR]
+
+
+def test_every_attractor_is_drawn_thin_below_the_branches(tmp_path):
+    with SweepFile(write_sweep_with_starts(tmp_path / "a.h5")) as file:
+        figure = figure_of(response.draw(file))
+        diagram = figure_of(bifurcation.draw(file))
+    ax = panels_of(figure)[1]
+    dots, = dots_of(ax)
+    up = lines_of(ax, LOOKS["up"].colour)[0]
+    assert dots.get_zorder() < up.get_zorder() and dots.get_markersize() < up.get_linewidth()
+    x, y = dots.get_data()
+    assert x[y == 70].tolist() == file.values[:6].tolist()
+    assert ax.get_ylim()[1] > 70  # no branch has more than 60
+    samples, = dots_of(panels_of(diagram)[1])
+    assert np.sum(np.asarray(samples.get_ydata()) == -9) == 6
+    for drawn in (figure, diagram):
+        assert "every attractor that starts find" in legend_texts(drawn)
+
+
+def test_a_sweep_without_starts_has_none_of_it(tmp_path):
+    with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
+        assert file.slots == 0
+        figure = figure_of(response.draw(file))
+    assert not dots_of(panels_of(figure)[1])
+    assert "every attractor that starts find" not in legend_texts(figure)
+
+
+def test_attractors_of_another_shape_are_refused(tmp_path):
+    write_sweep_with_starts(tmp_path / "a.h5")
+    with SealedFile(tmp_path / "a.h5", "r+") as file:
+        del file["basin_share"]
+        file["basin_share"] = np.zeros((2, 3, 5))
+    with pytest.raises(NotDrawable):
+        SweepFile(tmp_path / "a.h5")

@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 
 from ..look.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
-from . import sweep_panels
+from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
@@ -34,10 +34,11 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     label, second_label = WHERE[name]
     metres = file.positive("cart_amplitude_m")
     second = (second_label, 1000 * metres) if metres else None
-    handles = [*_handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "displacement")]
+    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "displacement")]
     panels = sweep_panels.panels(file, handles, label, second, ax)
     size = max(1.0, min(2.5, (500 / len(file.values)) ** 0.5))
     for gap, ax in panels.items():
+        every_attractor.draw_samples(ax, file, gap, name, 0.8 * size)
         for branch in file.at_gap(gap):
             points, values = samples[branch.row]
             colour, width, zorder = DOTS[branch.direction]

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from ..look import style, units
 from ..look.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
-from . import sweep_panels
+from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
@@ -32,13 +32,15 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     if not any(np.any(branch.force > 0) for branch in file.branches):
         return None
     second = _second_scale(file)
-    handles = [*_handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "force")]
+    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
-        top = max([np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
+        x, forces = every_attractor.forces(file, gap)
+        top = max([forces.max(initial=0.0)] + [np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
                   + [point.force + point.errors.get("force", 0.0) for point in points if point.force is not None])
         bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
+        every_attractor.draw(ax, x, forces)
         for branch in file.at_gap(gap):
             _draw_branch(ax, file, branch, bottom, top)
         notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]

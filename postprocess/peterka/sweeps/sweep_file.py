@@ -3,7 +3,9 @@ direction, each with the classes and peak forces of a map and with samples of it
 
 Layout version 2, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
-impact_displacement [x/A0 at first touch]. What cannot be drawn raises NotDrawable.
+impact_displacement [x/A0 at first touch]. With [starts], on [attractor][branch][frequency_ratio]: basin_share and
+attractor_peak_force_ratio f64; and samples of all attractors' motions, attractor_stroboscopic_displacement and
+attractor_impact_displacement. What cannot be drawn raises NotDrawable.
 """
 
 from dataclasses import dataclass
@@ -21,6 +23,8 @@ MAX_SAMPLES = 2**27
 DIRECTIONS = ("up", "down", "independent")
 CELLS = {"regime": INTEGER, "impacts": INTEGER, "period": INTEGER, "peak_force_ratio": REAL, "jump": INTEGER}
 SAMPLED = ("stroboscopic_displacement", "impact_displacement")
+OF_ATTRACTORS = ("basin_share", "attractor_peak_force_ratio")
+MAX_SLOTS = 64
 WITHOUT_PERIOD = (CHAOTIC, UNRESOLVED)
 
 
@@ -65,7 +69,8 @@ class Branch:
 
 
 class SweepFile(OpenedFile):
-    """A checked, open sweep: axis_name, values (points,), branches, gaps."""
+    """A checked, open sweep: axis_name, values (points,), branches, gaps; slots, the number of attractors kept at each point
+    (0 without [starts])."""
 
     @cached_property
     def computed(self):
@@ -86,6 +91,15 @@ class SweepFile(OpenedFile):
         points, columns = np.nonzero(np.isfinite(values))
         return points, values[points, columns]
 
+    def attractor_samples(self, name, branch):
+        """The same of the motions on all attractors of the branch's points."""
+        return self.samples(f"attractor_{name}", branch)
+
+    def attractor_forces(self, branch):
+        """(slots, points) [F/(m g)]; NaN in empty slots and where an attractor has none."""
+        share, force = (np.asarray(self.data.values(name, (slice(None), branch.row)), dtype=float) for name in OF_ATTRACTORS)
+        return np.where(share > 0, force, np.nan)
+
     def check_content(self):
         names = axes_of_job(self.data.attribute("job"))
         self.axis_name = names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio"
@@ -96,6 +110,7 @@ class SweepFile(OpenedFile):
         shape = (len(gaps), len(self.values))
         if np.prod(shape) > MAX_POINTS:
             raise self.refusal(f"has {np.prod(shape)} points; at most {MAX_POINTS} can be drawn")
+        self.slots = self._slots(shape)
         self._check_samples(shape)
         directions = self._directions(len(gaps))
         self.branches = [self._branch(row, gap, direction, shape)
@@ -138,6 +153,18 @@ class SweepFile(OpenedFile):
             raise self.refusal(f"has samples of shape {(*shape, *samples)}, too many to draw")
         for name in SAMPLED:
             self.data.dataset(name, (*shape, *samples), REAL)
+            if self.slots:
+                self.data.dataset(f"attractor_{name}", (*shape, *samples), REAL)
+
+    def _slots(self, shape):
+        if not self.data.has("basin_share"):
+            return 0
+        slots = self.data.dataset("basin_share", None, REAL).shape[:1]
+        if not slots or not 1 <= slots[0] <= MAX_SLOTS or slots[0] * np.prod(shape) > MAX_SAMPLES:
+            raise self.refusal(f"keeps {slots[0] if slots else 'no'} attractors at each point; 1 to {MAX_SLOTS} can be drawn")
+        for name in OF_ATTRACTORS:
+            self.data.dataset(name, slots + shape, REAL)
+        return slots[0]
 
     def _branch(self, row, gap, direction, shape):
         for name, kinds in CELLS.items():

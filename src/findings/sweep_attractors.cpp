@@ -1,0 +1,59 @@
+#include "findings/sweep_attractors.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+
+namespace peterka {
+namespace {
+
+using quantities::StoredAttractor;
+using quantities::StoredCell;
+using regime::Regime;
+
+MotionClass class_of(const StoredAttractor& attractor) {
+    StoredCell cell;
+    cell.regime = attractor.regime;
+    cell.impacts = attractor.impacts;
+    cell.period = attractor.period;
+    return motion_class(cell);
+}
+
+}  // namespace
+
+GapAttractors find_beside_branches(std::span<const StoredCell> cells,
+                                   std::span<const StoredAttractor> attractors, std::int64_t columns) {
+    GapAttractors found{.points = columns};
+    const std::int64_t rows = std::ssize(cells) / columns;
+    const std::int64_t slots = cells.empty() ? 0 : std::ssize(attractors) / std::ssize(cells);
+    std::map<MotionClass, Unvisited> beside;
+    for (std::int64_t column = 0; column < columns; ++column) {
+        const std::int64_t count = cells[static_cast<std::size_t>(column)].attractors;
+        found.several += count > 1 ? 1 : 0;
+        found.most = std::max(found.most, count);
+        bool any = false;
+        for (std::int64_t slot = 0; slot < slots; ++slot) {
+            const auto& attractor = attractors[static_cast<std::size_t>(slot * std::ssize(cells) + column)];
+            const auto is_on = [&](std::int64_t row) {
+                return cells[static_cast<std::size_t>(row * columns + column)].start_attractor == slot;
+            };
+            bool visited = !(attractor.share > 0) || attractor.regime == Regime::unresolved ||
+                           attractor.regime == Regime::failed;
+            for (std::int64_t row = 0; row < rows; ++row) visited = visited || is_on(row);
+            if (visited) continue;
+            any = true;
+            const MotionClass motion = class_of(attractor);
+            Unvisited& entry = beside.try_emplace(motion, Unvisited{motion, 0, column, column}).first->second;
+            entry.points += entry.points == 0 || entry.last < column ? 1 : 0;
+            entry.last = column;
+            entry.largest_share = std::max(entry.largest_share, attractor.share);
+        }
+        found.with_unvisited += any ? 1 : 0;
+    }
+    for (const auto& [motion, entry] : beside) found.unvisited.push_back(entry);
+    std::ranges::stable_sort(found.unvisited, std::ranges::greater{}, &Unvisited::points);
+    return found;
+}
+
+}  // namespace peterka

@@ -1,0 +1,17 @@
+// The solving of a sweep: a branch after the other, or, with [starts], all of a gap together with the
+// attractors at each of its points.
+#pragma once
+
+#include <functional>
+
+#include "map_file/map_file.hpp"
+#include "parallel/dealing.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka {
+
+// Solves a tile and stores it, for one_by_one. Scene and file outlive it.
+[[nodiscard]] std::function<void(const parallel::Tile& tile, const parallel::Look& look)> whole_branches(
+    const scene::Scene& scene, map_file::MapFile& file);
+
+}  // namespace peterka

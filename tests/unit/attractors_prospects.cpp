@@ -1,0 +1,70 @@
+// When later starts of a cell are called sooner: by the cycles that earlier ones took, and how they ended.
+#include "attractors/prospects.hpp"
+
+#include <gtest/gtest.h>
+
+namespace peterka::attractors {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+constexpr std::int64_t window = 1000;
+
+CellResult chaotic(std::int64_t cycles = window) {
+    return {.regime = Regime::chaotic,
+            .cycles = static_cast<std::int32_t>(cycles),
+            .observed_cycles = static_cast<std::int32_t>(cycles),
+            .sensitivity = 300};
+}
+
+CellResult settled(std::int32_t cycles, double sensitivity) {
+    return {.regime = Regime::no_impact, .cycles = cycles, .sensitivity = sensitivity};
+}
+
+Prospects after(int starts, const CellResult& result) {
+    Prospects prospects;
+    for (int n = 0; n < starts; ++n) prospects.take(result);
+    return prospects;
+}
+
+// One more than was seen may end otherwise while one start is followed: of five that is a fifth.
+TEST(Prospects, ChaosIsKnownOnceFiveStartsWereFollowedForAsLongAsOneIs) {
+    EXPECT_FALSE(Prospects().sooner().chaos);
+    EXPECT_FALSE(after(4, chaotic()).sooner().chaos);
+    EXPECT_TRUE(after(5, chaotic()).sooner().chaos);
+    EXPECT_FALSE(after(5, chaotic()).sooner().unresolved);
+}
+
+TEST(Prospects, AStartThatEndedOtherwiseAsksForAsManyMore) {
+    Prospects prospects = after(9, chaotic());
+    prospects.take(settled(500, 60));
+    EXPECT_FALSE(prospects.sooner().chaos);
+    prospects.take(chaotic());
+    EXPECT_TRUE(prospects.sooner().chaos);
+}
+
+// What settled at once, or slowly but surely, was never like chaos.
+TEST(Prospects, StartsThatRememberTheirBeginningTellNothing) {
+    Prospects prospects = after(5, chaotic());
+    for (int n = 0; n < 20; ++n) {
+        prospects.take(settled(40, 60));
+        prospects.take(settled(900, 5));
+    }
+    EXPECT_TRUE(prospects.sooner().chaos);
+}
+
+TEST(Prospects, UnresolvedStartsAreGivenUpSoonerOnlyWhereNoneEndsInTheMeantime) {
+    const CellResult unresolved{
+        .regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 3};
+    EXPECT_FALSE(after(4, unresolved).sooner().unresolved);
+    Prospects prospects = after(5, unresolved);
+    EXPECT_TRUE(prospects.sooner().unresolved);
+    EXPECT_LT(Prospects::smaller({.max_cycles = 3000}).max_cycles, 3000);
+    EXPECT_EQ(Prospects::smaller({.max_cycles = 200}).max_cycles, 200);
+    prospects.take(settled(2000, 3));
+    EXPECT_FALSE(prospects.sooner().unresolved);
+}
+
+}  // namespace
+}  // namespace peterka::attractors
