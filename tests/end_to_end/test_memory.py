@@ -1,0 +1,58 @@
+"""What a job takes of memory: told by `check`, and refused where there isn't so much, before anything is made."""
+
+import re
+import resource
+import subprocess
+
+import jobs
+import launch
+import many_starts
+
+MEGABYTE = 10**6
+
+
+def sweep(samples, attractors=64):
+    return (jobs.RIG.format(kind="sweep", title="large") + jobs.axis("frequency_ratio", 1.0, 3.0, 4001)
+            + f"[sweep]\ngap_ratio = [1.5]\nsamples = {samples}\n" + many_starts.table(8, attractors=attractors))
+
+
+def run_with(megabytes, *arguments, cwd):
+    """With a limit of the address space that leaves about so much beside what the program itself takes."""
+    peak = subprocess.run(["bash", "-c", '"$@" > /dev/null & while kill -0 $! 2> /dev/null; do '
+                           "sed -n 's/VmPeak: *//p' /proc/$!/status 2> /dev/null; done", "bash", *launch.command("--version")],
+                          env=launch.ENVIRONMENT, capture_output=True, text=True, check=False).stdout
+    own = max(int(size) for size in re.findall(r"(\d+) kB", peak)) * 1024
+    limit = own + megabytes * MEGABYTE
+    return subprocess.run(launch.command(*arguments), cwd=cwd, env=launch.ENVIRONMENT, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=launch.HANGING, check=False,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+
+def test_check_and_run_refuse_what_memory_cannot_hold(tmp_path):
+    jobs.write(tmp_path, sweep(samples=32))
+    told = launch.told_megabytes(launch.run("check", "job.toml", cwd=tmp_path))
+    assert told > 400
+    for command in ("check", "run"):
+        finished = run_with(300, command, "job.toml", cwd=tmp_path)
+        assert finished.returncode == 2, finished.stderr
+        assert re.search(r"job\.toml: a rank needs [\d.]+ [MG]B of memory, and this machine, or a limit of this process "
+                         r"\(ulimit -v\), leaves [\d.]+ MB; nothing was created\. Give fewer points, a smaller starts\.count "
+                         r"or starts\.attractors, a smaller sweep\.samples, or compute it where there is more\.",
+                         finished.stderr), finished.stderr
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
+
+
+def test_what_fits_is_computed(tmp_path):
+    """The same limit."""
+    jobs.write(tmp_path, sweep(samples=2, attractors=2).replace("points = 4001", "points = 41"))
+    for command in ("check", "run"):
+        finished = run_with(300, command, "job.toml", cwd=tmp_path)
+        assert finished.returncode == 0, finished.stderr
+
+
+def test_starts_of_an_audited_map_are_priced_by_their_count(tmp_path):
+    """A cell that is audited tells the end of each of its starts."""
+    jobs.write(tmp_path, many_starts.small_map() + "[audit]\ncells = 5\n")
+    few, many = (launch.told_megabytes(launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path))
+                 for count in (10_000, 1_000_000))
+    assert many - few > 300
