@@ -93,16 +93,14 @@ std::string rule_of_samples(const Job& job) {
         job.starts.count == 0 ? 1 : branches_of_a_gap(job.sweep) + job.starts.attractors + 1;
     const std::int64_t samples = std::max(job.sweep.samples, least_samples) * motions;
     if (job.columns.points <= most / samples) return {};
-    const std::string of_all =
-        motions == 1 ? ""
-                     : fmt::format(" on each of {} motions (with [starts] those of all attractors)", motions);
+    const std::string of_what =
+        motions == 1 ? "each" : fmt::format("of each of {} motions, those on all attractors", motions);
     return fmt::format(
-        "a branch has {} points with up to {} samples each{}; a rank keeps a branch in memory until it is "
-        "whole, "
-        "so their product is at most {}, where each point counts as {} samples at least; give fewer points{} "
-        "or "
+        "a branch has {} points with up to {} samples {}; a rank keeps a branch in memory until it is whole, "
+        "so "
+        "their product is at most {}, where each point counts as {} samples at least; give fewer points{} or "
         "sweep.samples",
-        job.columns.points, job.sweep.samples, of_all, most, least_samples,
+        job.columns.points, job.sweep.samples, of_what, most, least_samples,
         motions == 1 ? "" : ", starts.attractors");
 }
 

@@ -138,19 +138,25 @@ void require_memory(const std::string& where, const job::Job& job) {
                               where, readable_bytes(needed), readable_bytes(left), ways));
 }
 
-// Microseconds and core of a start as measured on the paper's rig with AVX2, where many cells fill the vectors;
-// a round of few starts of few cells waits for its longest, which is followed alone. Other laws, engines and
-// strong cubic springs take many times as long.
+// Microseconds and core of a start as measured on the paper's rig with AVX2; with AVX-512 about half. Other
+// laws, engines and strong cubic springs take many times as long. A cell whose starts settle at once takes a
+// twentieth of the mean, a chaotic one ten times as long: of few cells the mean tells little.
 std::string starts_price(const job::Job& job) {
     if (job.starts.count == 0) return "";
-    constexpr double microseconds = 12;
-    const bool shared = job.kind == job::Kind::sweep;  // by all branches of a gap
-    const double cells =
-        static_cast<double>(job.cells()) / static_cast<double>(shared ? job::branches_of_a_gap(job.sweep) : 1);
+    constexpr double microseconds = 15;
+    constexpr double enough = 100;
+    const bool is_sweep = job.kind == job::Kind::sweep;
+    const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
+    const double cells = static_cast<double>(job.cells()) / shared;
     const double starts = static_cast<double>(job.starts.count) * cells;
-    return fmt::format("#   starts   {} in each {}, {:.3g} in all: some {} of one core, about\n",
-                       readable_count(job.starts.count), shared ? "point" : "cell", starts,
-                       readable_duration(starts * microseconds * 1e-6));
+    const double seconds = starts * microseconds * 1e-6;
+    const std::string words =
+        cells < enough
+            ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",
+                          readable_duration(seconds / 20), readable_duration(seconds * 10))
+            : fmt::format("some {} of one core, about", readable_duration(seconds));
+    return fmt::format("#   starts   {} in each {}, {:.3g} in all: {}\n", readable_count(job.starts.count),
+                       is_sweep ? "point" : "cell", starts, words);
 }
 
 }  // namespace peterka

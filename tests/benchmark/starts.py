@@ -46,7 +46,7 @@ class Found:
 class Row:
     """Of `count` starts: seconds of a cell, cycles of a start; the error of a share (root of the mean square over cells and
     attractors), that of as many random starts, the largest; attractors found of those there are, and what random ones
-    would."""
+    would; how many a cell has, as found."""
 
     count: int
     seconds: float
@@ -56,6 +56,7 @@ class Row:
     largest: float
     found: float
     expected: float
+    attractors: float
 
 
 def main():
@@ -109,7 +110,8 @@ def row_of(count, found, truth):
     off = np.abs(shares - true)
     cells = len(truth.shares)
     return Row(count, found.seconds / cells, found.cycles / cells / count, rms(off), rms(np.sqrt(true * (1 - true) / count)),
-               float(off.max()), float(np.mean(shares > 0)), float(np.mean(1 - (1 - true)**count)))
+               float(off.max()), float(np.mean(shares > 0)), float(np.mean(1 - (1 - true)**count)),
+               float(np.mean([len(cell) for cell in found.shares])))
 
 
 def rms(values):
@@ -118,9 +120,9 @@ def rms(values):
 
 def picture(rows):
     """Errors against time, and what is missed."""
-    figure = new_figure(6.0, 2.7)
+    figure = new_figure(8.4, 2.7)
     seconds = [row.seconds for row in rows]
-    left, right = figure.subplots(1, 2)
+    left, right, last = figure.subplots(1, 3)
     left.loglog(seconds, [row.error for row in rows], "o-", color="black", label="starts of the program")
     left.loglog(seconds, [row.bound for row in rows], "--", color="#D55E00", label="random starts (binomial)")
     right.semilogx(seconds, [100 * (1 - row.found) for row in rows], "o-", color="black")
@@ -129,7 +131,9 @@ def picture(rows):
         left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(-4, -11), fontsize=7)
     left.set_ylabel("error of a basin share (rms)")
     right.set_ylabel("attractors missed (%)")
-    for panel in (left, right):
+    last.semilogx(seconds, [row.attractors for row in rows], "o-", color="black")
+    last.set_ylabel("attractors of a cell, as found")
+    for panel in (left, right, last):
         panel.margins(x=0.12)
         panel.set_xlabel("computing time of a cell (s)")
     left.legend(fontsize=7)
@@ -139,15 +143,17 @@ def picture(rows):
 def page(rows, side, many, truth, path):
     several = [len(cell) for cell in truth.shares if len(cell) > 1]
     lines = ["| starts | time of a cell (ms) | cycles of a start | error of a share: rms | random starts | largest | attractors "
-             "found | random starts |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]
+             "found | random starts | attractors of a cell |", "| --- " * 9 + "|"]
     lines += [f"| {row.count} | {1e3 * row.seconds:.3g} | {row.cycles:.1f} | {row.error:.4f} | {row.bound:.4f} | "
-              f"{row.largest:.3f} | {100 * row.found:.1f} % | {100 * row.expected:.1f} % |" for row in rows]
+              f"{row.largest:.3f} | {100 * row.found:.1f} % | {100 * row.expected:.1f} % | {row.attractors:.3f} |" for row in rows]
     return "\n\n".join([
         "# Starts: error against time",
         f"Written by `tests/benchmark/starts.py`. {side} × {side} cells of `{JOB}`; the truth is that of {many} starts in each. "
-        f"{len(several)} of these cells have several attractors, {np.mean(several):.2f} on average; labels z count as one "
+        f"{len(several)} of these cells have several attractors, {np.mean(several):.2f} on average, and alone are compared; labels z count as one "
         "attractor each. *Random starts*: what the binomial distribution says of as many independent ones.",
-        "\n".join(lines), f"![error against time]({path.with_suffix('.png').name})"]) + "\n"
+        "\n".join(lines),
+        "From one line to the next there are four times as many starts: independent ones would err half as much.",
+        f"![error against time]({path.with_suffix('.png').name})"]) + "\n"
 
 
 if __name__ == "__main__":

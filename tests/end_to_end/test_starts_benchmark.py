@@ -26,6 +26,7 @@ def test_errors_and_what_random_starts_would_err():
     assert row.error == pytest.approx(((2 * 0.25**2 + 2 * 0.1**2) / 4)**0.5)  # the cell with one attractor tells nothing
     assert row.bound == pytest.approx(((2 * 0.5**2 + 2 * 0.09) / 4 / 4)**0.5)
     assert row.largest == 0.25 and row.found == 0.75
+    assert row.attractors == pytest.approx(4 / 3)
     assert row.expected == pytest.approx((2 * (1 - 0.5**4) + 1 - 0.1**4 + 1 - 0.9**4) / 4)
 
 
