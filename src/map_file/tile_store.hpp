@@ -32,9 +32,9 @@ class TileStore {
   public:
     TileStore(const hdf5::OpenMap& map, const job::Job& job);
 
-    // With [starts] with its attractors (cell_attractors.hpp), of a sweep with its samples (samples.hpp), in this
-    // order: the bytes of what each cell has several of. First the cells, then their checksum, then the done
-    // mark: a kill in between leaves no mark that lies.
+    // With [starts] with its attractors (cell_attractors.hpp), of a sweep with its samples (samples.hpp), in
+    // this order: the bytes of what each cell has several of. First the cells, then their checksum, then the
+    // done mark: a kill in between leaves no mark that lies.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                const TileOrigin& origin, std::span<const std::byte> several = {});
     // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "regime/chaos_claim.hpp"
+#include "regime/failed_cycle.hpp"
 #include "regime/followed_trajectory.hpp"
 #include "regime/growth.hpp"
 #include "regime/orbit_measurement.hpp"
@@ -22,21 +23,6 @@ namespace peterka::regime {
 namespace {
 
 using trajectory::Cycle;
-
-Status status_of(Cycle<double>::Outcome outcome) {
-    switch (outcome) {
-        case Cycle<double>::Outcome::too_many_events:
-            return Status::too_many_events;
-        case Cycle<double>::Outcome::not_finite:
-            return Status::not_finite;
-        case Cycle<double>::Outcome::solver_failed:
-        case Cycle<double>::Outcome::inside_stop:
-            return Status::solver_failed;
-        case Cycle<double>::Outcome::done:
-            break;
-    }
-    return Status::proved;
-}
 
 bool is_conservative(const scene::Oscillator<double>& oscillator) {
     return oscillator.damping_ratio == 0 && scene::is_lossless(oscillator.contact);

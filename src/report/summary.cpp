@@ -154,7 +154,8 @@ std::string summary_text(const SummaryInput& input) {
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
            starts_summary(input.scene.job(), input.findings.statistics.starts) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
-           sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) + audit(input) + omitted(input) +
+           sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +
+           audit(input) + omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

@@ -30,7 +30,7 @@ struct SweepFindings {
 struct Findings {
     const findings::Statistics& statistics;
     std::optional<map_file::AuditReport> audit;
-    std::span<const std::string> omitted;       // sentences: what was left out, and why
+    std::span<const std::string> omitted;  // sentences: what was left out, and why
     SweepFindings sweep = {};
 };
 

@@ -10,15 +10,16 @@
 namespace peterka::map_file {
 namespace {
 
-constexpr std::int64_t samples = 4;
-constexpr double gap = 0.5;
+constexpr std::int64_t room_of_point = 4;
+constexpr double gap_of_points = 0.5;
 
 // Orbits of these periods, and one touch on the first.
 attractors::PointAttractors point_of(const std::vector<int>& periods) {
-    attractors::PointAttractors point{.count = static_cast<std::int32_t>(periods.size()), .gap = gap};
+    attractors::PointAttractors point{.count = static_cast<std::int32_t>(periods.size()), .gap = gap_of_points};
     for (std::size_t i = 0; i < periods.size(); ++i) {
-        regime::SteadyMotion& motion = point.motions.emplace_back(samples);
-        for (int n = 0; n < periods[i]; ++n) motion.stroboscopic.add({10.0 * double(i) + n, 100.0 + n});
+        regime::SteadyMotion& motion = point.motions.emplace_back(room_of_point);
+        for (int n = 0; n < periods[i]; ++n)
+            motion.stroboscopic.add({10.0 * static_cast<double>(i) + n, 100.0 + n});
         if (i == 0) motion.touches.add({std::numbers::pi / 2, 3.0});
     }
     return point;
@@ -35,8 +36,8 @@ std::vector<Number> numbers_at(const std::vector<std::byte>& bytes, std::size_t&
 TEST(AttractorSamples, OfAPointShareItsRoomThoseWithLargeSharesFirst) {
     const std::vector<attractors::PointAttractors> points{point_of({4, 1}), point_of({}), point_of({1, 4})};
     constexpr std::int64_t rows = 2;
-    const std::vector<std::byte> bytes = attractor_sample_bytes(points, rows, samples);
-    const std::size_t row = points.size() * samples;
+    const std::vector<std::byte> bytes = attractor_sample_bytes(points, rows, room_of_point);
+    const std::size_t row = points.size() * room_of_point;
     ASSERT_EQ(bytes.size(), rows * row * 2 * (4 + 8 + 8));
     std::size_t at = 0;
     const auto attractor = numbers_at<std::int32_t>(bytes, at, rows * row);
@@ -48,13 +49,13 @@ TEST(AttractorSamples, OfAPointShareItsRoomThoseWithLargeSharesFirst) {
         EXPECT_EQ(std::isnan(displacement[i]), attractor[i] < 0) << i;
         EXPECT_EQ(std::isnan(velocity[i]), attractor[i] < 0) << i;
     }
-    EXPECT_EQ(displacement[1], 1 + gap);
+    EXPECT_EQ(displacement[1], 1 + gap_of_points);
     EXPECT_EQ(velocity[1], 101);
-    EXPECT_EQ(displacement[2], 10 + gap);
+    EXPECT_EQ(displacement[2], 10 + gap_of_points);
     const auto struck = numbers_at<std::int32_t>(bytes, at, rows * row);
     EXPECT_EQ(struck[0], 0);
     EXPECT_EQ(struck[1], -1);
-    EXPECT_DOUBLE_EQ(numbers_at<double>(bytes, at, rows * row)[0], gap + 1);
+    EXPECT_DOUBLE_EQ(numbers_at<double>(bytes, at, rows * row)[0], gap_of_points + 1);
 }
 
 }  // namespace
