@@ -34,6 +34,8 @@ class CellCrowd {
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
     void step();
+    // Begun so far; where a cell has one start alone, those that never meet the stop have none.
+    [[nodiscard]] std::int64_t searches() const { return pool_.searches(); }
 
   private:
     struct Open {

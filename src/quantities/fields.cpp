@@ -1,6 +1,9 @@
 #include "quantities/fields.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
 
 #include "job/stored_quantities.hpp"
 
@@ -49,15 +52,25 @@ FieldOf<Numbers> field_of(const cell::QuantityOf<Numbers>& quantity) {
             &quantity};
 }
 
-template <template <cell::Units> class Numbers>
-Numbers<cell::Units::of_file> in_units_of_file(std::span<const cell::QuantityOf<Numbers>> quantities,
-                                               const Numbers<cell::Units::nondimensional>& numbers,
+// A row of the table as a constant: so its members and its dimension are known where this is compiled.
+template <const auto& row, template <cell::Units> class Numbers>
+void put_in_unit_of_file(Numbers<cell::Units::of_file>& stored,
+                         const Numbers<cell::Units::nondimensional>& numbers, const scene::Scales& scales) {
+    constexpr bool has_unit =
+        row.dimension != cell::Dimension::label && row.dimension != cell::Dimension::number;
+    double value = row.load(numbers);
+    if constexpr (has_unit) value = scales.in_unit_of_file(value, row.dimension);
+    row.store(stored, std::isnan(value) ? cell::unknown : value);
+}
+
+template <const auto& rows, template <cell::Units> class Numbers>
+Numbers<cell::Units::of_file> in_units_of_file(const Numbers<cell::Units::nondimensional>& numbers,
                                                const scene::Scales& scales) {
     Numbers<cell::Units::of_file> stored;
-    for (const cell::QuantityOf<Numbers>& quantity : quantities) {
-        const double value = scales.in_unit_of_file(quantity.load(numbers), quantity.dimension);
-        quantity.store(stored, std::isnan(value) ? cell::unknown : value);
+    [&]<std::size_t... n>(std::index_sequence<n...> /*numbers*/) {
+        (put_in_unit_of_file<rows[n], Numbers>(stored, numbers, scales), ...);
     }
+    (std::make_index_sequence<std::size(rows)>());
     return stored;
 }
 
@@ -86,11 +99,11 @@ std::vector<Field> attractor_fields() {
 }
 
 StoredCell in_file_units(const cell::CellResult& cell, const scene::Scales& scales) {
-    return in_units_of_file(cell::quantities, cell, scales);
+    return in_units_of_file<cell::table::rows, cell::Result>(cell, scales);
 }
 
 StoredAttractor in_file_units(const cell::CellAttractor& attractor, const scene::Scales& scales) {
-    return in_units_of_file(cell::attractor_quantities, attractor, scales);
+    return in_units_of_file<cell::table::attractor_rows, cell::Attractor>(attractor, scales);
 }
 
 }  // namespace peterka::quantities

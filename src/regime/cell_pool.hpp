@@ -20,6 +20,7 @@
 #include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
 #include "regime/cycle_desk.hpp"
+#include "regime/free_cells.hpp"
 #include "regime/scalar_engine.hpp"
 #include "scene/rigs.hpp"
 #include "scene/scene.hpp"
@@ -53,6 +54,8 @@ class CellPool {
     // Any search on the same rig, begun at a desk; what it finds goes to the list, if there is one.
     using Begin = std::function<Task<CellResult>(CycleDesk& desk, std::vector<FoundAttractor>* found)>;
     void add(const Begin& begin, std::int64_t number);
+    // Begun so far; cells that never meet the stop have none.
+    [[nodiscard]] std::int64_t searches() const { return searches_; }
 
     // Carries each batch that has become large through the cycles that its cells wait for, or the largest where
     // none has; the foremost of the cells outside batches through a few.
@@ -93,9 +96,11 @@ class CellPool {
     const AttractorTable& known_;
     Take take_;
     Findings findings_;
+    FreeCells free_;
     std::list<Group> groups_;
     std::deque<std::unique_ptr<Cell>> alone_;
     std::size_t in_hand_ = 0;
+    std::int64_t searches_ = 0;
 };
 
 }  // namespace peterka::regime

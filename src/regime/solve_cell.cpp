@@ -21,7 +21,8 @@ namespace {
 Measures measures_of(const job::Job& job) {
     Measures measures;
     for (const cell::Quantity& quantity : cell::quantities) {
-        if (!job::stores(job, quantity)) continue;
+        const bool takes_more = quantity.recorded != cell::Recorded::usual;  // looked at first: most don't
+        if (!takes_more || !job::stores(job, quantity)) continue;
         if (quantity.recorded == cell::Recorded::contacts) measures.detail = trajectory::Detail::contacts;
         measures.force_per_cycle |= quantity.recorded == cell::Recorded::cycle_forces;
     }

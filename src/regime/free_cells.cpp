@@ -1,0 +1,75 @@
+#include "regime/free_cells.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "regime/solve_cell.hpp"
+#include "trajectory/free_flight.hpp"
+
+namespace peterka::regime {
+
+namespace {
+
+// Of u, which doesn't depend on the gap.
+double displacement_of(const scene::Cell& cell) {
+    return cell.start[0] + cell.oscillator.gap;
+}
+
+double farthest_gap(const scene::Scene& scene) {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const std::int64_t row : {std::int64_t{0}, std::max<std::int64_t>(scene.rows() - 1, 0)}) {
+        for (const std::int64_t column : {std::int64_t{0}, std::max<std::int64_t>(scene.columns() - 1, 0)}) {
+            farthest = std::max(farthest, scene.cell(row, column).oscillator.gap);
+        }
+    }
+    return farthest;
+}
+
+}  // namespace
+
+FreeCells::FreeCells(const scene::Scene& scene) : scene_(scene), farthest_(farthest_gap(scene)) {}
+
+bool FreeCells::Known::tells_of(const scene::Cell& cell) const {
+    return frequency == cell.oscillator.frequency && gap <= cell.oscillator.gap &&
+           displacement == displacement_of(cell) && velocity == cell.start[1];
+}
+
+std::size_t FreeCells::place_of(const scene::Cell& cell) {
+    return std::hash<double>()(cell.oscillator.frequency) % places;
+}
+
+std::optional<CellResult> FreeCells::compute(const scene::Cell& cell) {
+    ++computed_;
+    return solve_at_once(scene_.job(), cell);
+}
+
+std::optional<CellResult> FreeCells::told_by_another(const scene::Cell& cell) const {
+    const Known& known = known_[place_of(cell)];
+    if (!known.tells_of(cell)) return std::nullopt;
+    CellResult result = known.result;
+    const double gap = cell.oscillator.gap;
+    result.orbit_displacement = (known.steady_displacement - gap) + gap;  // rounded as its own delta is
+    return result;
+}
+
+std::optional<CellResult> FreeCells::find(const scene::Cell& cell) {
+    const std::optional<CellResult> result = compute(cell);
+    // of a hammer without damping the start rings on, and what it adds rounds differently with every gap
+    if (!result || scene_.rigs_differ() || cell.oscillator.damping_ratio == 0) return result;
+    scene::Cell farthest = cell;
+    farthest.oscillator.gap = farthest_;
+    farthest.start[0] = displacement_of(cell) - farthest_;
+    if (!compute(farthest)) return result;
+    scene::Oscillator<double> without_stop = without_cubic(cell.oscillator);
+    without_stop.gap = 0;
+    known_[place_of(cell)] = {.frequency = cell.oscillator.frequency,
+                              .displacement = displacement_of(cell),
+                              .velocity = cell.start[1],
+                              .gap = cell.oscillator.gap,
+                              .steady_displacement = trajectory::FreeFlight<double>(without_stop).steady()[0],
+                              .result = *result};
+    return result;
+}
+
+}  // namespace peterka::regime

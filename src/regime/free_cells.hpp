@@ -1,0 +1,53 @@
+// The cells of a map that never meet the stop, as their start shows: they need no search. Most of them are told
+// from another one.
+//
+// With one frequency and one start, the motion without a stop is the same for every gap, and its proof holds
+// the better the farther off the stop is; leaving the cubic term out is the harder to justify there. So what
+// holds at a gap, and at the farthest one of the map, holds in between, and is the same but for where delta
+// begins.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "regime/cell_result.hpp"
+#include "scene/scene.hpp"
+
+namespace peterka::regime {
+
+class FreeCells {
+  public:
+    // The scene must outlive this.
+    explicit FreeCells(const scene::Scene& scene);
+
+    // What solve_at_once (regime/solve_cell.hpp) gives; first where another cell tells it, then of the others.
+    [[nodiscard]] std::optional<CellResult> told_by_another(const scene::Cell& cell) const;
+    [[nodiscard]] std::optional<CellResult> find(const scene::Cell& cell);
+    // For how many cells solve_at_once was asked.
+    [[nodiscard]] std::int64_t computed() const { return computed_; }
+
+  private:
+    // A cell, and from its gap on all that share its frequency and start.
+    struct Known {
+        double frequency = 0;  // none has this one
+        double displacement = 0;
+        double velocity = 0;
+        double gap = 0;
+        double steady_displacement = 0;  // u at forcing phase 0
+        CellResult result = {};
+
+        [[nodiscard]] bool tells_of(const scene::Cell& cell) const;
+    };
+    static constexpr std::size_t places = 256;
+    [[nodiscard]] static std::size_t place_of(const scene::Cell& cell);
+    [[nodiscard]] std::optional<CellResult> compute(const scene::Cell& cell);
+
+    const scene::Scene& scene_;
+    double farthest_;                  // gap of any cell
+    std::array<Known, places> known_;  // neighbours in a map share their frequencies
+    std::int64_t computed_ = 0;
+};
+
+}  // namespace peterka::regime
