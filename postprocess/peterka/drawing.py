@@ -1,6 +1,7 @@
 """Pictures of datasets, by name."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import xarray
 from matplotlib.axes import Axes
@@ -16,7 +17,7 @@ def picture_names(data: xarray.Dataset) -> list[str]:
 
 
 def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
-         **options) -> Axes | Sequence[Axes] | None:
+         **options: Any) -> Axes | Sequence[Axes] | None:
     """Draws a picture of a dataset that open() or run() gave, or of a part of one.
 
     `name`: one of picture_names(data), the first one where there is none. `ax`: Axes made by subplots(), whose place the

@@ -3,22 +3,23 @@
 Each is drawn by a function draw(data, ax=None, ...) of look.picture: data an open file or a dataset, ax where to.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
-from .files.opened import OpenedFile
+from .files.opened import OpenedFile, Source
 from .maps import (
     attractor_maps, audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map,
     quantity_map,
 )
 from .maps.curves_file import CurvesFile
 from .maps.map_file import PeterkaFile
-from .measurements.points import NOTHING_MEASURED
+from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
 from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
-from .sweeps.borders import NO_BORDERS
+from .sweeps.borders import NO_BORDERS, Border
 from .sweeps.sweep_file import SweepFile
 from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
@@ -35,8 +36,16 @@ class Row:
     name: str
     kinds: tuple[str, ...]
     draw: Callable
-    has: Callable[[OpenedFile], bool] = lambda file: True
+    has: Callable[[Any], bool] = lambda file: True  # a file of these kinds
     takes: tuple[str, ...] = ()
+
+
+def _holds(kind: str, name: str) -> Callable[[Any], bool]:
+    return lambda file: name in getattr(file, kind)
+
+
+def _has_share(name: str) -> Callable[[Any], bool]:
+    return lambda file: file.slots > 0 and name in attractor_maps.commonest(file)
 
 
 PLANES = ("map", "basin")
@@ -46,17 +55,17 @@ PICTURES = [
     Row("force_all", ("map",), force_map.draw_all_impacts, takes=("measured",)),
     Row("basin", ("basin",), basin_map.draw_attractors),
     Row("basin_impact", ("basin",), basin_map.draw_impact),
-    *(Row(name, PLANES, partial(quantity_map.draw, name=name), lambda file, name=name: name in file.quantities)
+    *(Row(name, PLANES, partial(quantity_map.draw, name=name), _holds("quantities", name))
       for name in quantity_map.TITLES),
     *(Row(name, ("map",) if name.startswith("orbit") else PLANES, partial(number_map.draw, name=name),
-          lambda file, name=name: name in file.numbers) for name in number_map.NUMBERS),
+          _holds("numbers", name)) for name in number_map.NUMBERS),
     Row("last_impact", PLANES, last_impact.draw, lambda file: file.has_last_impact),
     Row("impact_after_{cycles}", ("basin",), basin_map.draw_impact_after, lambda file: file.has_last_impact, ("cycles",)),
     Row("attractors", ("map",), attractor_maps.draw_number, lambda file: file.slots > 0),
     Row("attractors_largest", ("map",), attractor_maps.draw_largest, lambda file: file.slots > 0),
     Row("attractors_impact", ("map",), attractor_maps.draw_impacting, lambda file: file.slots > 0),
     *(Row(name, ("map",), partial(attractor_maps.draw_share, name=name),
-          lambda file, name=name: file.slots > 0 and name in attractor_maps.commonest(file))
+          _has_share(name))
       for name in attractor_maps.SHARES),
     Row("kick", ("map",), attractor_maps.draw_kick, lambda file: file.has_kicks),
     Row("computed", PLANES, computed_map.draw, lambda file: file.is_refined),
@@ -80,20 +89,21 @@ PICTURES = [
 ]
 
 
-def open_file(source):
+def open_file(source: Source) -> OpenedFile:
     """The file at a path, or what an xarray.Dataset has of one, checked by the reader of its kind."""
     with OpenedFile(source) as header:
         reader = READERS[header.kind]
     return reader(source)
 
 
-def picture_name(file, name):
+def picture_name(file: OpenedFile, name: str) -> str:
     """Of a picture's file without its suffix; a study's file often has its topic in its name already."""
     stem = file.path.stem
     return stem if file.kind == "study" and stem.endswith(name) else f"{stem}_{name}"
 
 
-def pictures_of(file, cycles=300, measured=NOTHING_MEASURED, borders=NO_BORDERS):
+def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
+                borders: Sequence[Border] = NO_BORDERS) -> dict[str, Callable]:
     """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
     of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map, `borders` over those of a sweep."""
     options = {"cycles": cycles, "measured": measured, "borders": borders}

@@ -1,10 +1,14 @@
 """The results page: what studies and map files say, in Markdown, with the pictures that lie beside it."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from .files.harmless import harmless
+from .files.opened import OpenedFile
 from .maps.audit_map import compared_errors
 from .pictures import picture_name
+from .studies.study_file import StudyFile
 from .studies.study_words import (
     labels_table, rigid_limit_sentence, stability_table, where_engines_break, work_precision_table,
 )
@@ -15,20 +19,20 @@ Written by `jobs/results.sh` from the files that the program computes. Times are
 same machine, so that they hold elsewhere, too."""
 
 
-def page(files):
+def page(files: Sequence[OpenedFile]) -> str:
     """The text for these open files; studies of one topic and any number of maps."""
     sections = [INTRODUCTION]
     for topic, write in (("work_precision", _work_precision), ("labels", _labels), ("stability", _stability)):
-        sections += [write(file) for file in files if file.kind == "study" and file.topic == topic]
+        sections += [write(file) for file in files if isinstance(file, StudyFile) and file.topic == topic]
     maps = [file for file in files if file.kind == "map"]
     if maps:
         sections.append(_omitted(maps))
     return "\n\n".join(sections) + "\n"
 
 
-def pictures(files):
+def pictures(files: Sequence[OpenedFile]) -> list[str]:
     """Names of the pictures that the page shows, as draw.py gives them."""
-    return [f"{picture_name(file, file.topic)}.png" for file in files if file.kind == "study"]
+    return [f"{picture_name(file, file.topic)}.png" for file in files if isinstance(file, StudyFile)]
 
 
 def _picture(file):

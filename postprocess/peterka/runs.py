@@ -7,9 +7,11 @@ import subprocess
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import xarray
 
+from .files.checked_hdf5 import CheckedFile
 from .files.dataset import dataset_of
 from .pictures import open_file
 from .toml import text_of
@@ -32,7 +34,7 @@ class PeterkaError(Exception):
 class JobError(PeterkaError):
     """A job with faults: `faults` has all of them, one text each, with line and column where they have one."""
 
-    def __init__(self, faults: list[str]):
+    def __init__(self, faults: list[str]) -> None:
         super().__init__("\n".join(faults))
         self.faults = faults
 
@@ -46,11 +48,13 @@ def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
     data["attractors/cells"]. A file that isn't whole or isn't peterka's raises files.opened.NotDrawable."""
     with open_file(path) as file:
         reader = type(file)
-    return dataset_of(reader(path).data)
+    data = reader(path).data
+    assert isinstance(data, CheckedFile)
+    return dataset_of(data)
 
 
 def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.PathLike | None = None,
-        **changes) -> xarray.Dataset:
+        **changes: Any) -> xarray.Dataset:
     """Computes a job and gives its file as open() does; a file that holds it already is only opened.
 
     `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: of mpirun; 1 goes without it.
@@ -67,7 +71,7 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
         return data if output is not None else data.load()
 
 
-def check(job: str | os.PathLike | Mapping, **changes) -> str:
+def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
     """What a job means and costs, as the program's `check` prints it; computes nothing. Raises JobError."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]

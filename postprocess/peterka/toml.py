@@ -3,9 +3,10 @@
 import json
 import math
 from collections.abc import Mapping
+from typing import Any
 
 
-def text_of(tables: Mapping) -> str:
+def text_of(tables: Mapping[str, Any]) -> str:
     """Values first, then the tables, each under its full name."""
     return "\n".join(_lines(tables, ())) + "\n"
 

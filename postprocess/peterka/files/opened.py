@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from .harmless import harmless
 if TYPE_CHECKING:
     import xarray
 
-    Source = str | os.PathLike | xarray.Dataset
+Source: TypeAlias = "str | os.PathLike | xarray.Dataset"
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
@@ -29,8 +29,6 @@ STANDARD_GRAVITY = 9.80665  # m/s^2
 
 class OpenedFile:
     """`kind` is one of KINDS; a subclass checks its own content in check_content()."""
-
-    computed: float  # share of it, 0 to 1, told by a subclass
 
     def __init__(self, source: Source) -> None:
         """`source`: the path of a file, or an xarray.Dataset of one."""
@@ -55,6 +53,11 @@ class OpenedFile:
 
     def check_content(self) -> None:
         """Nothing beyond the header."""
+
+    @property
+    def computed(self) -> float:
+        """The share of it, 0 to 1, that is computed; each kind of file counts its own."""
+        raise NotImplementedError
 
     @cached_property
     def title(self) -> str:

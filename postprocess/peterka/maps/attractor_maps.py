@@ -5,6 +5,7 @@ colours of the Peterka map. Blocks of a reduced map show their mean share, and t
 """
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
@@ -47,7 +48,8 @@ def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The class of the attractor on which most starts end."""
     names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
     reduced, counts = class_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)), len(CLASSES))
-    orbits, others = [], []
+    orbits: list[Artist] = []
+    others: list[Artist] = []
     for n in np.flatnonzero(counts):
         text = f"{CLASSES[n].label} ({axes.percent(counts[n] / counts.sum())})"
         entry = axes.legend_patch(text, CLASSES[n].colour, n == INDEX["not computed yet"])
@@ -101,7 +103,7 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
     return _draw_scale(file, ax, reduced, f"share of starts that end in {text}", 1, None)
 
 
-def commonest(file):
+def commonest(file: PeterkaFile) -> list[str]:
     """Names of SHARES: the classes with most starts of the plane."""
     total, cells = np.zeros(len(CLASSES)), 0
     for _, band in file.bands(LABELS):

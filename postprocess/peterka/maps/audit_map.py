@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.fills import Fill, fill
@@ -48,7 +49,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     return ax
 
 
-def compared_errors(force_error):
+def compared_errors(force_error: Reals) -> Reals:
     """The errors that could be compared, ascending."""
     return np.sort(force_error[np.isfinite(force_error)])
 

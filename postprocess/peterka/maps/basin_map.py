@@ -38,6 +38,7 @@ IMPACT_COLOUR, NO_IMPACT_COLOUR = "#0072B2", "#FF7F5C"  # the red is pale enough
 def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The basin of each attractor of a basin file, with its share of the starts."""
     table = file.attractors
+    assert table is not None
     named = _largest_attractors(table)
     named_entries = _attractor_entries(table, named)
     # Labels below len(CLASSES) are classes, of starts that belong to no attractor; then the named ones, then the rest.

@@ -3,9 +3,13 @@
 Where the grids differ these are the points of the coarser one, along each axis, that coincide with points of the other.
 """
 
-import numpy as np
+from collections.abc import Iterable, Iterator
+from typing import Any
 
-from .map_file import BAND_CELLS, axis_of
+import numpy as np
+from numpy.typing import NDArray
+
+from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
 
 SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
 
@@ -13,7 +17,7 @@ SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
 class CommonPlane:
     """kind, rows and columns (Axis), shape, and plain attributes of the first file: what axes are drawn from."""
 
-    def __init__(self, first, second):
+    def __init__(self, first: PeterkaFile, second: PeterkaFile) -> None:
         if first.kind == second.kind and any(getattr(first, side).name != getattr(second, side).name for side in ("rows", "columns")):
             raise second.refusal(f"runs over {_axes(second)}, and {first.path} over {_axes(first)}: only cells at the same places "
                                  "can be compared")
@@ -23,33 +27,34 @@ class CommonPlane:
         (self.rows, self._rows), (self.columns, self._columns) = (self._shared(side) for side in ("rows", "columns"))
         self.shape = len(self.rows.values), len(self.columns.values)
 
-    def positive(self, name):
+    def positive(self, name: str) -> float | None:
         """A scale in SI units is only one where it is the same in both files."""
         mine, other = self.first.positive(name), self.second.positive(name)
         return mine if mine == other else None
 
     @property
-    def in_words(self):
+    def in_words(self) -> str:
         """How much of each file it is; empty where it is all of both."""
         if self.shape == self.first.shape == self.second.shape:
             return ""
         shapes = ["{1} by {0}".format(*shape) for shape in (self.shape, self.first.shape, self.second.shape)]
         return f"compared at the {shapes[0]} points that both have: A has {shapes[1]}, B {shapes[2]}"
 
-    def bands(self, names, multiple=1):
+    def bands(self, names: Iterable[str],
+              multiple: int = 1) -> Iterator[tuple[int, dict[str, NDArray[Any]], dict[str, NDArray[Any]]]]:
         """(first row, {name: array} of A, the same of B); all but the last have a number of rows divisible by `multiple`."""
         cells = max(self.first.shape[1], self.second.shape[1])
         stride = max(self.first.shape[0], self.second.shape[0]) // self.shape[0] + 1  # rows read for one that is taken
         rows = multiple * max(1, BAND_CELLS // (cells * stride * multiple))
         for row in range(0, self.shape[0], rows):
-            yield row, *(self._band(which, names, row, row + rows) for which in (0, 1))
+            yield row, self._band(0, names, row, row + rows), self._band(1, names, row, row + rows)
 
     def _band(self, which, names, begin, end):
         file, rows, columns = (self.first, self.second)[which], self._rows[which][begin:end], self._columns[which]
         band = file.band(names, int(rows[0]), int(rows[-1]) + 1)
         return {name: values[np.ix_(rows - rows[0], columns)] for name, values in band.items()}
 
-    def _shared(self, side):
+    def _shared(self, side: str) -> tuple[Axis, tuple[Any, Any]]:
         """The Axis of the points that both have, and their indices in the first and the second file."""
         axes = getattr(self.first, side), getattr(self.second, side)
         coarse, fine = sorted(axes, key=lambda axis: len(axis.values))

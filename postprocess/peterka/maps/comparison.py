@@ -6,15 +6,20 @@ contact. Chaotic peaks grow with the time observed and say little. Memory: 16 by
 
 import tomllib
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Integers, Mask, Reals
 from ..files.harmless import harmless
 from ..files.opened import NotDrawable
 from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..look.classes import class_of
 from .common_plane import CommonPlane
+from .map_file import PeterkaFile
 
 SHARES = (1, 50, 99)  # % of the cells; quantiles of the ratio that are told
 MOST_KEYS = 6  # that differ
@@ -33,24 +38,26 @@ class Comparison:
     cells: int
     same_regime: int
     same_label: int
-    moves: Counter
+    moves: Counter[tuple[str, str]]
     force_ratio: np.ndarray
     place: np.ndarray
 
     @property
-    def scale(self):
+    def scale(self) -> float:
+        """The median of B's forces over A's; 1 where none are compared."""
         return float(np.median(self.force_ratio)) if len(self.force_ratio) else 1.0
 
-    def differences(self, scale=1.0):
+    def differences(self, scale: float = 1.0) -> Reals:
         """Of the forces, over the larger of both, (n,)."""
         return force_difference(self.force_ratio, scale)
 
 
-def compare(first, second):
+def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
     """The Comparison of two open files; NotDrawable where they don't lie over the same plane."""
     plane = CommonPlane(first, second)
     cells = same_regime = same_label = 0
-    moves, ratios, places = Counter(), [], []
+    moves: Counter[tuple[str, str]] = Counter()
+    ratios, places = [], []
     for row, a, b in plane.bands(NAMES):
         both = there(a) & there(b)
         codes = label_codes(**a), label_codes(**b)
@@ -65,27 +72,30 @@ def compare(first, second):
     return Comparison(plane, cells, same_regime, same_label, moves, np.concatenate(ratios), np.concatenate(places))
 
 
-def there(band):
+def there(band: Mapping[str, NDArray[Any]]) -> Mask:
+    """Which cells of a band are computed, (rows, columns)."""
     return band["regime"] != NOT_COMPUTED
 
 
-def label_codes(regime, impacts, period, **_):
+def label_codes(regime: Integers, impacts: Integers, period: Integers, **_: object) -> Integers:
     """A number for each label: the regime, or p and q of an orbit. Arrays of one shape."""
     orbits = _ORBIT + (impacts.astype(np.int64) << 32) + period
     return np.where(regime == PERIODIC, orbits, regime)
 
 
-def has_lasting_force(a, b):
+def has_lasting_force(a: Mapping[str, NDArray[Any]], b: Mapping[str, NDArray[Any]]) -> Mask:
+    """Which cells of two bands with the same labels have forces to compare, (rows, columns)."""
     lasts = (a["regime"] == PERIODIC) | (a["regime"] == SUSTAINED_CONTACT)
     return lasts & (a["peak_force_ratio"] > 0) & (b["peak_force_ratio"] > 0)
 
 
-def force_difference(ratio, scale=1.0):
+def force_difference(ratio: Reals, scale: float = 1.0) -> Reals:
+    """|B - A| over the larger of both, of B's forces over those of A times `scale`, (n,)."""
     ratio = ratio / scale
     return np.abs(ratio - 1) / np.maximum(ratio, 1)
 
 
-def text(first, second, comparison):
+def text(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> str:
     """What is told, some lines."""
     lines = [f"A  {first.path}: {first.title}", f"B  {second.path}: {second.title}",
              *differing_keys(first, second), *filter(None, [comparison.plane.in_words]),
@@ -118,12 +128,12 @@ def _force_lines(comparison):
     return lines
 
 
-def change(ratio):
+def change(ratio: float) -> str:
     """+5.0 %, -29.0 %, or a factor where that says more."""
     return f"{100 * (ratio - 1):+.3g} %" if 0.1 < ratio < 10 else f"{ratio:.3g} times"
 
 
-def differing_keys(first, second):
+def differing_keys(first: PeterkaFile, second: PeterkaFile) -> list[str]:
     """A line for each key of the jobs that differs, as both files tell them; none where they don't."""
     jobs = [_keys(file.data.attribute("job")) for file in (first, second)]
     if None in jobs:

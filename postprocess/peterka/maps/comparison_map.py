@@ -7,10 +7,12 @@ in it.
 
 import numpy as np
 from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 from ..look import axes, style, units
-from .comparison import NAMES, differing_keys, has_lasting_force, label_codes, there
+from .comparison import NAMES, Comparison, differing_keys, has_lasting_force, label_codes, there
+from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, largest, with_edges
 
 WIDTH = 3.7  # in
@@ -23,7 +25,7 @@ NAMES_OF_KINDS = ["same, no lasting force", "same regime, other z", "other regim
 
 
 @style.using()
-def draw(first, second, comparison):
+def draw(first: PeterkaFile, second: PeterkaFile, comparison: Comparison) -> Figure:
     """The picture as a Figure, with the share of each kind of difference."""
     plane = comparison.plane
     block = block_size(plane.shape, LIMIT)

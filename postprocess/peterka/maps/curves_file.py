@@ -51,13 +51,14 @@ class CurvesFile(PeterkaFile):
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
-    def check_content(self):
+    def check_content(self) -> None:
+        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
         super().check_content()
         self.curves = self._curves() if self.data.has("curve_kind") else []
         self.specials = self._specials() if self.data.has("special_kind") else []
         self.crossings = self._crossings() if self.data.has("crossing_curve") else []
 
-    def _curves(self):
+    def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
         impacts, periods, firsts, counts = (
             self._column(name, INTEGER, kinds.shape)
@@ -75,7 +76,7 @@ class CurvesFile(PeterkaFile):
             Curve(KINDS[kind], int(p), int(q), frequencies[first:first + count], gaps[first:first + count])
             for kind, p, q, first, count in zip(kinds, impacts, periods, firsts, counts)]
 
-    def _specials(self):
+    def _specials(self) -> list[Special]:
         kinds = self._column("special_kind", INTEGER)
         frequencies, gaps = (self._column(name, REAL, kinds.shape)
                              for name in ("special_frequency_ratio", "special_gap_ratio"))
@@ -84,7 +85,7 @@ class CurvesFile(PeterkaFile):
             raise self.refusal("has a special point of no known kind or place")
         return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, frequencies, gaps)]
 
-    def _crossings(self):
+    def _crossings(self) -> list[Crossing]:
         numbers = self._column("crossing_curve", INTEGER)
         frequencies, gaps = (self._column(name, REAL, numbers.shape)
                              for name in ("crossing_frequency_ratio", "crossing_gap_ratio"))

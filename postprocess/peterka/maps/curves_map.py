@@ -5,10 +5,12 @@ the stable side, is written at the longest curves.
 """
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
+from .curves_file import CurvesFile
 from .peterka_map import WIDTH
 from .reduce import class_picture
 
@@ -27,12 +29,12 @@ MOST_NAMES = 24
 APART = 0.06  # of the picture, between two names or letters
 
 
-def draw(file, ax=None):
+def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The curves alone; None without any."""
     return _draw(file, ax, over_map=False) if file.curves else None
 
 
-def draw_over_map(file, ax=None):
+def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
     """The same over the coarse map."""
     return _draw(file, ax, over_map=True) if file.curves else None
 

@@ -9,15 +9,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm, Normalize
 
+from ..arrays import Integers, Mask
 from ..files.regimes import CHAOTIC, PERIODIC
 from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.fills import Fill, grey
 from ..look.notes import write_beside
 from ..measurements import marks
-from ..measurements.points import NOTHING_MEASURED
+from ..measurements.points import NOTHING_MEASURED, Measurements
+from .map_file import PeterkaFile
 from .reduce import class_picture, field_picture
 
 WIDTH = 3.7  # in
@@ -55,12 +58,12 @@ class Field:
     from_zero: bool = True  # the scale begins at 0; else at the smallest value
 
 
-def has_impacts(regime, *_):
+def has_impacts(regime: Integers, *_: object) -> Mask:
     """Cells of proved orbits with impacts, chaos among them."""
     return (regime == PERIODIC) | (regime == CHAOTIC)
 
 
-def draw(file, field, ax=None, measured=NOTHING_MEASURED):
+def draw(file: PeterkaFile, field: Field, ax: Axes | None = None, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
     """The map of a Field, and of a force what was measured of it; None where no cell has a value."""
     values, peak, lacking = field_picture(file, field.dataset, field.carries)
     if peak is None:
@@ -113,7 +116,7 @@ def _legend_entries(counts, carried, apart, lacking):
     return entries
 
 
-def scale_colours():
+def scale_colours() -> ListedColormap | str:
     """The colours of a scale of values, from low to high."""
     return ListedColormap([grey(light) for light in np.linspace(*GREY_SCALE, 256)]) if style.is_grey() else COLOURS
 

@@ -3,6 +3,8 @@
 Light is early, dark is late; where impacts go on for ever, or are undecided, a cell has the colour of neither.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -26,7 +28,7 @@ NAMES = ["none at all", *(f"{low + 1} to {high}" for low, high in zip(ENDS, ENDS
 def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The picture, with the share of each class."""
     reduced, counts = class_picture(file, ["regime", "last_impact"], _classify, len(NAMES))
-    colours = COLOURS
+    colours: Sequence[str | Fill] = COLOURS
     if style.is_grey():  # apart from the scale of lightness
         colours = [*SHADES, Fill(grey(70), "//"), Fill(grey(100), "xx"), COLOURS[MISSING]]
     handles = [axes.legend_patch(f"{NAMES[n]} ({axes.percent(counts[n] / counts.sum())})", colours[n], n == MISSING)

@@ -9,11 +9,15 @@ maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn
 """
 
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL, shown
 from ..files.harmless import harmless
 from ..files.job_axes import axes_of_job
@@ -63,13 +67,13 @@ class PeterkaFile(OpenedFile):
     coordinates = COORDINATES  # of each kind that this class reads
 
     @cached_property
-    def computed(self):
+    def computed(self) -> float:
         """Share of the cells that are computed, 0 to 1."""
         missing = sum(int(np.sum(band["regime"] == NOT_COMPUTED)) for _, band in self.bands(["regime"]))
         return 1 - missing / (self.shape[0] * self.shape[1])
 
     @cached_property
-    def observed_chaos(self):
+    def observed_chaos(self) -> tuple[int, int] | None:
         """The fewest and the most forcing cycles for which chaotic cells were followed; None without such cells."""
         if not self._has_observed_cycles:
             return None
@@ -78,7 +82,7 @@ class PeterkaFile(OpenedFile):
         cycles = np.concatenate([cells[cells > 0] for cells in followed])  # filled ones were not followed
         return (int(cycles.min()), int(cycles.max())) if cycles.size else None
 
-    def bands(self, names, multiple=1):
+    def bands(self, names: Iterable[str], multiple: int = 1) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
         """Yields (first row, {name: array (rows, columns)}) over the whole map, `regime` among the names; those of SLOTS
         are (slots, rows, columns).
 
@@ -88,14 +92,15 @@ class PeterkaFile(OpenedFile):
         for first in range(0, self.shape[0], rows):
             yield first, self.band(names, first, first + rows)
 
-    def band(self, names, first, last):
+    def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]:
         """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
         rows = slice(first, last)
         band = {name: self.data.values(name, (slice(None), rows) if name in SLOTS else rows) for name in names}
         self._check_values(band)
         return band
 
-    def check_content(self):
+    def check_content(self) -> None:
+        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
         if self.kind not in self.coordinates:
             raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(self.coordinates)} file is needed")
         self.rows, self.columns = (self._axis(name) for name in self._coordinates())
@@ -119,18 +124,18 @@ class PeterkaFile(OpenedFile):
         self.has_kicks = self.slots > 0 and self.data.has("critical_kick")
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
 
-    def _coordinates(self):
+    def _coordinates(self) -> tuple[str, str]:
         names = axes_of_job(self.data.attribute("job"))
         if self.kind == "map" and len(names) == 2 and all(self.data.has(name) for name in names):
             return names[1], names[0]
         return self.coordinates[self.kind]
 
-    def _has_integers(self, name):
+    def _has_integers(self, name: str) -> bool:
         if self.data.has(name):
             self.data.dataset(name, self.shape, INTEGER)
         return self.data.has(name)
 
-    def _slots(self):
+    def _slots(self) -> int:
         if self.kind != "map" or not self.data.has("basin_share"):
             return 0
         slots = self.data.dataset("basin_share", None, REAL).shape[:1]
@@ -149,7 +154,7 @@ class PeterkaFile(OpenedFile):
         if unit not in QUANTITIES[name]:
             raise self.refusal(f"has {name} in {shown(unit)} instead of {QUANTITIES[name][0]}")
 
-    def _is_quantity(self, name):
+    def _is_quantity(self, name: str) -> bool:
         """Whether it is a number on the plane in a unit of UNITS: what later versions store is drawn, too."""
         try:
             self.data.dataset(name, self.shape, REAL)
@@ -159,11 +164,11 @@ class PeterkaFile(OpenedFile):
             return False  # it names a picture's file
         return self.data.attribute("units", name) in UNITS
 
-    def unit(self, name):
+    def unit(self, name: str) -> str:
         """Of one of the quantities."""
-        return QUANTITIES[name][0] if name in QUANTITIES else self.data.attribute("units", name)
+        return QUANTITIES[name][0] if name in QUANTITIES else str(self.data.attribute("units", name))
 
-    def words(self, name):
+    def words(self, name: str) -> str:
         """What the file says that one of the quantities is."""
         said = self.data.attribute("long_name", name)
         return harmless(said, None) if isinstance(said, str) else name
@@ -182,7 +187,7 @@ class PeterkaFile(OpenedFile):
             if not np.isin(columns[name], [0, 1, NOT_COMPUTED]).all():
                 raise self.refusal(f"has a {name} that is neither 0 nor 1")
 
-    def _axis(self, name):
+    def _axis(self, name: str) -> Axis:
         shape = self.data.dataset(name, None, INTEGER + REAL).shape
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {shape}; an axis of 1 to {MAX_POINTS} points can be drawn")
@@ -192,7 +197,7 @@ class PeterkaFile(OpenedFile):
         return axis_of(name, values)
 
 
-def axis_of(name, values):
+def axis_of(name: str, values: Reals) -> Axis:
     """The Axis with these ascending values."""
     log = _evenly_spaced_in_log(values)
     edges = np.exp(_edges(np.log(values))) if log else _edges(values)
@@ -201,7 +206,7 @@ def axis_of(name, values):
     return Axis(name, values, edges, log)
 
 
-def _edges(centres):
+def _edges(centres: Reals) -> Reals:
     """Borders (n+1,) half-way between the centres (n,); the outer ones as far out as their inner neighbours. A single
     cell is a tenth of its value wide, or 1."""
     if len(centres) == 1:
@@ -211,7 +216,7 @@ def _edges(centres):
     return np.concatenate([[2 * centres[0] - inner[0]], inner, [2 * centres[-1] - inner[-1]]])
 
 
-def _evenly_spaced_in_log(values):
+def _evenly_spaced_in_log(values: Reals) -> bool:
     if len(values) < 3 or values[0] <= 0:
         return False
     linear, log = np.diff(values), np.diff(np.log(values))

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Reals
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.picture import picture
@@ -51,7 +52,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     return ax
 
 
-def edge_of_no_impact(frequency_ratio, damping_ratio):
+def edge_of_no_impact(frequency_ratio: Reals, damping_ratio: float) -> Reals:
     """P of the module's text: amplitude of the impact-free motion relative to the cart, over A0."""
     square = np.square(frequency_ratio)
     return square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)

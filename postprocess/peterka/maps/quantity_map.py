@@ -5,6 +5,8 @@ TITLES has short words for some; of the others the file's own are shown, and its
 Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
 """
 
+from collections.abc import Callable
+
 from matplotlib.axes import Axes
 
 from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
@@ -26,7 +28,8 @@ TITLES = {
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None:
     """The picture of one of file.quantities; None where no cell has a value."""
-    carries, apart = field_map.has_impacts, WITHOUT_IMPACTS
+    carries: Callable = field_map.has_impacts
+    apart: tuple[str, ...] = WITHOUT_IMPACTS
     if name == "max_displacement":
         carries, apart = _proved, ("unresolved", "failed")
     return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest)), ax)

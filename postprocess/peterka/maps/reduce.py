@@ -6,9 +6,15 @@ Class numbers are never averaged. A block of a field gets the largest value in i
 always taken from all cells. Memory: one band and the picture, whatever the size of the map.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
+
+from ..arrays import Integers, Reals
+from ..look.drawn import Plane
+from .map_file import PeterkaFile
 
 LIMIT = 2000
 
@@ -34,11 +40,12 @@ class Largest:
     on_border: bool  # of the plane
 
 
-def block_size(shape, limit=LIMIT):
+def block_size(shape: tuple[int, ...], limit: int = LIMIT) -> int:
+    """Cells along a side of a block, so that no side of (rows, columns) has more blocks than the limit."""
     return max(1, -(-max(shape) // limit))
 
 
-def majority(labels, block, class_count):
+def majority(labels: Integers, block: int, class_count: int) -> NDArray[np.uint8]:
     """Most frequent label of each block: (rows, columns) numbers below class_count to (ceil(rows/block), ...)."""
     if block == 1:
         return labels.astype(np.uint8)
@@ -49,13 +56,14 @@ def majority(labels, block, class_count):
     return votes.reshape(rows, columns, class_count).argmax(axis=2).astype(np.uint8)
 
 
-def largest(values, block):
+def largest(values: Reals, block: int) -> Reals:
     """Largest value of each block, NaN where it has none: (rows, columns) to (ceil(rows/block), ...)."""
     row_starts, column_starts = (np.arange(0, size, block) for size in values.shape)
     return np.fmax.reduceat(np.fmax.reduceat(values, row_starts, axis=0), column_starts, axis=1)
 
 
-def class_picture(file, names, classify, class_count, limit=LIMIT):
+def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable, class_count: int,
+                  limit: int = LIMIT) -> tuple[Reduced, NDArray[np.int64]]:
     """The classes of a file, reduced, and the number of its cells in each class, (class_count,).
 
     `classify` takes the band's arrays `names` and returns labels below class_count, in the shape of the band."""
@@ -69,7 +77,8 @@ def class_picture(file, names, classify, class_count, limit=LIMIT):
     return with_edges(file, np.concatenate(pieces), block), counts
 
 
-def field_picture(file, name, carries, limit=LIMIT):
+def field_picture(file: PeterkaFile, name: str, carries: Callable,
+                  limit: int = LIMIT) -> tuple[Reduced, Largest | None, int]:
     """The field `name` of the cells that carry it, reduced, NaN elsewhere; its Largest, None without any value; and the
     number of cells that should carry it but have no finite value.
 
@@ -91,6 +100,7 @@ def field_picture(file, name, carries, limit=LIMIT):
     return with_edges(file, np.concatenate(pieces), block), best, lacking
 
 
-def with_edges(file, image, block):
+def with_edges(file: Plane, image: Integers | Reals, block: int) -> Reduced:
+    """The Reduced of an image of a plane's blocks, (rows, columns)."""
     rows, columns = (np.append(axis.edges[:-1:block], axis.edges[-1]) for axis in (file.rows, file.columns))
     return Reduced(image, rows, columns, (file.rows.log, file.columns.log))

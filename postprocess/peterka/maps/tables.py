@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.checked_hdf5 import INTEGER, REAL, Content
 from ..files.regimes import check_labels
 
 MAX_ATTRACTORS = 4096
@@ -24,7 +24,8 @@ class Attractors:
     cells: np.ndarray
 
     @property
-    def count(self):
+    def count(self) -> int:
+        """Of the attractors."""
         return len(self.regime)
 
 
@@ -41,11 +42,12 @@ class Audit:
     agrees: np.ndarray  # bool: same regime, impacts and period
 
     @property
-    def count(self):
+    def count(self) -> int:
+        """Of the cells that were solved again."""
         return len(self.row)
 
 
-def read_attractors(data, shape):
+def read_attractors(data: Content, shape: tuple[int, ...]) -> Attractors:
     """The Attractors of a basin file with cells of this shape."""
     data.dataset("attractor", shape, INTEGER)
     data.dataset("attractors/count", (), INTEGER)
@@ -58,7 +60,7 @@ def read_attractors(data, shape):
     return Attractors(**columns)
 
 
-def read_audit(data, shape):
+def read_audit(data: Content, shape: tuple[int, ...]) -> Audit | None:
     """The Audit of a map with cells of this shape, without samples that are not solved yet; None without one, and of
     a part of a map, whose cells have other numbers."""
     if not data.has("audit"):

@@ -1,12 +1,19 @@
 """How far measured forces are from a map: each from the cell in which its point lies, as a table."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..files.regimes import NAMES, NOT_COMPUTED, PERIODIC
 from . import tables
 from .points import Point
+
+if TYPE_CHECKING:  # maps stand below measurements
+    from ..maps.map_file import PeterkaFile
 
 
 @dataclass(frozen=True)
@@ -18,21 +25,25 @@ class CellResidual:
     motion: str
 
 
-def residuals(file, points):
+def residuals(file: PeterkaFile, points: Iterable[Point]) -> list[CellResidual]:
     """[CellResidual] of the points with a force, in their order."""
     return [_of_cell(file, point) for point in points if point.force is not None]
 
 
-def table(file, found):
+def table(file: PeterkaFile, found: Sequence[CellResidual]) -> list[str]:
     """Lines; in Hz, mm and N where the file tells the rig."""
     hertz, metres, newtons = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m"), file.newtons
     units = "Hz" if hertz else "Omega/omega", "mm" if metres else "gap/A0", "N" if newtons else "F/(m g)"
     heads = (f"frequency [{units[0]}]", f"gap [{units[1]}]", f"measured [{units[2]}]", f"computed [{units[2]}]", "motion", "off by",
              "label")
-    return tables.lines(heads, [
-        (f"{one.point.frequency * (hertz or 1):.5g}", f"{one.point.gap * (1000 * metres if metres else 1):.4g}",
-         *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.motion,
-         tables.share(one.point, one.force), tables.name_of(one.point)) for one in found])
+    return tables.lines(heads, [_cells(one, hertz or 1, 1000 * metres if metres else 1, newtons or 1) for one in found])
+
+
+def _cells(one, hertz, millimetres, newtons):
+    """Of a row: factors are those from the ratios."""
+    return (f"{one.point.frequency * hertz:.5g}", f"{one.point.gap * millimetres:.4g}",
+            *(f"{force * newtons:.4g}" for force in (one.point.force, one.force)), one.motion,
+            tables.share(one.point, one.force), tables.name_of(one.point))
 
 
 def _of_cell(file, point):

@@ -1,12 +1,18 @@
 """How measured points look over pictures: a mark for each series, told apart without colour, with bars for standard errors.
 Over a map of forces a mark has the colour of the force that was measured."""
 
+from collections.abc import Sequence, Callable
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
+from ..look.drawn import Plane
 from ..look.notes import write_beside
 from ..look.seen import SEEN
+from .points import Point
 
 SHAPES, FACES = "Dos^vP<>", ("white", "black", "#AAAAAA")  # 24 pairs
 EDGE = {"markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.9, "linestyle": "none"}
@@ -14,19 +20,20 @@ BARS = {"ecolor": "black", "elinewidth": 0.9, "capsize": 2, "fmt": "none"}
 NAMELESS = "measured"
 
 
-def handles(points):
+def handles(points: Sequence[Point]) -> list[Line2D]:
     """Entries of a legend: each series once."""
     return [Line2D([], [], label=name or NAMELESS, **look) for name, look in looks(points).items()]
 
 
-def looks(points):
+def looks(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """{series: properties of its mark}, in the order in which they come."""
     names = list(dict.fromkeys(point.series for point in points))
     return {name: EDGE | {"marker": SHAPES[number % len(SHAPES)], "markerfacecolor": FACES[number // len(SHAPES)]}
             for number, name in enumerate(names)}
 
 
-def draw(ax, points, quantities, everyone=None, zorder=6.0):
+def draw(ax: Axes, points: Sequence[Point], quantities: Sequence[str], everyone: Sequence[Point] | None = None,
+         zorder: float = 6.0) -> None:
     """Marks of `points` at two of their quantities, across and up; `everyone`: of whose series the looks are."""
     for name, look in looks(everyone or points).items():
         own = [point for point in points if point.series == name]
@@ -40,7 +47,7 @@ def draw(ax, points, quantities, everyone=None, zorder=6.0):
         ax.plot(x, y, zorder=zorder, clip_on=False, gid=SEEN, **look)
 
 
-def draw_over_map(ax, file, points, colour_of=None):
+def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Callable[[float], Any] | None = None) -> None:
     """Marks over the plane of a map; `colour_of`: a colour for each force [F/(m g)]."""
     quantities = _quantities(file)
     limits = ax.get_xlim(), ax.get_ylim()
@@ -64,7 +71,7 @@ def _quantities(file):
     return [{"frequency_ratio": "frequency", "gap_ratio": "gap"}[axis.name] for axis in (file.columns, file.rows)]
 
 
-def vertical_marks(ax, points):
+def vertical_marks(ax: Axes, points: Sequence[Point]) -> None:
     """Of points that stand for a frequency alone."""
     places = np.array([(point.frequency, np.nan) for point in points]).reshape(-1, 2)
     ax.add_line(Line2D(places[:, [0, 0, 1]].ravel(), np.tile([0, 1, np.nan], len(points)), color="#555555", linewidth=0.7,

@@ -18,10 +18,12 @@ A point with a frequency alone is a mark on the frequency axis of a sweep. Lines
 
 from collections import Counter
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 from ..files.checked_hdf5 import NotDrawable
 from ..files.csv_table import read_csv_table
 from ..files.harmless import harmless
+from ..files.opened import OpenedFile
 
 QUANTITIES = ("frequency", "force", "displacement", "gap")
 UNITS = {"frequency": "hz", "force": "n", "displacement": "mm", "gap": "mm"}
@@ -51,17 +53,20 @@ class Point:
 
 @dataclass(frozen=True)
 class Measurements:
+    """What was read: the points, and sentences on those that were left out."""
+
     points: list[Point]
     left_out: list[str]  # sentences
 
-    def at_gap(self, gap):
+    def at_gap(self, gap: float | None) -> list[Point]:
+        """Those of one of the sweep's gaps, and those of all gaps."""
         return [point for point in self.points if point.gap is None or point.gap == gap]
 
 
 NOTHING_MEASURED = Measurements([], [])
 
 
-def read_measurements(path, file):
+def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     """The points of a CSV file that belong to this sweep or map, in its ratios."""
     _check_axes(file)
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)

@@ -7,6 +7,8 @@ import subprocess
 import tomllib
 from pathlib import Path
 
+from ..files.opened import OpenedFile
+
 ROOT = Path(__file__).resolve().parents[3]
 SOURCE = ROOT / "src"
 SCRIPT = SOURCE / "page" / "build_wasm.sh"
@@ -25,7 +27,7 @@ class NoEngine(Exception):
     """The page goes without; the message says why and what to do."""
 
 
-def module(cache=None):
+def module(cache: Path | None = None) -> bytes:
     """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
     cache = cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))
     if not SCRIPT.is_file():
@@ -59,13 +61,12 @@ def _fingerprint():
     return digest.hexdigest()[:16]
 
 
-def cell_numbers(file):
+def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
     """{name: number or None} of the file's job in the order of CellNumber; None also for what a cell has for itself.
     The law's own names stand for its numbers under `contact`."""
     text = file.data.attribute("job")
     try:
-        job = tomllib.loads(text)
-        return _numbers(job)
+        return _numbers(tomllib.loads(text))  # type: ignore[arg-type]  # what is no text is refused below
     except (TypeError, KeyError, ValueError, AttributeError) as error:
         raise NoEngine(f"the job in the file can't be read ({type(error).__name__}: {str(error)[:100]})") from error
 

@@ -4,12 +4,16 @@ A map of up to EXACT_CELLS cells has every dataset that lies on its cells, to th
 and peak force are taken unless others are asked for, and real numbers are shortened to what `room` bytes hold.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
 from ..files.checked_hdf5 import INTEGER, REAL, NotDrawable
 from ..look import classes
+from ..maps.map_file import PeterkaFile
 
 from . import planes
 
@@ -21,7 +25,7 @@ TITLES = {"peak_force_ratio": "peak force", "impact_rate": "impacts per cycle", 
 TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
-def labels(file, every):
+def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
     """({"table": [[regime, p, q, class], ...], ...}, bytes): the label of each cell as a number of the table."""
     key = np.concatenate([_key(band) for band in _bands(file, LABELS, every)])
     found, first, index = np.unique(key, return_index=True, return_inverse=True)
@@ -33,14 +37,14 @@ def labels(file, every):
     return {"table": table.tolist(), "plane": description}, packed
 
 
-def datasets(file, asked):
+def datasets(file: PeterkaFile, asked: Sequence[str] | None) -> list[str]:
     """Names of the datasets that become layers: peak force in any case, for scripts ask for it."""
     if asked is None:
         asked = file.data.names() if file.shape[0] * file.shape[1] <= EXACT_CELLS else []
     return ["peak_force_ratio", *(name for name in asked if name not in (*LABELS, "peak_force_ratio"))]
 
 
-def layers_of(file, name, every, room):
+def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple[dict[str, Any], bytes]] | None:
     """[({description}, bytes), ...] of a dataset: one, or one per slot of [slot][row][column]. None where it isn't a
     number per cell."""
     shape = _shape(file, name)
@@ -53,7 +57,7 @@ def layers_of(file, name, every, room):
     return None
 
 
-def viridis():
+def viridis() -> list[str]:
     """The pictures' scale of colours, from low to high."""
     return [to_hex(colour) for colour in colormaps["viridis"](np.linspace(0, 1, 256))]
 

@@ -5,10 +5,12 @@ import base64
 import html
 import json
 import zlib
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..look import classes
 from ..maps import basin_map, field_map
+from ..maps.map_file import PeterkaFile
 
 from . import layers
 from .engine import NoEngine, cell_numbers, module
@@ -27,12 +29,13 @@ AXES = {
 }
 
 
-def page(file, every=1, asked=None):
+def page(file: PeterkaFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
     """(text of the page, sentences for the user) of an open PeterkaFile."""
     if any(axis.name not in AXES for axis in (file.columns, file.rows)):
         raise file.refusal(f"runs over {file.columns.name} and {file.rows.name}; a page shows maps over frequency_ratio and "
                            "gap_ratio, and basins; draw.py draws this one")
-    blobs, notes = [], []
+    blobs: list[str] = []
+    notes: list[str] = []
     content = _header(file, every)
     content["labels"], packed = layers.labels(file, every)
     content["labels"]["blob"] = _keep(blobs, packed)

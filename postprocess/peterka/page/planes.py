@@ -7,15 +7,18 @@ JavaScript that reads them: planes.js.
 """
 
 import zlib
+from typing import Any
 
 import numpy as np
+
+from ..arrays import Integers, Reals
 
 EXACT = 52  # bits of a mantissa
 SHORT_BITS = (20, 18, 16, 14, 12, 10, 8)  # of shortened numbers: six digits to two
 NORMAL, ZERO, NOT_A_NUMBER = 0, 1, 2
 
 
-def integers(values):
+def integers(values: Integers) -> tuple[dict[str, Any], bytes]:
     """(description, bytes) of an array of integers."""
     low, high = int(values.min()), int(values.max())
     size = next(size for size in (1, 2, 4) if high - low < 256**size)
@@ -23,12 +26,12 @@ def integers(values):
     return {"as": "integers", "low": low, "bytes": size}, zlib.compress(_by_weight(shifted), 6)
 
 
-def reals(values):
+def reals(values: Reals) -> tuple[dict[str, Any], bytes]:
     """(description, bytes) of an array of real numbers, to the last bit."""
     return {"as": "reals"}, zlib.compress(_by_weight(values.astype("<f8")), 6)
 
 
-def short_reals(values, bits):
+def short_reals(values: Reals, bits: int) -> tuple[dict[str, Any], bytes]:
     """(description, bytes) of an array (rows, columns) of numbers >= 0, their mantissas rounded to `bits` bits."""
     if not bits <= 20 or np.any(values < 0):
         raise ValueError("only numbers from 0 up, of at most 20 bits, are shortened")

@@ -4,7 +4,11 @@ import argparse
 import errno
 import os
 import sys
+from collections.abc import Iterable
 from pathlib import Path
+from typing import IO, NoReturn
+
+from matplotlib.figure import Figure
 
 from ..files.harmless import harmless
 from ..look import axes
@@ -18,25 +22,29 @@ LONGEST_COMPLAINT = 2000  # letters
 class OneLineParser(argparse.ArgumentParser):
     """Shows `description` as it is written; tells what is wrong in one line."""
 
-    def __init__(self, description):
+    def __init__(self, description: str | None) -> None:
         super().__init__(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
+        """Ends the program with exit code 2."""
         self.exit(BAD_INPUT, f"{self.prog}: {harmless(message, LONGEST_COMPLAINT)}; --help shows the arguments\n")
 
-    def print_help(self, file=None):
+    def print_help(self, file: IO[str] | None = None) -> None:
+        """As tell() prints."""
         tell(self.format_help().rstrip("\n"))
 
-    def exit(self, status=DONE, message=None):
+    def exit(self, status: int = DONE, message: str | None = None) -> NoReturn:
+        """Ends the program."""
         super().exit(exit_code(status), message)
 
-    def add_picture_arguments(self):
+    def add_picture_arguments(self) -> None:
         """--output-dir and --formats."""
         self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
         self.add_argument("--formats", "--format", default=DEFAULT_FORMATS, type=read_formats, help=f"some of {', '.join(FORMATS)}; default: {DEFAULT_FORMATS}")
 
 
-def read_formats(text):
+def read_formats(text: str) -> list[str]:
+    """The list of formats of pictures that an argument names."""
     formats = text.split(",")
     if not set(formats) <= set(FORMATS):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of {' and '.join(FORMATS)}")
@@ -47,7 +55,7 @@ class _Output:
     lost = False  # something could not be printed
 
 
-def tell(line):
+def tell(line: object) -> None:
     """Prints a line; who reads the list only in part (draw.py ... | head) gets all pictures nevertheless. What can't be
     printed for another reason is complained of, and all pictures are made, too; exit_code() tells of it."""
     try:
@@ -68,12 +76,12 @@ def _drop_stdout():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def exit_code(outcome):
+def exit_code(outcome: int) -> int:
     """Of the program, whose work came to this."""
     return BAD_OUTPUT if _Output.lost and outcome == DONE else outcome
 
 
-def complain(message):
+def complain(message: object) -> None:
     """One line to stderr, after the program's name."""
     try:
         print(f"{Path(sys.argv[0]).name}: {harmless(' '.join(str(message).split()), LONGEST_COMPLAINT)}", file=sys.stderr)
@@ -81,11 +89,12 @@ def complain(message):
         pass  # nobody reads it; the exit code says it, too
 
 
-def complain_of_folder(folder, error):
+def complain_of_folder(folder: Path, error: OSError) -> None:
+    """One line on a folder that can't be written."""
     complain(f"cannot write into {folder}: {error.strerror or error}")
 
 
-def save_all(figure, folder, name, formats):
+def save_all(figure: Figure, folder: Path, name: str, formats: Iterable[str]) -> None:
     """Writes the picture in each format into a folder, made where it is missing, and tells where."""
     folder.mkdir(parents=True, exist_ok=True)
     for suffix in formats:

@@ -16,7 +16,7 @@ SYSTEMS = "/usr/bin/python3"
 BAD_INTERPRETER = 2
 
 
-def use_one_with_packages():
+def use_one_with_packages() -> None:
     """Returns in an interpreter that has all packages; in another one this process starts anew, or ends."""
     lacking = what_is_lacking()
     if not lacking:
@@ -29,14 +29,15 @@ def use_one_with_packages():
     sys.exit(BAD_INTERPRETER)
 
 
-def what_is_lacking():
+def what_is_lacking() -> str:
     """In this interpreter, in words; empty where nothing is."""
     if sys.version_info < OLDEST:
         return f"Python {'.'.join(map(str, OLDEST))}"
     return " and ".join(name for name in PACKAGES if not can_import(name))
 
 
-def can_import(name):
+def can_import(name: str) -> bool:
+    """Whether this interpreter has the package."""
     try:
         importlib.import_module(name)
     except ImportError:
@@ -44,7 +45,7 @@ def can_import(name):
     return True
 
 
-def has_packages(python):
+def has_packages(python: str) -> bool:
     """Whether another interpreter has what this one lacks, under the same environment."""
     question = f"import sys, {', '.join(PACKAGES)}; sys.exit(sys.version_info < {OLDEST})"
     try:

@@ -1,7 +1,9 @@
 """What a journal asks of pictures, as arguments of a program, and the part of a file that --zoom leaves."""
 
 import argparse
+from collections.abc import Callable
 
+from ..files.checked_hdf5 import CheckedFile
 from ..files.opened import OpenedFile
 from ..look.axes import si_scale
 from ..look.style import PALETTES, UNITS
@@ -25,13 +27,13 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
                         help="part of the axes, in their units: ratios, or Hz and mm with --units si")
 
 
-def style_of(arguments: argparse.Namespace) -> dict:
+def style_of(arguments: argparse.Namespace) -> dict[str, object]:
     """The fields of a Style that are asked for."""
     names = ("width", "dpi", "font", "title", "limits", "log", "palette", "units")
     return {name: getattr(arguments, name) for name in names}
 
 
-def check_style(parser, arguments):
+def check_style(parser: argparse.ArgumentParser, arguments: argparse.Namespace) -> None:
     """What each argument alone doesn't show."""
     if arguments.font:
         from matplotlib.font_manager import get_font_names
@@ -43,7 +45,8 @@ def check_style(parser, arguments):
             parser.error(f"--{name} wants the smaller number first")
 
 
-def number_within(low, high):
+def number_within(low: float, high: float) -> Callable[[str], float]:
+    """Reads an argument that is a number from low to high."""
     def read(text):
         try:
             number = float(text)
@@ -55,7 +58,8 @@ def number_within(low, high):
     return read
 
 
-def numbers_of(*counts):
+def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
+    """Reads an argument of so many numbers with commas between them."""
     def read(text):
         try:
             found = tuple(float(part) for part in text.split(","))
@@ -67,7 +71,7 @@ def numbers_of(*counts):
     return read
 
 
-def zoomed(file: OpenedFile, zoom: tuple | None, in_si: bool) -> OpenedFile:
+def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> OpenedFile:
     """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom."""
     if not zoom:
         return file
@@ -76,6 +80,7 @@ def zoomed(file: OpenedFile, zoom: tuple | None, in_si: bool) -> OpenedFile:
         raise file.refusal(f"is of kind {file.kind}; --zoom takes {2 * len(names)} numbers there")
     from ..files.dataset import dataset_of  # xarray takes long to load
 
+    assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
     for name, low, high in zip(names, zoom[::2], zoom[1::2]):
         scale = si_scale(file, name) if in_si else None

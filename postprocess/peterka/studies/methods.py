@@ -3,11 +3,19 @@
 Markers differ too, so that pictures can be read in grey. Methods without a setting are a single point, not a line.
 """
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
+
+from matplotlib.axes import Axes
+
+from ..arrays import Reals
 
 
 @dataclass(frozen=True)
 class Look:
+    """Of a method: its name in words, its colour '#RRGGBB', its marker."""
+
     name: str
     colour: str
     marker: str
@@ -28,18 +36,20 @@ _LOOKS = {
 }
 
 
-def look(method):
+def look(method: str) -> Look:
+    """Of a method; one that isn't known has its own name and a grey mark."""
     return _LOOKS.get(method, Look(method.replace("_", " "), "#767676", "<"))
 
 
-def methods_in_order(method):
+def methods_in_order(method: Iterable[str]) -> list[str]:
     """Names of the methods that occur in an array of words, known ones first, in the order of the legend."""
     order = list(_LOOKS)
     known = {name for name in method if name}
     return sorted(known, key=lambda name: (order.index(name) if name in order else len(order), name))
 
 
-def draw_points(ax, x, y, method, low=None, high=None, hollow=None):
+def draw_points(ax: Axes, x: Reals, y: Reals, method: str, low: Reals | None = None, high: Reals | None = None,
+                hollow: Sequence[bool] | None = None) -> None:
     """A method's points in their order, joined by a line where there are several, with a band from low to high;
     `hollow` marks points that stand for part of the work only."""
     appearance = look(method)
@@ -53,7 +63,7 @@ def draw_points(ax, x, y, method, low=None, high=None, hollow=None):
         ax.plot(x[index], y[index], zorder=4, **marker_look(method, open_marker))
 
 
-def marker_look(method, hollow=False):
+def marker_look(method: str, hollow: bool = False) -> dict[str, Any]:
     """Keywords of plot() for one marker of a method."""
     appearance = look(method)
     return {

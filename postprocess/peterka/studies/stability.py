@@ -12,10 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
+from ..arrays import Reals
 from ..look import axes, figures
 from ..look.picture import picture
 from .methods import marker_look
-from .study_file import StudyFile
+from .study_file import Stability, StudyFile
 
 WIDTH, SQUARES_WIDTH, PANEL_WIDTH = 7.2, 3.2, 1.7  # in; the rest is for names and numbers beside them
 ROW_HEIGHT, LEAST_HEIGHT, PANEL_HEIGHT, AROUND_HEIGHT = 0.132, 5.0, 1.8, 0.6  # in
@@ -24,6 +25,8 @@ SMALLEST = 1e-17
 
 @dataclass(frozen=True)
 class Outcome:
+    """Of an engine in a scene: its words, its colour '#RRGGBB', the letter in its square."""
+
     label: str
     colour: str
     mark: str
@@ -59,19 +62,19 @@ def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
     return [squares, imbalance, rigid_limit]
 
 
-def scene_name(word):
+def scene_name(word: str) -> str:
     """A scene's name in words: 'frequency 0.01' of frequency_0_01."""
     return re.sub(r"(?<=\d)_(?=\d)", ".", word).replace("_", " ")
 
 
-def status_word(table, scene, engine):
+def status_word(table: Stability, scene: int, engine: int) -> str:
     """Why there is no result, in words."""
     word = table.status[scene, engine]
     word = table.regime[scene, engine] if word in ("", "proved") else word
     return word.replace("_", " ")
 
 
-def fitted_slope(stiffness, difference):
+def fitted_slope(stiffness: Reals, difference: Reals) -> tuple[float, float] | None:
     """(slope, intercept) of ln |difference| over ln stiffness by least squares over the stiffer half of the rungs: the
     power holds in the limit. None with fewer than 2 points."""
     usable = (stiffness > 0) & np.isfinite(stiffness) & (np.abs(difference) > 0) & np.isfinite(difference)

@@ -10,6 +10,7 @@ are in the group `run`. Runs are called trials in the file, whose group `run` is
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -62,16 +63,21 @@ class Stability:
 class StudyFile(OpenedFile):
     """A checked, open study: topic and table."""
 
+    topic: str
+    table: Any  # WorkPrecision, Labels or Stability, by the topic
+
     @cached_property
-    def computed(self):
+    def computed(self) -> float:
         """Share of the results that are there, 0 to 1."""
         table = self.table
         return float(np.mean(np.isfinite(table.changed_share) if self.topic == "labels" else table.outcome != ""))
 
-    def check_content(self):
-        self.topic = self.data.attribute("topic")
-        if not isinstance(self.topic, str) or self.topic not in _READERS:
-            raise self.refusal(f"is a study of {shown(self.topic)}; this program draws {', '.join(_READERS)}")
+    def check_content(self) -> None:
+        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        topic = self.data.attribute("topic")
+        if not isinstance(topic, str) or topic not in _READERS:
+            raise self.refusal(f"is a study of {shown(topic)}; this program draws {', '.join(_READERS)}")
+        self.topic = topic
         self.table = _READERS[self.topic](_Columns(self.data))
 
 

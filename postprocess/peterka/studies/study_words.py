@@ -4,13 +4,14 @@ import numpy as np
 
 from .methods import look, methods_in_order
 from .stability import OUTCOMES, fitted_slope, scene_name, status_word
+from .study_file import Labels, Stability, WorkPrecision
 from .work_precision import care, points_of
 
 GOALS = (1e-3, 1e-6, 1e-9, 1e-12)  # errors in peak force asked for
 NONE = "–"
 
 
-def work_precision_table(table):
+def work_precision_table(table: WorkPrecision) -> str:
     """A row a method: its most careful run, and what the fastest run costs that keeps to an error in the median."""
     lines = {method: points_of(table, method) for method in methods_in_order(table.method)}
     unit, reference = _unit([point.seconds for point in lines.get("exact", [])], "µs", 1e6)
@@ -31,7 +32,7 @@ def work_precision_table(table):
     return _markdown([*head, "cells not come through"], rows)
 
 
-def labels_table(table):
+def labels_table(table: Labels) -> str:
     """Rows of each method's roughest and most careful run."""
     exact = table.seconds_per_cell[(table.method == "exact") & (table.seconds_per_cell > 0)]
     unit, reference = _unit(exact, "ms", 1e3)
@@ -48,7 +49,7 @@ def labels_table(table):
     return _markdown(["method", "tolerance", "other labels", "without a proof", f"time, {unit}"], rows)
 
 
-def stability_table(table):
+def stability_table(table: Stability) -> str:
     """How often each engine has each outcome, and its largest energy imbalance."""
     rows = []
     for number, engine in enumerate(table.engine):
@@ -60,11 +61,11 @@ def stability_table(table):
     return _markdown(head, rows)
 
 
-def where_engines_break(table):
+def where_engines_break(table: Stability) -> str:
     """A list of the scenes in which an engine says why it has no result, by status, or is wrong."""
     lines = []
     for number, engine in enumerate(table.engine):
-        scenes = {}
+        scenes: dict[str, list[str]] = {}
         for row in np.flatnonzero(np.isin(table.outcome[:, number], ["says_why_not", "wrong"])):
             wrong = table.outcome[row, number] == "wrong"
             word = "**wrong**" if wrong else status_word(table, row, number) or "no reason given"
@@ -74,7 +75,8 @@ def where_engines_break(table):
     return "\n".join(lines)
 
 
-def rigid_limit_sentence(table):
+def rigid_limit_sentence(table: Stability) -> str:
+    """With which power of the stiffness the impact speed tends to its limit; empty where that isn't measured."""
     fit = fitted_slope(table.contact_stiffness, table.speed_difference)
     if fit is None:
         return ""

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from ..look import axes
 from ..look.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
-from .study_file import StudyFile
+from .study_file import StudyFile, WorkPrecision
 
 WIDTH, HEIGHT = 3.7, 3.1  # in, without the legend
 SMALLEST_ERROR = 1e-17  # an error of 0 is drawn here: below the rounding of a double
@@ -32,7 +32,7 @@ class Point:
     cells: int
 
 
-def points_of(table, method):
+def points_of(table: WorkPrecision, method: str) -> list[Point]:
     """The Points of a method, the roughest setting first; without those at which it came through no cell at all."""
     points = []
     for run in np.flatnonzero(table.method == method):
@@ -45,7 +45,7 @@ def points_of(table, method):
     return sorted(points, key=lambda point: care(point.setting))
 
 
-def care(setting):
+def care(setting: float) -> float:
     """A number that grows with the care a setting asks for: steps a cycle, or the inverse of a tolerance."""
     return 1 / setting if 0 < setting < 1 else setting
 

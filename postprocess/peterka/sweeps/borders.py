@@ -5,15 +5,19 @@ which a branch of the sweep has next to them.
 """
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..files.opened import NotDrawable
+from ..files.opened import NotDrawable, OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
 from ..maps.curves_map import COLOURS, LOOKS
+from .sweep_file import SweepFile
 
 
 @dataclass(frozen=True)
@@ -27,12 +31,12 @@ class Border:
     period: int
 
 
-NO_BORDERS = ()
+NO_BORDERS: tuple[Border, ...] = ()
 
 
-def read_borders(path, sweep):
+def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
     """The borders that the sweep's branches meet, by gap and frequency."""
-    if sweep.kind != "sweep" or sweep.axis_name != "frequency_ratio":
+    if not isinstance(sweep, SweepFile) or sweep.axis_name != "frequency_ratio":
         raise NotDrawable(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
     with CurvesFile(path) as file:
         if _rig(file) != _rig(sweep):
@@ -48,16 +52,18 @@ def read_borders(path, sweep):
                   key=lambda border: (border.gap, border.frequency_ratio))
 
 
-def at_gap(borders, gap):
+def at_gap(borders: Sequence[Border], gap: float | None) -> list[Border]:
+    """Those at one of the sweep's gaps."""
     return [border for border in borders if border.gap == gap]
 
 
-def handles(borders):
+def handles(borders: Sequence[Border]) -> list[Line2D]:
+    """Entries of a legend: each kind once."""
     return [Line2D([], [], label=WORDS[kind], color=COLOURS[kind], **_look(kind))
             for kind in WORDS if any(border.kind == kind for border in borders)]
 
 
-def draw_borders(ax, borders):
+def draw_borders(ax: Axes, borders: Sequence[Border]) -> None:
     """A line across the panel at each."""
     low, high = ax.get_xlim()
     for border in borders:
@@ -65,7 +71,7 @@ def draw_borders(ax, borders):
             ax.axvline(border.frequency_ratio, color=COLOURS[border.kind], zorder=1.2, **_look(border.kind))
 
 
-def table(sweep, borders):
+def table(sweep: SweepFile, borders: Sequence[Border]) -> list[str]:
     """Lines; in Hz where the file tells the rig."""
     hertz = sweep.positive("natural_frequency_hz")
     rows = [("frequency [Hz]" if hertz else "Omega/omega", "gap/A0", "z", "border")]

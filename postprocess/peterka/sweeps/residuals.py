@@ -1,12 +1,13 @@
 """How far measured forces are from a sweep: each from the nearest branch of its gap, as a table."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..measurements import tables
 from ..measurements.points import Point
-from .sweep_file import Branch
+from .sweep_file import Branch, SweepFile
 
 
 @dataclass(frozen=True)
@@ -18,26 +19,28 @@ class Residual:
     force: float
 
     @property
-    def share(self):
+    def share(self) -> float | None:
         """Of the computed force by which the measured one is above it; None where nothing impacts."""
+        assert self.point.force is not None
         return self.point.force / self.force - 1 if self.force > 0 else None
 
 
-def residuals(file, points):
+def residuals(file: SweepFile, points: Iterable[Point]) -> list[Residual]:
     """[Residual] of the points with a force, in their order; those outside the sweep have none."""
     return [found for point in points if point.force is not None
             for found in [_nearest(file, point)] if found is not None]
 
 
-def table(file, found):
+def table(file: SweepFile, found: Sequence[Residual]) -> list[str]:
     """Lines; in Hz and N where the file tells the rig."""
     hertz, newtons = file.positive("natural_frequency_hz"), file.newtons
     units = "Hz" if hertz else "Omega/omega", "N" if newtons else "F/(m g)"
     heads = (f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")
     rows = []
     for one in found:
+        forces = one.point.force or 0.0, one.force
         rows.append((f"{one.point.frequency * (hertz or 1):.5g}", f"{one.branch.gap_ratio:.4g}",
-                     *(f"{force * (newtons or 1):.4g}" for force in (one.point.force, one.force)), one.branch.direction,
+                     *(f"{force * (newtons or 1):.4g}" for force in forces), one.branch.direction,
                      tables.share(one.point, one.force), tables.name_of(one.point)))
     return tables.lines(heads, rows)
 

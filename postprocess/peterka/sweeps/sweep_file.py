@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..arrays import Integers, Reals, Mask
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
@@ -33,7 +34,7 @@ class Branch:
     """Of one gap and direction; every array (points,), along the frequencies."""
 
     row: int
-    gap_ratio: float
+    gap_ratio: float | None  # None where the gap is the axis
     direction: str
     regime: np.ndarray
     impacts: np.ndarray
@@ -42,29 +43,30 @@ class Branch:
     jump: np.ndarray  # whether the force jumps on the way here, from the point before in the branch's direction
 
     @property
-    def has_period(self):
+    def has_period(self) -> Mask:
+        """Which points have a motion with a period and a force, (points,)."""
         return ~np.isin(self.regime, WITHOUT_PERIOD) & np.isfinite(self.force)
 
-    def jumps(self):
+    def jumps(self) -> list[tuple[int, int]]:
         """(index of the point before, index of the point after) of each jump, the largest first."""
         after = np.flatnonzero(self.jump)
         before = after + 1 if self.direction == "down" else after - 1
         order = np.argsort(-np.abs(self.force[after] - self.force[before]), kind="stable")
         return [(int(before[i]), int(after[i])) for i in order]
 
-    def strongest_single(self):
+    def strongest_single(self) -> int | None:
         """Index of the largest force among z = 1/1; None where no point has one."""
         single = self._single()
         return int(np.argmax(np.where(single, self.force, -1.0))) if single.any() else None
 
-    def is_resonance(self, at):
+    def is_resonance(self, at: int) -> bool:
         """Whether the largest force is a maximum inside its band of z = 1/1; else it may be cut off, by a jump, by another
         class or by the end of the sweep."""
         inside = 0 < at < len(self.force) - 1
         landings = (at, at - 1) if self.direction == "down" else (at, at + 1)
         return bool(inside and self._single()[at - 1:at + 2].all() and not self.jump[list(landings)].any())
 
-    def _single(self):
+    def _single(self) -> Mask:
         return (self.regime == PERIODIC) & (self.impacts == 1) & (self.period == 1) & (self.force > 0)
 
 
@@ -73,34 +75,36 @@ class SweepFile(OpenedFile):
     (0 without [starts])."""
 
     @cached_property
-    def computed(self):
+    def computed(self) -> float:
         """Share of the points that are computed, 0 to 1."""
         return float(np.mean([np.mean(branch.regime != NOT_COMPUTED) for branch in self.branches]))
 
     @property
-    def gaps(self):
+    def gaps(self) -> list[float | None]:
         """Gap ratios in the order of the file, each once."""
         return list(dict.fromkeys(branch.gap_ratio for branch in self.branches))
 
-    def at_gap(self, gap):
+    def at_gap(self, gap: float | None) -> list[Branch]:
+        """The branches at one of the gaps."""
         return [branch for branch in self.branches if branch.gap_ratio == gap]
 
-    def samples(self, name, branch):
+    def samples(self, name: str, branch: Branch) -> tuple[Integers, Reals]:
         """(index of the point, value) of every sample of a branch, two arrays of one length."""
         values = np.asarray(self.data.values(name, branch.row), dtype=float)
         points, columns = np.nonzero(np.isfinite(values))
         return points, values[points, columns]
 
-    def attractor_samples(self, name, branch):
+    def attractor_samples(self, name: str, branch: Branch) -> tuple[Integers, Reals]:
         """The same of the motions on all attractors of the branch's points."""
         return self.samples(f"attractor_{name}", branch)
 
-    def attractor_forces(self, branch):
+    def attractor_forces(self, branch: Branch) -> Reals:
         """(slots, points) [F/(m g)]; NaN in empty slots and where an attractor has none."""
         share, force = (np.asarray(self.data.values(name, (slice(None), branch.row)), dtype=float) for name in OF_ATTRACTORS)
         return np.where(share > 0, force, np.nan)
 
-    def check_content(self):
+    def check_content(self) -> None:
+        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
         names = axes_of_job(self.data.attribute("job"))
         self.axis_name = names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio"
         self.values = self._numbers(self.axis_name)
@@ -116,7 +120,7 @@ class SweepFile(OpenedFile):
         self.branches = [self._branch(row, gap, direction, shape)
                          for row, (gap, direction) in enumerate(zip(gaps, directions))]
 
-    def _gaps(self):
+    def _gaps(self) -> list[float | None]:
         """Of each branch: its own, or that of the whole file; None where the gap is the axis."""
         if self.axis_name == "gap_ratio" or not self.data.has("gap_ratio"):
             branches = self.data.dataset("direction", None, INTEGER).shape
@@ -129,18 +133,18 @@ class SweepFile(OpenedFile):
         return [float(gap) for gap in gaps]
 
     @property
-    def frequency_ratio(self):
+    def frequency_ratio(self) -> Reals:
         """The points, of a sweep over the frequency; the same for all points of another where the file tells."""
         shared = self.positive("frequency_ratio")
         return self.values if self.axis_name == "frequency_ratio" or shared is None else np.full(len(self.values), shared)
 
-    def _numbers(self, name):
+    def _numbers(self, name: str) -> Reals:
         shape = self.data.dataset(name, None, REAL).shape
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {shape}; 1 to {MAX_POINTS} can be drawn")
         return np.asarray(self.data.values(name, slice(None)), dtype=float)
 
-    def _directions(self, count):
+    def _directions(self, count: int) -> list[str]:
         self.data.dataset("direction", (count,), INTEGER)
         numbers = self.data.values("direction", slice(None))
         if not np.isin(numbers, range(len(DIRECTIONS))).all():
@@ -166,7 +170,7 @@ class SweepFile(OpenedFile):
             self.data.dataset(name, slots + shape, REAL)
         return slots[0]
 
-    def _branch(self, row, gap, direction, shape):
+    def _branch(self, row: int, gap: float | None, direction: str, shape: tuple[int, ...]) -> Branch:
         for name, kinds in CELLS.items():
             self.data.dataset(name, shape, kinds)
         cells = {name: self.data.values(name, row) for name in CELLS}

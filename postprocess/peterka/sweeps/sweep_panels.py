@@ -5,15 +5,20 @@ Directions differ in line, marker and brightness, so that they are told apart wi
 of measured points, are those of no class.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 
 from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.coordinates import label
 from ..look.fills import fill
 from ..measurements import marks
+from ..measurements.points import Measurements
+from .sweep_file import SweepFile
 
 WIDTH, HEAD, PANEL = 7.0, 0.45, 2.05  # in: two journal columns, the scales above and below, and the height of one panel
 STRIP = 0.085  # height of a branch's row of classes over that of its panel
@@ -27,7 +32,7 @@ class Look:
 
     label: str
     colour: str
-    linestyle: str
+    linestyle: str | tuple[float, tuple[float, ...]]
     marker: str
     linewidth: float
     zorder: float
@@ -40,7 +45,8 @@ LOOKS = {
 }
 
 
-def panels(file, handles, ylabel, second, ax=None, log=False):
+def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tuple[str, float] | None, ax: Axes | None = None,
+           log: bool = False) -> dict[float | None, Axes]:
     """A figure with an Axes for each gap, the classes of its branches and its gap above it.
 
     `second` is the (label, factor) of a second scale at the right, or None; `log`: whether heights are logarithmic. Returns {gap: Axes}."""
@@ -64,12 +70,12 @@ def panels(file, handles, ylabel, second, ax=None, log=False):
     return dict(zip(file.gaps, all_axes))
 
 
-def measured_handles(measured, quantity):
+def measured_handles(measured: Measurements, quantity: str) -> list[Artist]:
     """Entries of the legend: each series once that has points with this quantity."""
     return marks.handles([point for point in measured.points if getattr(point, quantity) is not None])
 
 
-def draw_measured(ax, measured, gap, quantity):
+def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity: str) -> None:
     """`quantity` is the height of a point; points of a frequency alone are marks across the panel."""
     low, high = ax.get_xlim()
     points = [point for point in measured.at_gap(gap) if low <= point.frequency <= high]
@@ -83,18 +89,18 @@ def draw_measured(ax, measured, gap, quantity):
     marks.vertical_marks(ax, [point for point in points if point.force is None and point.displacement is None])
 
 
-def note(ax, frequency, height, text, above):
+def note(ax: Axes, frequency: float, height: float, text: str, above: float) -> None:
     """Writes beside a point and so much [pt] above it, on the side where the panel has room."""
     across = ax.transAxes.inverted().transform(ax.transData.transform((frequency, height)))[0]
     ax.annotate(text, (frequency, height), xytext=(5 if across < 0.75 else -5, above), textcoords="offset points",
                 ha="left" if across < 0.75 else "right", va="center", fontsize=7, path_effects=axes.outline(2), zorder=8)
 
 
-def head_notes(ax, notes, top, bottom=0.0):
+def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
     """Writes notes (frequency, height, text, colour) above all data, in as few lines as have room, each with a thin
     line down to its place; the data reach from `bottom` up to `top`."""
     low, high = ax.get_xlim()
-    placed = []
+    placed: list[tuple] = []
     for frequency, height, text, colour in sorted(notes):
         across = (frequency - low) / (high - low)
         first = min(across, 1 - LETTER * len(text))
@@ -117,7 +123,8 @@ def _at_share(ax, share):
     return low * (high / low) ** share if ax.get_yscale() == "log" else low + share * (high - low)
 
 
-def frequency_text(file, ratio):
+def frequency_text(file: SweepFile, ratio: float) -> str:
+    """A frequency ratio in words, and in Hz where the file tells the rig."""
     hertz = _hertz(file)
     return f"{ratio:.4g}" + (f" ({ratio * hertz:.4g} Hz)" if hertz else "")
 
@@ -127,7 +134,8 @@ def _hertz(file):
     return file.positive("natural_frequency_hz") if file.axis_name == "frequency_ratio" else None
 
 
-def directions(file):
+def directions(file: SweepFile) -> list[str]:
+    """Of all branches, each once, in the order of the file."""
     return list(dict.fromkeys(branch.direction for branch in file.branches))
 
 

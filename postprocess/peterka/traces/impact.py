@@ -22,6 +22,7 @@ def draw(file: TraceFile, ax: Axes | None = None) -> list[Axes] | None:
     below.sharex(above)
     above.tick_params(labelbottom=False)
     motion, impacts, number = file.impact.motion, file.impacts, file.impact.number
+    assert impacts is not None
     milliseconds = 1000 * motion["time_from_touch"]
     force, unit = trace_look.force(file, motion["force_ratio"])
     above.plot(milliseconds, force, **trace_look.FORCE_LINE)

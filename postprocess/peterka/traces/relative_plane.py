@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from ..arrays import Integers
 from ..files.regimes import CHAOTIC
 from ..look import axes
 from ..look.picture import picture
@@ -48,7 +49,7 @@ def draw_points(file: TraceFile, ax: Axes | None = None) -> Axes | None:
     return _finished(figure, ax, file, f"{len(points)} points: [trace] cycles = 500 shows what they lie on" if few else "")
 
 
-def strobe(file):
+def strobe(file: TraceFile) -> Integers:
     """Indices of the samples at forcing phase 0, (n,)."""
     if not file.excitation_hz:
         return np.array([], dtype=int)

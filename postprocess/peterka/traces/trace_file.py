@@ -9,9 +9,11 @@ mm and N. What cannot be drawn raises NotDrawable.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.opened import OpenedFile
 from ..files.regimes import check_labels
@@ -42,7 +44,8 @@ class TraceFile(OpenedFile):
 
     computed = 1  # it is written whole
 
-    def check_content(self):
+    def check_content(self) -> None:
+        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
         self.motion = self._columns("", MOTION)
         if not np.all(np.diff(self.motion["time"]) > 0):
             raise self.refusal("has a time that does not ascend")
@@ -54,18 +57,18 @@ class TraceFile(OpenedFile):
             "impact_spectrum") else None
 
     @property
-    def millimetres(self):
+    def millimetres(self) -> float | None:
         """mm in A0; None where the file doesn't tell."""
         metres = self.positive("cart_amplitude_m")
         return 1000 * metres if metres else None
 
     @property
-    def excitation_hz(self):
+    def excitation_hz(self) -> float | None:
         """Of the cart; None for one at rest."""
         ratio, natural = self.positive("frequency_ratio"), self.positive("natural_frequency_hz")
         return ratio * natural if ratio and natural else None
 
-    def _columns(self, group, names):
+    def _columns(self, group: str, names: tuple[str, ...]) -> dict[str, Reals]:
         shape = self.data.dataset(group + names[0], None, REAL).shape
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_ROWS:
             raise self.refusal(f"has {group}{names[0]} of shape {shape}; 1 to {MAX_ROWS} can be drawn")
@@ -78,7 +81,7 @@ class TraceFile(OpenedFile):
             raise self.refusal(f"has a {name} that is not finite")
         return values
 
-    def _cell(self):
+    def _cell(self) -> dict[str, Any]:
         """{name: value} of what a map would say of the cell: CELL, and `status` in words."""
         for name, kind in CELL.items():
             self.data.dataset(f"cell/{name}", (), kind)
@@ -86,7 +89,7 @@ class TraceFile(OpenedFile):
         check_labels(self.data, {name: np.array([cell[name]]) for name in ("regime", "impacts", "period")})
         return cell | {"status": self.data.words("cell/status").get(cell["status"], "").replace("_", " ")}
 
-    def _hardest(self):
+    def _hardest(self) -> HardestImpact:
         self.data.dataset("impact/impact", (), INTEGER)
         number = int(self.data.values("impact/impact", ()))
         if self.impacts is None or not 0 <= number < len(self.impacts["touch_time"]):

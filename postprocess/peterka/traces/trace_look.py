@@ -1,9 +1,14 @@
 """What the pictures of a trace share: lines and their look, and axes in mm, N and seconds."""
 
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, PERIODIC, SUSTAINED_CONTACT, UNRESOLVED
 from ..look import axes, style, units
+from .trace_file import TraceFile
 
 HAMMER, CART, STOP, FORCE = "#0B5FA5", "#C65F00", "#7A7A7A", "#A3123F"
 HAMMER_LINE = {"color": HAMMER, "linewidth": 1.0}
@@ -13,14 +18,14 @@ FORCE_LINE = {"color": FORCE, "linewidth": 1.0}
 ACCELERATION_LINE = {"color": HAMMER, "linewidth": 0.8}
 
 
-def displacement(file, ratio):
-    """(values, label unit) in mm where the file knows the amplitude."""
+def displacement(file: TraceFile, ratio: Any) -> tuple[Any, str]:
+    """(values, label unit) of ratios, one or an array, in mm where the file knows the amplitude."""
     in_mm = file.millimetres and style.current().units != "ratio"
     return (ratio * file.millimetres, "mm") if in_mm else (ratio, "$A_0$")
 
 
-def force(file, ratio):
-    """(values, label unit) in N where the file knows the mass; all of a trace with the same prefix."""
+def force(file: TraceFile, ratio: Any) -> tuple[Any, str]:
+    """(values, label unit) of ratios, one or an array, in N where the file knows the mass; all of a trace with the same prefix."""
     factor, unit = _force_scale(file)
     return factor * ratio, unit
 
@@ -34,7 +39,7 @@ def _force_scale(file):
     return factor * file.newtons, unit
 
 
-def second_force_scale(ax, file):
+def second_force_scale(ax: Axes, file: TraceFile) -> None:
     """F/mg at the right of a scale in N."""
     if file.newtons and style.current().units == "both":
         weight = _force_scale(file)[0]
@@ -42,12 +47,13 @@ def second_force_scale(ax, file):
         right.set_ylabel("$F/(mg)$", fontsize=8)
 
 
-def grid(ax):
+def grid(ax: Axes) -> None:
+    """A pale one, behind all lines."""
     ax.grid(color="#DDDDDD", linewidth=0.5)
     ax.set_axisbelow(True)
 
 
-def place(file):
+def place(file: TraceFile) -> str:
     """Where in the plane the trace is, for a title."""
     hertz, gap = file.excitation_hz, file.number("gap_ratio")
     parts = [f"{hertz:.4g} Hz (Ω/ω = {file.number('frequency_ratio'):.4g})" if hertz else "cart at rest"]
@@ -56,11 +62,12 @@ def place(file):
     return ", ".join(parts)
 
 
-def write_title(figure, file, extra="", ax=None):
+def write_title(figure: Figure, file: TraceFile, extra: str = "", ax: Axes | None = None) -> None:
+    """With the place of the trace and what decided its cell below the file's title."""
     axes.write_title(figure, file, "\n".join(filter(None, [place(file), claim(file), extra])), ax)
 
 
-def claim(file):
+def claim(file: TraceFile) -> str:
     """Regime, z, and what decided it, in one line; empty where the file doesn't tell."""
     cell = file.cell
     if cell is None:
