@@ -8,6 +8,7 @@ pictures/, and as claims.html in one file. A claim whose file is missing is list
 Exit codes: 0 done, whatever the verdicts; 2 a file cannot be read; 3 the page cannot be written.
 """
 
+import argparse
 import os
 import shutil
 import sys
@@ -22,7 +23,7 @@ from peterka.claims.claims import all_claims  # noqa: E402
 from peterka.claims.folder import Folder  # noqa: E402
 from peterka.claims.html import html  # noqa: E402
 from peterka.claims.markdown import markdown  # noqa: E402
-from peterka.claims.page import Pictures, blocks  # noqa: E402
+from peterka.claims.page import Block, Pictures, blocks  # noqa: E402
 from peterka.claims.sensitivity import rows  # noqa: E402
 from peterka.files.opened import NotDrawable  # noqa: E402
 from peterka.look import axes  # noqa: E402
@@ -30,7 +31,8 @@ from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     folder = Folder(arguments.folder)
     page = arguments.page or arguments.folder
@@ -58,7 +60,8 @@ def main():
     return DONE
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("folder", metavar="FOLDER", type=Path)
     parser.add_argument("--page", metavar="DIR", type=Path)
@@ -68,7 +71,8 @@ def read_arguments():
     return arguments
 
 
-def draw_starts(folder):
+def draw_starts(folder: Folder) -> None:
+    """Draws what depends on the start, where the files for it are there."""
     planes = folder.planes("starts/start_")
     if len(planes) > 1:
         (folder.path / "pictures").mkdir(exist_ok=True)
@@ -76,7 +80,8 @@ def draw_starts(folder):
             axes.save(starts_picture.draw(file, planes), folder.path / "pictures" / "starts_170mm.png")
 
 
-def write(text, pictures, page):
+def write(text: list[Block], pictures: Path, page: Path) -> None:
+    """Both pages into the folder `page`, with the pictures that they show."""
     (page / "pictures").mkdir(parents=True, exist_ok=True)
     for block in text:
         for name in block.names if isinstance(block, Pictures) else ():

@@ -9,6 +9,7 @@ Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or they
 3 a picture cannot be written.
 """
 
+import argparse
 import os
 import sys
 from pathlib import Path
@@ -26,7 +27,8 @@ from peterka.program.command_line import (  # noqa: E402
 )
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     try:
         with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second:
@@ -45,7 +47,8 @@ def main():
     return DONE
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("first", metavar="A.h5", type=Path)
     parser.add_argument("second", metavar="B.h5", type=Path)

@@ -26,6 +26,7 @@ import gc
 import os
 import sys
 import warnings
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
@@ -34,12 +35,13 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka.export.formats import export, read_formats  # noqa: E402
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
 from peterka.look import axes  # noqa: E402
 from peterka.look.figures import figure_of  # noqa: E402
 from peterka.look.style import using  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.measurements import map_residuals  # noqa: E402
-from peterka.measurements.points import Measurements, read_measurements  # noqa: E402
+from peterka.measurements.points import Measurements, Point, read_measurements  # noqa: E402
 from peterka.pictures import open_file, picture_name, pictures_of  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
@@ -51,9 +53,11 @@ from peterka.program.picture_options import (  # noqa: E402
 from peterka.sweeps import residuals  # noqa: E402
 from peterka.sweeps.borders import NO_BORDERS, read_borders  # noqa: E402
 from peterka.sweeps.borders import table as table_of_borders  # noqa: E402
+from peterka.sweeps.sweep_file import SweepFile  # noqa: E402
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     warnings.filterwarnings("ignore", message="Glyph .* missing")  # a title may use letters the font lacks
     outcome = DONE
@@ -69,7 +73,8 @@ def main():
     return outcome
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_picture_arguments()
@@ -91,13 +96,15 @@ def read_arguments():
     return arguments
 
 
-def read_cycles(text):
+def read_cycles(text: str) -> int:
+    """The number of forcing cycles that an argument says."""
     if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
         raise argparse.ArgumentTypeError(f"'{text}' is not a number of forcing cycles")
     return int(text)
 
 
-def draw_file(path, arguments):
+def draw_file(path: Path, arguments: argparse.Namespace) -> None:
+    """All pictures of a file that are asked for, and what is told of it besides."""
     with open_file(path) as whole, using(**style_of(arguments)):
         file = zoomed(whole, arguments.zoom, arguments.units == "si")
         for written in export(whole, arguments.output_dir, arguments.export) if arguments.export else []:
@@ -110,8 +117,10 @@ def draw_file(path, arguments):
         if measured.points:
             tell_residuals(file, measured.points)
         borders = read_borders(arguments.curves, file) if arguments.curves else NO_BORDERS
-        for line in table_of_borders(file, borders) if borders else []:
-            tell(line)
+        if borders:
+            assert isinstance(file, SweepFile)
+            for line in table_of_borders(file, borders):
+                tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
         for name, draw in chosen(file, pictures_of(file, arguments.after, measured, borders), arguments.only).items():
@@ -125,7 +134,7 @@ def draw_file(path, arguments):
             gc.collect()
 
 
-def chosen(file, pictures, names):
+def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]) -> dict[str, Callable]:
     """The pictures of these names; all of them where none is named."""
     unknown = [name for name in names if name not in pictures]
     if unknown:
@@ -133,10 +142,16 @@ def chosen(file, pictures, names):
     return {name: draw for name, draw in pictures.items() if name in names or not names}
 
 
-def tell_residuals(file, points):
-    kind = map_residuals if file.kind == "map" else residuals
-    found = kind.residuals(file, points)
-    for line in kind.table(file, found) if found else []:
+def tell_residuals(file: OpenedFile, points: Sequence[Point]) -> None:
+    """Prints how far measured forces are from a map or a sweep."""
+    lines: list[str] = []
+    if isinstance(file, PeterkaFile):
+        in_cells = map_residuals.residuals(file, points)
+        lines = map_residuals.table(file, in_cells) if in_cells else []
+    elif isinstance(file, SweepFile):
+        on_branches = residuals.residuals(file, points)
+        lines = residuals.table(file, on_branches) if on_branches else []
+    for line in lines:
         tell(line)
 
 

@@ -23,8 +23,8 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka.files.opened import NotDrawable  # noqa: E402
-from peterka.maps.map_file import COORDINATES  # noqa: E402
+from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
+from peterka.maps.map_file import COORDINATES, PeterkaFile  # noqa: E402
 from peterka.page.layers import MOST_CELLS  # noqa: E402
 from peterka.page.page import page  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
@@ -33,13 +33,13 @@ from peterka.program.command_line import (  # noqa: E402
 )
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     output = arguments.output or Path(arguments.file.with_suffix(".html").name)
     try:
         with open_file(arguments.file) as file:
-            refuse_what_has_no_plane(file, arguments.every)
-            text, notes = page(file, arguments.every, arguments.layers)
+            text, notes = page(with_plane(file, arguments.every), arguments.every, arguments.layers)
     except NotDrawable as refusal:
         complain(refusal)
         return BAD_INPUT
@@ -54,7 +54,8 @@ def main():
     return DONE
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("file", metavar="FILE.h5", type=Path)
     parser.add_argument("--output", metavar="FILE.html", type=Path, help="default: the file's stem, in this folder")
@@ -63,14 +64,16 @@ def read_arguments():
     return parser.parse_args()
 
 
-def read_step(text):
+def read_step(text: str) -> int:
+    """The step along rows and columns that an argument says."""
     if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**5):
         raise argparse.ArgumentTypeError(f"'{text}' is not a step along rows and columns")
     return int(text)
 
 
-def refuse_what_has_no_plane(file, every):
-    if file.kind not in COORDINATES:
+def with_plane(file: OpenedFile, every: int) -> PeterkaFile:
+    """The file, where a page can show each `every`-th row and column of it; else NotDrawable."""
+    if not isinstance(file, PeterkaFile) or file.kind not in COORDINATES:
         raise file.refusal(f"is of kind {file.kind}; explore.py shows {' and '.join(COORDINATES)} files, draw.py draws "
                            "this one")
     rows, columns = (-(-size // every) for size in file.shape)
@@ -79,9 +82,10 @@ def refuse_what_has_no_plane(file, every):
         raise file.refusal(f"has {rows * columns:,} cells, a page holds {MOST_CELLS:,}; --every {step} takes a part")
     if min(rows, columns) < 2:
         raise file.refusal(f"has too few rows or columns for --every {every}")
+    return file
 
 
-def write_whole(path, text):
+def write_whole(path: Path, text: str) -> None:
     """Never half a page under its name."""
     unfinished = path.with_name(f".{path.name}.unfinished")
     try:

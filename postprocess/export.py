@@ -9,6 +9,7 @@ fields have the units of the file. Regimes are words in CSV, else numbers as in 
 Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
 """
 
+import argparse
 import os
 import sys
 from pathlib import Path
@@ -25,7 +26,8 @@ from peterka.program.command_line import (  # noqa: E402
 )
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     outcome = DONE
     for path in arguments.files:
@@ -42,7 +44,8 @@ def main():
     return outcome
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_argument("--as", dest="formats", metavar="FORMAT,...", type=read_formats, default=["csv"], help="default: csv")

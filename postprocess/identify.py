@@ -26,10 +26,10 @@ import numpy as np
 from peterka.files.csv_table import column_names
 from peterka.files.opened import NotDrawable
 from peterka.identification import picture
-from peterka.identification.fit import fit, fit_each
+from peterka.identification.fit import Fit, fit, fit_each
 from peterka.identification.impact_table import COLUMNS, fault_of, from_impact, read_impacts
-from peterka.identification.numbers_found import Number, combined, combined_impacts
-from peterka.identification.recording import read_recording
+from peterka.identification.numbers_found import Identified, Number, combined, combined_impacts
+from peterka.identification.recording import Recording, read_recording
 from peterka.identification.rig_file import rig_text
 from peterka.identification.words import recording_lines, result_lines
 from peterka.program.command_line import (
@@ -37,7 +37,8 @@ from peterka.program.command_line import (
 )
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     try:
         found, drawn = identify(arguments)
@@ -66,7 +67,7 @@ def main():
     return DONE
 
 
-def identify(arguments):
+def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[tuple[Recording, list[Fit]]]]:
     """([Identified], [(Recording, its Fits)]) of all that was measured."""
     found, drawn = [], []
     if arguments.contact_time_ms:
@@ -88,31 +89,31 @@ def identify(arguments):
     return found, drawn
 
 
-def in_step(recording, fits):
+def in_step(recording: Recording, fits: list[Fit]) -> bool:
     """Whether all impacts come the same number of samples apart: then each is sampled at the same places."""
     steps = np.rint(np.diff([one.motion.touches[0] for one in fits]) / recording.step)
     return len(steps) > 2 and np.ptp(steps) == 0
 
 
-def springs(arguments):
+def springs(arguments: argparse.Namespace) -> tuple[float, float] | None:
     """(omega [rad/s], damping ratio) where they are given."""
     if arguments.natural_frequency_hz is None:
         return None
     return 2 * np.pi * arguments.natural_frequency_hz, arguments.damping_ratio or 0.0
 
 
-def with_given(found, arguments):
+def with_given(found: Identified, arguments: argparse.Namespace) -> Identified:
     """The Identified with what the user knows already."""
     given = {name: Number(value) for name in ("natural_frequency_hz", "damping_ratio")
              if (value := getattr(arguments, name)) is not None}
     return found.replaced(**given)
 
 
-def single_impact(arguments):
+def single_impact(arguments: argparse.Namespace) -> tuple[Number, Number]:
     """(restitution, contact time [s]) of the command line."""
     numbers = arguments.restitution
     if arguments.speeds_m_s:
-        before, after = map(abs, arguments.speeds_m_s)
+        before, after = (abs(speed) for speed in arguments.speeds_m_s)
         numbers = [after / before if before else np.inf]
     restitution, contact_s = Number(*numbers), Number(*(1e-3 * number for number in arguments.contact_time_ms))
     fault = fault_of(restitution.value, contact_s.value)
@@ -121,7 +122,8 @@ def single_impact(arguments):
     return restitution, contact_s
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.csv", nargs="*", type=Path)
     parser.add_argument("--driven", metavar="FILE.csv", nargs="+", type=Path, default=[])
@@ -152,15 +154,18 @@ def read_arguments():
     return arguments
 
 
-def finite(text):
+def finite(text: str) -> float:
+    """The number that an argument says."""
     return _number(text, lambda number: True, "a number")
 
 
-def positive(text):
+def positive(text: str) -> float:
+    """The number above 0 that an argument says."""
     return _number(text, lambda number: number > 0, "a number above 0")
 
 
-def not_negative(text):
+def not_negative(text: str) -> float:
+    """The number from 0 up that an argument says."""
     return _number(text, lambda number: number >= 0, "0 or a number above")
 
 

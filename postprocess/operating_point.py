@@ -31,13 +31,14 @@ from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.operating import picture, verify, words  # noqa: E402
 from peterka.operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of  # noqa: E402
 from peterka.operating.drift import guaranteed, reach  # noqa: E402
-from peterka.operating.places import best_places  # noqa: E402
+from peterka.operating.places import Place, best_places  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     try:
         with PeterkaFile(arguments.map) as file:
@@ -50,7 +51,7 @@ def main():
         return BAD_OUTPUT
 
 
-def operate(file, arguments):
+def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     """The whole of it, of an open map; the exit code."""
     if file.kind != "map":
         raise file.refusal(f"is a {file.kind}; a map is needed")
@@ -60,11 +61,11 @@ def operate(file, arguments):
         if starts == JOB:
             tell(f"{file.path} was computed from one start alone: what other starts lead to isn't known")
     quantity = quantity_of(file, arguments.quantity)
-    reaches = tuple(reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
     found = admitted(file, starts, quantity.name)
-    guarantee = guaranteed(found, *reaches, codes_of(arguments.regime))
-    places = best_places(guarantee, found, *reaches)
-    what = words.starts_in_words(starts), words.drift_in_words(file, *reaches)
+    guarantee = guaranteed(found, rows, columns, codes_of(arguments.regime))
+    places = best_places(guarantee, found, rows, columns)
+    what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
     if not places:
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
                            f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}; allow less drift, or "
@@ -77,22 +78,22 @@ def operate(file, arguments):
         tell(line)
     if file.is_refined:
         tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
-    save_all(picture.draw(file, guarantee, places, *reaches, (quantity, *what)), arguments.output_dir,
+    save_all(picture.draw(file, guarantee, places, rows, columns, (quantity, *what)), arguments.output_dir,
              f"{file.path.stem}_operating_point", arguments.formats)
     if arguments.verify:
-        checked = verify.verify(file, places[0], reaches, starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
+        checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
         tell(verify.text_of(file, places[0], checked, quantity))
     return DONE
 
 
-def fields_at(file, place):
+def fields_at(file: PeterkaFile, place: Place) -> dict[str, float]:
     """{dataset: value} of a cell."""
     names = ["regime", *(name for name in QUANTITIES.values() if name == "peak_force_ratio" or name in file.quantities)]
     band = file.band(names, place.row, place.row + 1)
     return {name: float(band[name][0, place.column]) for name in names[1:]}
 
 
-def codes_of(regimes):
+def codes_of(regimes: list[str] | None) -> set[int] | None:
     """Codes of ["p/q"]; None for any."""
     if regimes is None:
         return None
@@ -100,7 +101,8 @@ def codes_of(regimes):
     return set(label_codes(np.full(len(p), PERIODIC), p, q).tolist())
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("map", metavar="MAP.h5", type=Path)
     parser.add_argument("--hz", type=read_drift, default=0.5, help="drift of the frequency to either side; default: 0.5")
@@ -117,7 +119,8 @@ def read_arguments():
     return arguments
 
 
-def read_starts(which, parser):
+def read_starts(which: list[str] | None, parser: argparse.ArgumentParser) -> str | float | None:
+    """ANY, JOB, or a share; None where nothing is asked for."""
     if which is None or which in (["any"], ["job"]):
         return which[0] if which else None
     if which[0] == "share" and len(which) == 2:
@@ -130,7 +133,8 @@ def read_starts(which, parser):
     return parser.error(f"--starts {' '.join(which)}: any, job, or share and a number above 0.5 up to 1")
 
 
-def read_drift(text):
+def read_drift(text: str) -> float:
+    """The drift, 0 or above, that an argument says."""
     try:
         drift = float(text)
     except ValueError:
@@ -140,14 +144,16 @@ def read_drift(text):
     return drift
 
 
-def read_regimes(text):
+def read_regimes(text: str) -> list[str]:
+    """The list of p/q that an argument says."""
     regimes = text.split(",")
     if not all(re.fullmatch(r"[1-9]\d{0,8}/[1-9]\d{0,8}", regime) for regime in regimes):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of p/q such as 1/1,1/2")
     return regimes
 
 
-def read_count(text):
+def read_count(text: str) -> int:
+    """The number of ranks that an argument says."""
     if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**6):
         raise argparse.ArgumentTypeError(f"'{text}' is not a number of ranks")
     return int(text)

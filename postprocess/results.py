@@ -23,7 +23,8 @@ from peterka.pictures import open_file  # noqa: E402
 from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     parser = OneLineParser(__doc__)
     parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
     parser.add_argument("--page", metavar="PAGE.md", type=Path, required=True)
@@ -43,7 +44,8 @@ def main():
     return DONE
 
 
-def write(text, pictures, page, folder):
+def write(text: str, pictures: list[str], page: Path, folder: Path) -> None:
+    """The page, with its pictures, which lie in the folder, beside it."""
     page.parent.mkdir(parents=True, exist_ok=True)
     for name in pictures:
         shutil.copyfile(folder / name, page.parent / name)

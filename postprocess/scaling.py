@@ -15,6 +15,7 @@ Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 a picture canno
 import argparse
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
@@ -33,7 +34,8 @@ from peterka.scaling.run_record import read_record  # noqa: E402
 LEAST_CELLS, MOST_CELLS, MOST_RANKS = 256, 10**11, 10**6  # more than that takes hours, and many GB
 
 
-def main():
+def main() -> int:
+    """The exit code."""
     arguments = read_arguments()
     machine = Machine(1e-6 * arguments.service, 1e-6 * arguments.latency, 1e-6 * arguments.look)
     try:
@@ -58,7 +60,8 @@ def main():
     return DONE
 
 
-def read_arguments():
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
     parser = OneLineParser(__doc__)
     parser.add_argument("file", metavar="FILE.h5", type=Path)
     parser.add_argument("--measured", metavar="FILE.h5", nargs="+", type=Path, default=[])
@@ -73,11 +76,13 @@ def read_arguments():
     return parser.parse_args()
 
 
-def read_cells(text):
+def read_cells(text: str) -> list[int]:
+    """The numbers of cells that an argument lists."""
     return [whole_number(LEAST_CELLS, MOST_CELLS)(word) for word in text.split(",")]
 
 
-def whole_number(least, most):
+def whole_number(least: float, most: float) -> Callable[[str], int]:
+    """Reads an argument that is a whole number from least to most."""
     def read(text):
         number = number_in(text)
         if not least <= number <= most or number != int(number):
@@ -87,14 +92,16 @@ def whole_number(least, most):
     return read
 
 
-def microseconds(text):
+def microseconds(text: str) -> float:
+    """The time [µs] that an argument says."""
     number = number_in(text)
     if not 0 < number < 1e6:
         raise argparse.ArgumentTypeError(f"'{text}' is not a time in microseconds between 0 and 1e6")
     return number
 
 
-def number_in(text):
+def number_in(text: str) -> float:
+    """NaN for what is no number."""
     try:
         return float(text)
     except ValueError:

@@ -1,6 +1,8 @@
 """All groups of claims, in the order of the page."""
 
 from . import drift, force_map, gap_zero, jumps, pulse, robust, starts, stiffness
+from .folder import Folder
+from .record import Claim
 
 GROUPS = [
     ("Bands and forces at gap 0", gap_zero),
@@ -14,6 +16,6 @@ GROUPS = [
 ]
 
 
-def all_claims(folder):
+def all_claims(folder: Folder) -> list[tuple[str, list[Claim]]]:
     """[(title of the group, its Claims)]"""
     return [(title, group.claims(folder)) for title, group in GROUPS]

@@ -5,14 +5,17 @@ without: the worst over the box of drift and over all starts of the map, whateve
 """
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Reals
 from ..maps.map_file import PeterkaFile
 from ..operating.admitted import ANY, admitted
 from ..operating.drift import guaranteed, reach
+from .folder import Folder
 from .force_map import RIGS
-from .record import DRIFT, SHARE, claim, not_computed, percent
+from .record import DRIFT, SHARE, Claim, claim, not_computed, percent
 
 PLACE = "section 5; section 4.2"
 SAYS = {
@@ -32,12 +35,13 @@ class Guarantees:
     drifting: np.ndarray
 
     @property
-    def kept(self):
+    def kept(self) -> Reals:
         """The share of the force that the drift leaves."""
         return np.divide(self.drifting, self.still, out=np.zeros(len(self.gaps)), where=self.still > 0)
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     paths = {rig: folder.path / f"drift_{rig}.h5" for rig in RIGS}
     missing = [path.name for path in paths.values() if not path.exists()]
     if missing:
@@ -55,17 +59,18 @@ def claims(folder):
     ]
 
 
-def guarantees(path, hertz):
+def guarantees(path: Path, hertz: float) -> Guarantees:
     """The Guarantees of a map with [starts]."""
     with PeterkaFile(path) as file:
         found = admitted(file, ANY, "peak_force")
-        if not file.newtons:
-            raise file.refusal("doesn't say what its hammer weighs")
+        metres = file.positive("cart_amplitude_m")
+        if not file.newtons or not metres:
+            raise file.refusal("doesn't say what its hammer weighs and how far its cart moves")
         largest = []
         for drift in (0.0, hertz):
             values = guaranteed(found, reach(file, file.rows, 0.0, 0.0), reach(file, file.columns, drift, 0.0))
             largest.append(np.nan_to_num(values, nan=0.0).max(axis=1) * file.newtons)
-        return Guarantees(1000 * file.positive("cart_amplitude_m") * file.rows.values, *largest)
+        return Guarantees(1000 * metres * file.rows.values, *largest)
 
 
 def _in_words(found, row):

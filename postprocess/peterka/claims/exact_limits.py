@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ..maps.curves_file import RIG, SAME_GAP, WORDS
+from .folder import Folder, Plane
 
 FILE = "curves_170mm"
 
@@ -15,11 +16,12 @@ class Limit:
     kind: str | None = None
 
     @property
-    def text(self):
+    def text(self) -> str:
+        """The limit in Hz, to as many digits as it is known, and its kind."""
         return f"{self.hz:.9g} Hz ({self.kind})" if self.kind else f"{self.hz:.2f} Hz"
 
 
-def limits(folder, plane, found, z, row=0):
+def limits(folder: Folder, plane: Plane, found: tuple[float, float], z: tuple[int, int], row: int = 0) -> list[Limit]:
     """The two limits [Hz] of a band of z = (p, q), each from the curve within one column of it."""
     step = plane.frequency_hz[1] - plane.frequency_hz[0]
     near = [_borders(folder, plane, z, row, value, step) for value in found]

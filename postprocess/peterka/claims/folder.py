@@ -4,16 +4,19 @@ Files are read by the readers that draw them, which check what they read. All ma
 """
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from ..arrays import Integers, Mask, Reals
 from ..files.checked_hdf5 import LARGEST, is_number
 from ..files.harmless import harmless
-from ..files.opened import STANDARD_GRAVITY, NotDrawable
+from ..files.opened import STANDARD_GRAVITY, NotDrawable, OpenedFile
 from ..files.regimes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..maps.comparison import label_codes
-from ..maps.curves_file import CurvesFile
+from ..maps.curves_file import Crossing, CurvesFile
 from ..maps.map_file import PeterkaFile
 
 from .record import SOME
@@ -30,7 +33,7 @@ class Plane:
 
     path: Path
     kind: str
-    job: dict
+    job: dict[str, Any]
     rows: np.ndarray
     columns: np.ndarray
     regime: np.ndarray
@@ -40,66 +43,74 @@ class Plane:
     last_impact: np.ndarray | None
 
     @property
-    def natural_frequency_hz(self):
+    def natural_frequency_hz(self) -> float:
+        """Of the hammer on its springs."""
         return self.job["hammer"]["natural_frequency_hz"]
 
     @property
-    def force_n(self):
+    def force_n(self) -> Reals:
+        """Peak forces in N, (y, x)."""
         return self.peak_force_ratio * self.job["hammer"]["mass_kg"] * STANDARD_GRAVITY
 
     @property
-    def frequency_hz(self):
+    def frequency_hz(self) -> Reals:
         """Of the columns of a map."""
         return self.columns * self.natural_frequency_hz
 
     @property
-    def amplitude_mm(self):
+    def amplitude_mm(self) -> float:
+        """Of the cart."""
         return 1e3 * self.job["cart"]["amplitude_m"]
 
-    def is_orbit(self, impacts, period):
+    def is_orbit(self, impacts: int, period: int) -> Mask:
+        """Which cells have the orbit z = impacts/period, (y, x)."""
         return (self.regime == PERIODIC) & (self.impacts == impacts) & (self.period == period)
 
     @property
-    def gap_ratio(self):
+    def gap_ratio(self) -> float:
         """Of a basin."""
         return self.job["operating_point"]["gap_ratio"]
 
     @property
-    def frequency_ratio(self):
+    def frequency_ratio(self) -> float:
         """Of a basin."""
         return self.job["operating_point"]["frequency_ratio"]
 
     @property
-    def label_code(self):
+    def label_code(self) -> Integers:
         """A number for each label."""
         return label_codes(self.regime, self.impacts, self.period)
 
     @property
-    def is_settled(self):
+    def is_settled(self) -> Mask:
         """Proved for ever: orbit, no impact or lasting contact."""
         return np.isin(self.regime, [NO_IMPACT, PERIODIC, SUSTAINED_CONTACT])
 
     @property
-    def quiet(self):
+    def quiet(self) -> Mask:
+        """Which cells end without impacts, (y, x)."""
         return self.regime == NO_IMPACT
 
     @property
-    def strikes(self):
+    def strikes(self) -> Mask:
         """Impacts go on: proved orbits and chaos."""
         return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
 
     @property
-    def has_both(self):
+    def has_both(self) -> bool:
         """Whether some of the starts of a basin end in impacts and some in none."""
         return min(self.share(self.strikes), self.share(self.quiet)) >= SOME
 
-    def share(self, mask):
+    def share(self, mask: Mask) -> float:
+        """Of all cells."""
         return float(np.mean(mask))
 
-    def column_at_hz(self, frequency_hz):
+    def column_at_hz(self, frequency_hz: float) -> int:
+        """The column nearest to a frequency."""
         return int(np.argmin(np.abs(self.frequency_hz - frequency_hz)))
 
-    def row_at(self, value):
+    def row_at(self, value: float) -> int:
+        """The row nearest to a value of its axis."""
         return int(np.argmin(np.abs(self.rows - value)))
 
 
@@ -107,26 +118,30 @@ class Plane:
 class Curves:
     """Of a file of curves: its job, and where they have the gaps that it names."""
 
-    job: dict
-    crossings: list
+    job: dict[str, Any]
+    crossings: list[Crossing]
 
 
 class Folder:
-    def __init__(self, path):
+    """Files of a folder by their names without .h5."""
+
+    def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
 
-    def plane(self, name):
+    def plane(self, name: str) -> Plane | None:
+        """The cells of a map or a basin; None where there is no such file."""
         path = self.path / f"{name}.h5"
         return self._read(path) if path.exists() else None
 
-    def curves(self, name):
+    def curves(self, name: str) -> Curves | None:
+        """The curves of a file; None where there is no such file."""
         path = self.path / f"{name}.h5"
         if not path.exists():
             return None
         with CurvesFile(path) as file:
             return Curves(read_job(file), file.crossings)
 
-    def planes(self, prefix):
+    def planes(self, prefix: str) -> list[Plane]:
         """All files whose names begin so, in the order of their names."""
         return [self._read(path) for path in sorted(self.path.glob(f"{prefix}*.h5"))]
 
@@ -138,12 +153,12 @@ class Folder:
             raise NotDrawable(f"{path} is a {plane.kind}; a {kind} of this name is needed")
         return plane
 
-    def picture(self, name):
+    def picture(self, name: str) -> bool:
         """Whether draw.py made this picture."""
         return (self.path / "pictures" / f"{name}.png").exists()
 
 
-def require_alike(planes):
+def require_alike(planes: Sequence[Plane]) -> None:
     """Planes that are compared cell by cell."""
     for plane in planes[1:]:
         if plane.regime.shape != planes[0].regime.shape:
@@ -151,18 +166,19 @@ def require_alike(planes):
                               "they are compared cell by cell")
 
 
-def read_plane(path):
+def read_plane(path: Path) -> Plane:
+    """The cells of a file, all of which have to be computed."""
     with PeterkaFile(path) as file:
         names = ["regime", "impacts", "period", "peak_force_ratio"] + ["last_impact"] * file.has_last_impact
         bands = [band for _, band in file.bands(names)]
-        fields = {name: np.concatenate([band[name] for band in bands]) for name in names}
+        fields: dict[str, Any] = {name: np.concatenate([band[name] for band in bands]) for name in names}
         if np.any(fields["regime"] == NOT_COMPUTED):
             raise file.refusal("is not complete; finish it with the command that began it")
         return Plane(path, file.kind, read_job(file), file.rows.values, file.columns.values,
-                     **{"last_impact": None} | fields)
+                     last_impact=fields.pop("last_impact", None), **fields)
 
 
-def read_job(file):
+def read_job(file: OpenedFile) -> dict[str, Any]:
     """The job of a file as tables, with all numbers that a rig must have; its natural frequency is there whichever way the
     job gave the stiffness."""
     text = file.data.attribute("job")

@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from .record import ALL, HIGH_GAP, SHARE, claim, near, not_computed
+from ..arrays import Reals
+from .folder import Folder, Plane
+from .record import ALL, HIGH_GAP, SHARE, Claim, claim, near, not_computed
 from .spans import widest
 
 RIGS = ("170mm", "150mm", "135mm")
@@ -16,7 +18,8 @@ SAYS = {
 TIMES = 3  # as printed
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     planes = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
     missing = [f"peterka_{rig}.h5" for rig, plane in planes.items() if plane is None]
     if missing:
@@ -26,7 +29,7 @@ def claims(folder):
     return [*_natural(planes, pictures), _inside(planes, pictures), _zero_gap(planes, pictures)]
 
 
-def forces_one_to_one(plane):
+def forces_one_to_one(plane: Plane) -> Reals:
     """Peak force [N] where z = 1/1, 0 elsewhere, (rows, columns)."""
     return np.where(plane.is_orbit(1, 1), plane.force_n, 0)
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from . import exact_limits
-from .record import FREQUENCY, claim, near, not_computed, off_by
+from .folder import Folder, Plane
+from .record import FREQUENCY, Claim, claim, near, not_computed, off_by
 from .spans import span_around, widest
 
 FILE = "gaps_170mm"  # a map of few gaps, 0 the first, and fine frequencies
@@ -23,14 +24,16 @@ LOSSES = ("the model has one mode: the real hammer loses energy at each impact t
           "its own axial ring at 6 to 7 kHz and to the bending cart plate; see the sensitivity below")
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     plane = folder.plane(FILE)
     if plane is None:
         return [not_computed(f"gap_0_{key}", PLACE, says, f"{FILE}.h5") for key, says in SAYS.items()]
     return [*_bands(folder, plane), *_labels(plane), *_forces(plane)]
 
 
-def limits_hz(plane, impacts, period, inside_hz=None, row=0):
+def limits_hz(plane: Plane, impacts: int, period: int, inside_hz: float | None = None,
+              row: int = 0) -> tuple[float, float] | None:
     """(from, to) of the band of this z at a gap: the one that holds a frequency, or the widest one; None without it.
 
     Limits lie half-way to the next column."""
@@ -42,24 +45,24 @@ def limits_hz(plane, impacts, period, inside_hz=None, row=0):
     return max(frequency[span[0]] - step, frequency[0]), min(frequency[span[1]] + step, frequency[-1])
 
 
-def at_edge(plane, found):
+def at_edge(plane: Plane, found: tuple[float, float]) -> tuple[bool, bool]:
     """Whether each of two limits is where the map ends: then the band goes on, and the limit is no number to compare."""
     return found[0] <= plane.frequency_hz[0], found[1] >= plane.frequency_hz[-1]
 
 
-def in_words(plane, found):
+def in_words(plane: Plane, found: tuple[float, float]) -> str:
     """"from 4.01 to 11.50 Hz", with words where the map ends before the band does."""
     first, last = at_edge(plane, found)
     begins = f"from below {found[0]:.2f}" if first else f"from {found[0]:.2f}"
     return f"{begins} to beyond {found[1]:.2f} Hz, where the map ends" if last else f"{begins} to {found[1]:.2f} Hz"
 
 
-def force_at(plane, frequency_hz, row=0):
+def force_at(plane: Plane, frequency_hz: float, row: int = 0) -> float:
     """[N]"""
     return float(np.interp(frequency_hz, plane.frequency_hz, plane.force_n[row]))
 
 
-def resonance(plane, impacts, period, row=0):
+def resonance(plane: Plane, impacts: int, period: int, row: int = 0) -> tuple[float, float] | None:
     """(frequency [Hz], force [N]) of the largest force in the widest band of a z at a gap; None without a band."""
     span = widest(plane.is_orbit(impacts, period)[row])
     if span is None:
@@ -68,7 +71,8 @@ def resonance(plane, impacts, period, row=0):
     return float(plane.frequency_hz[column]), float(plane.force_n[row, column])
 
 
-def label(plane, frequency_hz, row=0):
+def label(plane: Plane, frequency_hz: float, row: int = 0) -> str:
+    """What the cell nearest to a frequency does: its z, or its regime in words."""
     column = plane.column_at_hz(frequency_hz)
     if plane.quiet[row, column]:
         return "no impact"

@@ -2,10 +2,11 @@
 
 import re
 from base64 import b64encode
+from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from .page import Fields, Heading, Paragraph, Pictures, Table
+from .page import Block, Fields, Heading, Paragraph, Pictures, Table
 
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #1a1a1a; }
@@ -18,7 +19,8 @@ figure img { width: 100%; } figcaption { font-size: 0.8rem; color: #555; }
 """
 
 
-def html(blocks, picture_folder):
+def html(blocks: Sequence[Block], picture_folder: str | Path) -> str:
+    """The text of the page; pictures are PNG files of this folder."""
     body = "\n".join(_block(block, Path(picture_folder)) for block in blocks)
     title = next(block.text for block in blocks if isinstance(block, Heading))
     return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'

@@ -1,12 +1,14 @@
 """Jumps and hysteresis, and how gap and stiffness move the impact resonance (sections 3.1-3.3, 5; Figs. 9-11, 14-16)."""
 
 from itertools import pairwise, product
+from pathlib import Path
 
 from ..files.regimes import PERIODIC
-from ..sweeps.sweep_file import SweepFile
+from ..sweeps.sweep_file import Branch, SweepFile
+from .folder import Folder
 
 from .force_map import RIGS
-from .record import FREQUENCY, claim, near, not_computed
+from .record import FREQUENCY, Claim, claim, near, not_computed
 from .spans import widest
 
 PLACE = "section 3.1, Figs. 9, 14"
@@ -22,7 +24,8 @@ DIRECTIONS = {"up": "rising", "down": "falling"}
 GAPS = (0, 1, 3)  # mm
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     for rig, name in FILES.items():
         if not (folder.path / f"{name}.h5").exists():
             return [not_computed(key, PLACE, says, f"{name}.h5") for key, says in SAYS.items()]
@@ -36,13 +39,13 @@ def claims(folder):
 class Sweep:
     """Branches of a sweep, by gap and direction."""
 
-    def __init__(self, path):
+    def __init__(self, path: Path) -> None:
         with SweepFile(path) as file:
-            self.natural_frequency_hz = file.positive("natural_frequency_hz")
-            self.newtons = file.newtons
-            if None in (self.natural_frequency_hz, self.newtons, file.positive("cart_amplitude_m")):
+            hertz, newtons, metres = file.positive("natural_frequency_hz"), file.newtons, file.positive("cart_amplitude_m")
+            if hertz is None or newtons is None or metres is None:
                 raise file.refusal("doesn't tell frequency, mass and amplitude of its rig")
-            self.millimetres = [gap * 1e3 * file.positive("cart_amplitude_m") for gap in file.gaps]
+            self.natural_frequency_hz, self.newtons = hertz, newtons
+            self.millimetres = [gap * 1e3 * metres for gap in file.gaps if gap is not None]
             self.hertz = file.frequency_ratio * self.natural_frequency_hz
             self._branches = {gap: {branch.direction: branch for branch in file.at_gap(gap)} for gap in file.gaps}
             if file.computed < 1:
@@ -50,31 +53,31 @@ class Sweep:
             if any(set(branches) != set(DIRECTIONS) for branches in self._branches.values()):
                 raise file.refusal("has no branches with rising and with falling frequency at each gap")
 
-    def branches(self, millimetres):
+    def branches(self, millimetres: float) -> dict[str, Branch]:
         """{direction: Branch} of the gap nearest to this."""
         gaps = list(self._branches)
         near = min(range(len(gaps)), key=lambda n: abs(self.millimetres[n] - millimetres))
         return self._branches[gaps[near]]
 
-    def resonance(self, millimetres, direction="up"):
+    def resonance(self, millimetres: float, direction: str = "up") -> tuple[float, float] | None:
         """(frequency [Hz], force [N]) of the largest force of z = 1/1; None without it."""
         branch = self.branches(millimetres)[direction]
         at = branch.strongest_single()
         return None if at is None else (float(self.hertz[at]), float(branch.force[at] * self.newtons))
 
-    def has_maximum(self, millimetres, direction):
+    def has_maximum(self, millimetres: float, direction: str) -> bool:
         """Whether that force is a maximum inside its band, and not only where a jump or the sweep cuts it off."""
         branch = self.branches(millimetres)[direction]
         at = branch.strongest_single()
         return at is not None and branch.is_resonance(at)
 
-    def doubling(self, millimetres):
+    def doubling(self, millimetres: float) -> tuple[float, float] | None:
         """(frequency [Hz], force [N]) at the end of the widest stretch of z = 1/1 with rising frequency; None without."""
         branch = self.branches(millimetres)["up"]
         span = widest((branch.regime == PERIODIC) & (branch.impacts == 1) & (branch.period == 1))
         return None if span is None else (float(self.hertz[span[1]]), float(branch.force[span[1]] * self.newtons))
 
-    def end_of_band(self, millimetres, direction):
+    def end_of_band(self, millimetres: float, direction: str) -> tuple[float, float, float] | None:
         """(frequency [Hz], force below, force above [N]) of the jump that ends the band z = 1/1 towards high frequencies,
         doubled periods counted in: the first beyond the impact resonance that loses force; None without one."""
         branch, resonance = self.branches(millimetres)[direction], self.resonance(millimetres, direction)
@@ -84,7 +87,7 @@ class Sweep:
         for low, high in sorted(tuple(sorted(jump)) for jump in branch.jumps()):
             frequency = float(self.hertz[low] + self.hertz[high]) / 2
             if frequency >= resonance[0] and of_band[low] and branch.force[high] < branch.force[low]:
-                return frequency, *(float(branch.force[n] * self.newtons) for n in (low, high))
+                return frequency, float(branch.force[low] * self.newtons), float(branch.force[high] * self.newtons)
         return None
 
 

@@ -1,11 +1,13 @@
 """The page in Markdown; pictures are files in a folder beside it."""
 
+from collections.abc import Sequence
 from html import escape
 
-from .page import Fields, Heading, Paragraph, Pictures, Table
+from .page import Block, Fields, Heading, Paragraph, Pictures, Table
 
 
-def markdown(blocks, picture_folder):
+def markdown(blocks: Sequence[Block], picture_folder: str) -> str:
+    """The text of the page; pictures are PNG files of this folder, as seen from the page."""
     return "\n\n".join(_block(block, picture_folder) for block in blocks) + "\n"
 
 

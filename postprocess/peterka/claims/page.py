@@ -1,22 +1,27 @@
 """The page as blocks, which markdown.py and html.py write out."""
 
 from collections import Counter
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from .record import AGREES, DIFFERS, LIMITS, OPEN, SETTLED, SOME, percent
-from .sensitivity import PARAMETERS
+from .record import AGREES, DIFFERS, LIMITS, OPEN, SETTLED, SOME, Claim, percent
+from .sensitivity import PARAMETERS, Row
 
 SHOWN_FACTORS = (0.5, 0.75, 1.0, 1.25, 1.5, 2.0)  # of the sensitivity table
 
 
 @dataclass(frozen=True)
 class Heading:
+    """Of this level, from 1."""
+
     level: int
     text: str
 
 
 @dataclass(frozen=True)
 class Paragraph:
+    """Text, in which ** and ` are Markdown's."""
+
     text: str
 
 
@@ -29,27 +34,35 @@ class Fields:
 
 @dataclass(frozen=True)
 class Table:
+    """Texts, in which ** and ` are Markdown's."""
+
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
 class Pictures:
+    """By the names of their files without .png."""
+
     names: tuple[str, ...]
 
 
-def blocks(groups, sensitivity_rows, has_picture):
+Block = Heading | Paragraph | Fields | Table | Pictures
+
+
+def blocks(groups: Sequence[tuple[str, Sequence[Claim]]], sensitivity_rows: Sequence[Row],
+           has_picture: Callable[[str], bool]) -> list[Block]:
     """Of groups of claims, rows of the sensitivity, and a function that tells whether a picture is there."""
     claims = [claim for _, group in groups for claim in group]
-    out = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), Fields(LIMITS), Paragraph(SETTLED),
-           _overview(claims)]
-    shown = set()
+    out: list[Block] = [Heading(1, "The paper's claims, tested"), Paragraph(_introduction(claims)), Fields(LIMITS),
+                        Paragraph(SETTLED), _overview(claims)]
+    shown: set[str] = set()
     for title, group in groups:
         out.append(Heading(2, title))
         for claim in group:
             out += [Heading(3, claim.says), _fields(claim)]
-        names = [name for claim in group for name in claim.pictures if has_picture(name)]
-        names = tuple(name for name in dict.fromkeys(names) if name not in shown)
+        made = dict.fromkeys(name for claim in group for name in claim.pictures if has_picture(name))
+        names = tuple(name for name in made if name not in shown)
         shown.update(names)
         if names:
             out.append(Pictures(names))

@@ -1,12 +1,15 @@
 """Single impacts: the release test with the cart at rest, the flight after an impact, and the spectrum at its moment
 (sections 4, 4.2; Figs. 13, 20, 21)."""
 
+from pathlib import Path
+
 import numpy as np
+from ..arrays import Reals
 from ..traces.trace_file import TraceFile
 
 from ..identification.contact_pulse import identified
-from .folder import read_job
-from .record import CLOSED_FORM, RANGE, SHARE, claim, near, not_computed, percent
+from .folder import Folder, read_job
+from .record import CLOSED_FORM, RANGE, SHARE, Claim, claim, near, not_computed, percent
 
 RELEASE, STRONGEST = "trace_170mm_release", "trace_170mm_9hz"
 STIFFNESS, DAMPING = 5.5e6, 1.2e3  # N/m, Ns/m; these and the frequencies as printed
@@ -27,7 +30,8 @@ ONE_MODE = ("the model has one mode: bending modes of the beam springs and the a
             "and nothing else rings")
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     files = [f"{name}.h5" for name in (RELEASE, STRONGEST)]
     missing = [name for name in files if not (folder.path / name).exists()]
     if missing:
@@ -39,9 +43,9 @@ def claims(folder):
 class Strike:
     """The hardest impact of a trace, alone; spectra of its force and of the flight after it over `frequency` [Hz]."""
 
-    def __init__(self, path):
+    def __init__(self, path: Path) -> None:
         with TraceFile(path) as file:
-            if file.impact_spectrum is None or file.impact is None or file.newtons is None:
+            if file.impact_spectrum is None or file.impact is None or file.impacts is None or file.newtons is None:
                 raise file.refusal("shows no impact with the flight after it, or tells no mass")
             hardest = {name: float(values[file.impact.number]) for name, values in file.impacts.items()}
             if not min(hardest["contact_time"], hardest["impact_speed"]) > 0:
@@ -57,7 +61,7 @@ class Strike:
             self.frequency, self.force, self.flight = file.impact_spectrum.values()
 
 
-def peaks(frequency, spectrum, least):
+def peaks(frequency: Reals, spectrum: Reals, least: float) -> list[float]:
     """Frequencies of the maxima inside a spectrum that reach a share of its largest value."""
     inner = spectrum[1:-1]
     found = (inner > spectrum[:-2]) & (inner >= spectrum[2:]) & (inner >= least * spectrum.max())

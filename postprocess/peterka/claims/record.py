@@ -1,5 +1,6 @@
 """A claim of the paper, how it fared, and the limits that verdicts go by."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 FREQUENCY = 0.25  # Hz
@@ -48,25 +49,28 @@ class Claim:
     pictures: tuple[str, ...] = ()
 
 
-def claim(key, place, says, computed, holds, difference="", why="", pictures=()):
+def claim(key: str, place: str, says: str, computed: str, holds: bool, difference: str = "", why: str = "",
+          pictures: Iterable[str] = ()) -> Claim:
     """A Claim that agrees where it holds; what explains a difference is left out where there is none."""
     verdict = AGREES if holds else DIFFERS
     return Claim(key, place, says, computed, verdict, difference, "" if holds else why, tuple(pictures))
 
 
-def not_computed(key, place, says, missing):
+def not_computed(key: str, place: str, says: str, missing: str) -> Claim:
+    """A Claim that waits for a file."""
     return Claim(key, place, says, f"{missing} is not in the folder: run jobs/paper.sh", OPEN)
 
 
-def off_by(value, printed, unit):
+def off_by(value: float, printed: float, unit: str) -> str:
     """How far a computed number is from the printed one."""
     return f"{value - printed:+.3g} {unit} ({100 * (value / printed - 1):+.1f} %)"
 
 
-def near(value, other, share=SHARE):
+def near(value: float, other: float, share: float = SHARE) -> bool:
     """Whether a force or a ratio agrees with another one."""
     return abs(value / other - 1) <= share
 
 
-def percent(share):
+def percent(share: float) -> str:
+    """0.1234 is "12.34 %"."""
     return f"{100 * share:.4g} %"

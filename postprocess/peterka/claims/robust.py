@@ -1,7 +1,8 @@
 """Gap 0 against higher gaps: what makes it robust, and whether the others jump (sections 3.1, 4.2, 5; Figs. 9, 14, 23)."""
 
+from .folder import Folder, Plane
 from .gap_zero import at_edge, limits_hz, resonance
-from .record import ALL, SHARE, claim, not_computed, percent
+from .record import ALL, SHARE, Claim, claim, not_computed, percent
 from .spans import widest
 
 PLACE = "section 5; section 4.2"
@@ -13,10 +14,13 @@ SAYS = {
 FILES = ("gaps_170mm", "basin_170mm_gap_0", "basin_170mm_gap_3")
 
 
-def claims(folder):
-    planes = [folder.plane(name) for name in FILES]
-    if None in planes:
-        return [not_computed(key, PLACE, says, f"{FILES[planes.index(None)]}.h5") for key, says in SAYS.items()]
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
+    found = {name: folder.plane(name) for name in FILES}
+    planes = [plane for plane in found.values() if plane is not None]
+    if len(planes) < len(FILES):
+        missing = next(name for name, plane in found.items() if plane is None)
+        return [not_computed(key, PLACE, says, f"{missing}.h5") for key, says in SAYS.items()]
     gaps, *basins = planes
     without = [_millimetres(gaps, row) for row in range(len(gaps.rows)) if resonance(gaps, 1, 1, row) is None]
     if without:
@@ -25,9 +29,11 @@ def claims(folder):
     return [_robust(gaps, basins, drops), _higher(gaps, drops)]
 
 
-def drop_after(plane, row):
+def drop_after(plane: Plane, row: int) -> float:
     """Share of its force that is lost from the last column of the widest band z = 1/1 to the next one."""
-    last = widest(plane.is_orbit(1, 1)[row])[1]
+    band = widest(plane.is_orbit(1, 1)[row])
+    assert band is not None
+    last = band[1]
     if last + 1 >= len(plane.columns):
         return 0.0
     return float(max(0.0, 1 - plane.force_n[row, last + 1] / plane.force_n[row, last]))

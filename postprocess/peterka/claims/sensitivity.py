@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .folder import LARGEST, SMALLEST, NotDrawable
+from .folder import LARGEST, SMALLEST, Folder, NotDrawable, Plane
 from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, at_edge, force_at, limits_hz
 from .record import SOME, percent
 
@@ -36,7 +36,7 @@ class Row:
     has_both: np.ndarray
 
     @property
-    def answer(self):
+    def answer(self) -> str:
         """The factor, nearest to 1, at which the number is the paper's; in words."""
         factor = self.needed
         if factor is not None:
@@ -45,13 +45,14 @@ class Row:
         return f"none tried {tried} has {percent(SOME)} of each" if self.printed is None else f"no factor {tried}"
 
     @property
-    def needed(self):
+    def needed(self) -> float | None:
+        """The factor itself; None where none does."""
         if self.printed is None:
             return min(self.factors[self.has_both].tolist(), key=_distance, default=None)
         return _crossing(self.factors, self.values - self.printed)
 
 
-def rows(folder):
+def rows(folder: Folder) -> list[Row]:
     """All Rows, those of one number together; empty without the files."""
     found = []
     gap_0 = folder.plane("gaps_170mm")
@@ -67,7 +68,7 @@ def rows(folder):
     return found
 
 
-def contact_damping_with_both(folder, prefix):
+def contact_damping_with_both(folder: Folder, prefix: str) -> str:
     """Words on the contact damping that gives both outcomes at the place of a basin; '' where none was found."""
     base = folder.plane(f"basin_{prefix.split('/')[1].rstrip('_')}")
     if base is None:
@@ -81,7 +82,7 @@ def contact_damping_with_both(folder, prefix):
     return ""
 
 
-def outcomes(plane):
+def outcomes(plane: Plane) -> str:
     """Words on how many starts of a basin end in what."""
     left = plane.share(~(plane.quiet | plane.strikes))
     return (f"{percent(plane.share(plane.strikes))} of the starts end in impacts, {percent(plane.share(plane.quiet))} in none"

@@ -2,34 +2,38 @@
 
 import numpy as np
 
+from ..arrays import Mask
+from .folder import Plane
 from .record import WIDE
 
 
-def spans(mask):
+def spans(mask: Mask) -> list[tuple[int, int]]:
     """(first, last) of each run of True, both included."""
     steps = np.diff(np.concatenate([[0], np.asarray(mask, dtype=int), [0]]))
     return list(zip(np.flatnonzero(steps == 1).tolist(), (np.flatnonzero(steps == -1) - 1).tolist()))
 
 
-def span_around(mask, index):
+def span_around(mask: Mask, index: int) -> tuple[int, int] | None:
     """The run that holds this index; None where it isn't True."""
     return next((span for span in spans(mask) if span[0] <= index <= span[1]), None)
 
 
-def widest(mask):
-    """None without any."""
-    return max(spans(mask), key=lambda span: span[1] - span[0], default=None)
+def widest(mask: Mask) -> tuple[int, int] | None:
+    """The longest run; None without any."""
+    found = spans(mask)
+    return max(found, key=lambda span: span[1] - span[0]) if found else None
 
 
-def around_bands(plane):
+def around_bands(plane: Plane) -> tuple[Mask, Mask, Mask]:
     """Three masks of a map, (rows, columns): up to the end of the widest band z = 1/1, between it and z = 1/2, and from the
     beginning of z = 1/2 on. A gap without a band has the limit of the next lower gap."""
-    ends, starts = [], []
+    ends: list[int] = []
+    starts: list[int] = []
     for row in range(len(plane.rows)):
         one, half = (widest(plane.is_orbit(1, q)[row]) for q in (1, 2))
         ends.append(one[1] if one else ends[-1] if ends else 0)
-        wide = half is not None and half[1] - half[0] >= WIDE * len(plane.columns)
-        starts.append(half[0] if wide else starts[-1] if starts else len(plane.columns))
+        before = starts[-1] if starts else len(plane.columns)
+        starts.append(half[0] if half and half[1] - half[0] >= WIDE * len(plane.columns) else before)
     columns = np.arange(len(plane.columns))
     lower = columns <= np.array(ends)[:, None]
     beyond = ~lower & (columns >= np.array(starts)[:, None])

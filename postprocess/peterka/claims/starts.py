@@ -1,10 +1,13 @@
 """What depends on the start: between the bands at higher gaps (section 4.2, Fig. 22), and the paper's two basins (Fig. 24).
 """
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
-from .folder import NotDrawable, require_alike
-from .record import HIGH_GAP, SOME, claim, near, not_computed, off_by, percent
+from ..arrays import Mask, Reals
+from .folder import Folder, NotDrawable, Plane, require_alike
+from .record import HIGH_GAP, SOME, Claim, claim, near, not_computed, off_by, percent
 from .sensitivity import contact_damping_with_both, outcomes
 from .spans import around_bands
 
@@ -18,23 +21,19 @@ SAYS = {
 MANY = 300  # forcing cycles: a run that many would call long enough
 
 
-def claims(folder):
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
     return [_region(folder), _first_basin(folder), _second_basin(folder)]
 
 
-def depends_on_start(planes):
+def depends_on_start(planes: Sequence[Plane]) -> Mask:
     """Cells whose proved label (orbit, no impact, lasting contact) isn't the same from all starts, (rows, columns)."""
     require_alike(planes)
-    lowest, highest, count = None, None, None
-    for plane in planes:
-        proved = plane.is_settled
-        code = np.where(proved, plane.label_code, -1)
-        if lowest is None:
-            lowest, highest, count = np.where(proved, code, np.iinfo(np.int64).max), code, proved.astype(int)
-            continue
-        lowest = np.minimum(lowest, np.where(proved, code, np.iinfo(np.int64).max))
-        highest, count = np.maximum(highest, code), count + proved
-    return (count > 1) & (lowest != highest)
+    proved = np.array([plane.is_settled for plane in planes])
+    codes = np.array([plane.label_code for plane in planes])
+    lowest = np.where(proved, codes, np.iinfo(np.int64).max).min(axis=0)
+    highest = np.where(proved, codes, -1).max(axis=0)
+    return (proved.sum(axis=0) > 1) & (lowest != highest)
 
 
 def _region(folder):
@@ -58,7 +57,7 @@ def _region(folder):
         near(gaps[first], HIGH_GAP), f"from {off_by(gaps[first], HIGH_GAP, 'A0')}", "", ["starts_170mm"])
 
 
-def first_of_the_rest(shares, limit):
+def first_of_the_rest(shares: Reals | Sequence[float], limit: float) -> int | None:
     """The row from which on all shares reach a limit; None where the last one doesn't."""
     few = np.flatnonzero(np.asarray(shares) < limit)
     first = int(few[-1]) + 1 if len(few) else 0
@@ -111,9 +110,10 @@ def _second_basin(folder):
                                                                      "basin_135mm_last_impact"])
 
 
-def nearest(planes, gap_ratio, suits):
+def nearest(planes: Sequence[Plane], gap_ratio: float, suits: Callable[[Plane], bool]) -> Plane | None:
     """The basin that suits whose gap is nearest; None without any."""
-    return min(filter(suits, planes), key=lambda plane: abs(plane.gap_ratio - gap_ratio), default=None)
+    suitable = [plane for plane in planes if suits(plane)]
+    return min(suitable, key=lambda plane: abs(plane.gap_ratio - gap_ratio)) if suitable else None
 
 
 def _nearest_with_both(both, planes):

@@ -1,8 +1,13 @@
 """Where the start decides the regime: the plane of several maps that differ in their start alone."""
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 from ..look import axes, style
+from ..maps.map_file import PeterkaFile
 from ..maps.reduce import class_picture
+from .folder import Plane
 
 from .starts import depends_on_start
 
@@ -12,7 +17,7 @@ COLOURS = ["#F2F2F2", "#0072B2", "#1A1A1A"]
 
 
 @style.using()
-def draw(file, planes):
+def draw(file: PeterkaFile, planes: Sequence[Plane]) -> Figure:
     """As a Figure; `file` is one of the maps, open."""
     kinds = np.where(depends_on_start(planes), 1, 0)
     kinds[~np.any([plane.is_settled for plane in planes], axis=0)] = 2

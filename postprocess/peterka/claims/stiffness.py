@@ -5,9 +5,10 @@ from itertools import combinations
 import numpy as np
 from ..maps.comparison import compare
 from ..maps.map_file import PeterkaFile
+from .folder import Folder
 
 from .force_map import RIGS
-from .record import ALL, claim, near, not_computed
+from .record import ALL, Claim, claim, near, not_computed
 from .spans import around_bands
 
 PLACE = "section 4.2, Fig. 22"
@@ -18,9 +19,11 @@ SAYS = {
 }
 
 
-def claims(folder):
-    planes = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
-    missing = [f"peterka_{rig}.h5" for rig, plane in planes.items() if plane is None]
+def claims(folder: Folder) -> list[Claim]:
+    """Those of this group."""
+    there = {rig: folder.plane(f"peterka_{rig}") for rig in RIGS}
+    planes = {rig: plane for rig, plane in there.items() if plane is not None}
+    missing = [f"peterka_{rig}.h5" for rig in RIGS if rig not in planes]
     if missing:
         return [not_computed(f"stiffness_{key}", PLACE, says, missing[0]) for key, says in SAYS.items()]
     pairs = list(combinations(RIGS, 2))

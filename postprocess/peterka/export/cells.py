@@ -1,11 +1,15 @@
 """The fields of a map's or a basin's cells, named and in the units in which people measure."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.opened import NotDrawable
+from ..maps.map_file import PeterkaFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
@@ -33,7 +37,7 @@ class Side:
     ratios: np.ndarray
 
 
-def fields_of(file):
+def fields_of(file: PeterkaFile) -> list[Field]:
     """The Fields of a map or basin, the label first."""
     first = ["regime", "impacts", "period", "peak_force_ratio"]
     found = []
@@ -50,7 +54,7 @@ def fields_of(file):
     return found
 
 
-def sides_of(file):
+def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
     """(rows, columns) as Sides."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     speed = 2 * np.pi * hertz * metres if hertz and metres else None
@@ -62,10 +66,10 @@ def sides_of(file):
         name, factor = units.get(axis.name, (axis.name, 1.0))
         name, factor = (name, factor) if factor else (axis.name, 1.0)
         found.append(Side(name, axis.values * factor, axis.name, axis.values))
-    return tuple(found)
+    return found[0], found[1]
 
 
-def bands(file, fields):
+def bands(file: PeterkaFile, fields: Sequence[Field]) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
     """(first row, {name: values (rows, columns)}) over all cells; -1 in whole numbers, NaN in others, is none."""
     names = list(dict.fromkeys(["regime", *(field.dataset for field in fields)]))
     for first, band in file.bands(names):
@@ -73,5 +77,6 @@ def bands(file, fields):
                       for field in fields}
 
 
-def regime_word(number):
+def regime_word(number: int) -> str:
+    """The word in CSV for a number of `regime`."""
     return REGIMES[number] if 0 <= number < len(REGIMES) else NOT_COMPUTED

@@ -3,16 +3,20 @@
 import argparse
 import csv
 import os
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 
+from ..files.opened import OpenedFile
+from ..maps.map_file import PeterkaFile
 from .cells import bands, fields_of, regime_word, sides_of
 
 LARGEST_MATLAB = 2**31 - 1  # bytes of a variable
 
 
-def write_csv(file, path):
+def write_csv(file: PeterkaFile, path: Path) -> None:
     """A line for each cell, row by row; where an axis is in units, its ratio follows. Numbers read back to the last bit."""
     fields, (rows, columns) = fields_of(file), sides_of(file)
     sides = [(columns, 1), (rows, 0)]
@@ -29,7 +33,7 @@ def write_csv(file, path):
                                       for numbers in _once(side)), *cells])
 
 
-def write_vtk(file, path):
+def write_vtk(file: PeterkaFile, path: Path) -> None:
     """Points are the cells' centres, in the axes' units; each field is an array of their data."""
     fields, (rows, columns) = fields_of(file), sides_of(file)
     with _whole(path, "wb") as out:
@@ -47,7 +51,7 @@ def write_vtk(file, path):
             out.write(b"\n")
 
 
-def write_matlab(file, path):
+def write_matlab(file: PeterkaFile, path: Path) -> None:
     """Arrays on [rows][columns], the axes' values by name, and `title`."""
     if 8 * file.shape[0] * file.shape[1] > LARGEST_MATLAB:
         raise file.refusal("is too large for a MATLAB file, whose variables have 2 GB at most; export it as vtk")
@@ -65,7 +69,7 @@ def write_matlab(file, path):
 FORMATS = {"csv": write_csv, "vtk": write_vtk, "mat": write_matlab}
 
 
-def read_formats(text):
+def read_formats(text: str) -> list[str]:
     """The list of formats that an argument names."""
     formats = text.split(",")
     if not set(formats) <= set(FORMATS):
@@ -73,9 +77,9 @@ def read_formats(text):
     return formats
 
 
-def export(file, folder, formats):
+def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
     """Writes an open map or basin in each format into a folder, made where it is missing; the paths written, one by one."""
-    if file.kind not in ("map", "basin"):
+    if not isinstance(file, PeterkaFile) or file.kind not in ("map", "basin"):
         raise file.refusal(f"is a {file.kind}; maps and basins are exported, others are read by xarray")
     folder.mkdir(parents=True, exist_ok=True)
     for name in formats:

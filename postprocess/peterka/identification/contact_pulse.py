@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 MOST_DAMPED = 1e4  # z; restitutions below 1e-17 are none
 
 
-def angle_over_sine(ratio):
+def angle_over_sine(ratio: float) -> float:
     """acos(z)/sqrt(1 - z^2), and what it becomes at and above 1."""
     if abs(ratio - 1) < 1e-6:
         return 1 - (ratio - 1) / 3
@@ -22,14 +22,14 @@ def angle_over_sine(ratio):
     return np.arccosh(ratio) / np.sqrt(ratio**2 - 1)
 
 
-def pulse(mass_kg, stiffness, damping):
+def pulse(mass_kg: float, stiffness: float, damping: float) -> tuple[float, float]:
     """(restitution, contact time [s]) of ki [N/m] and ci [Ns/m]."""
     omega = np.sqrt(stiffness / mass_kg)
     ratio = damping / (2 * np.sqrt(stiffness * mass_kg))
     return float(np.exp(-2 * ratio * angle_over_sine(ratio))), float(2 * angle_over_sine(ratio) / omega)
 
 
-def identified(mass_kg, restitution, contact_s):
+def identified(mass_kg: float, restitution: float, contact_s: float) -> tuple[float, float]:
     """(ki [N/m], ci [Ns/m]) of the stop that sends a free mass back at this share of its speed, 0 < e <= 1, after so long a
     contact."""
     ratio = 0.0

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import NotDrawable
+from .recording import Recording
 
 OVER_NOISE = 8  # an impact stands out of the noise by so many of its standard deviations
 WEAKEST = 0.03  # of the hardest impact
@@ -43,7 +45,7 @@ class Guess:
     pulses: list[Pulse]
 
 
-def look(recording):
+def look(recording: Recording) -> Guess:
     """The Guess from a recording; NotDrawable where it shows no impact that could be measured."""
     signals = recording.signals
     sharp = next((name for name in ("force", "acceleration") if name in signals), None)
@@ -72,7 +74,7 @@ def look(recording):
                  np.diff([recording.time[pulse.first] for pulse in pulses]).tolist(), pulses)
 
 
-def noise_of(values):
+def noise_of(values: Reals) -> float:
     """Standard deviation of what changes from sample to sample; not of what swings slowly, nor of rare impacts."""
     steps = np.diff(values)
     return float(1.4826 * np.median(np.abs(steps - np.median(steps))) / np.sqrt(2))

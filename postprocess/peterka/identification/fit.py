@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..files.checked_hdf5 import NotDrawable
-from .first_guess import FEWEST_IN_CONTACT, look
+from .first_guess import FEWEST_IN_CONTACT, Guess, look
 from .jumps import WITHIN_STEP, away_from_touches, off_jumps, sharp_jumps
 from .model import DAMPING, DAMPING_RATIO, LEAST_NOISE, OMEGA, SHARP, Model
 from .numbers_found import Identified, Number, identified_from
@@ -46,7 +46,7 @@ class Fit:
     model_between: Callable  # times -> {signal: values} like `fitted`
 
 
-def fit(recording, mass, gap, springs=None):
+def fit(recording: Recording, mass: float, gap: float, springs: tuple[float, float] | None = None) -> Fit:
     """The Fit of a Recording over a cart at rest; mass [kg], gap [m], and the (omega [rad/s], damping ratio) of the springs
     where they are known. NotDrawable where the recording doesn't tell."""
     guess = look(recording)
@@ -73,7 +73,7 @@ def _agreeing(found, recording, guess):
     return found
 
 
-def fit_each(recording, mass, guess=None):
+def fit_each(recording: Recording, mass: float, guess: Guess | None = None) -> list[Fit]:
     """[Fit] of each impact of a Recording by itself, whatever moves the hammer between them; the weakest are left out.
 
     During an impact the springs and the cart change the speed by far less than the stop does."""

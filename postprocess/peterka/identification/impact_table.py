@@ -4,17 +4,19 @@
     contact_time_s or contact_time_ms
 """
 
+from pathlib import Path
+
 import numpy as np
 
 from ..files.csv_table import read_csv_table
 from .contact_pulse import identified
-from .numbers_found import Number, identified_from
+from .numbers_found import Identified, Number, identified_from
 
 COLUMNS = ("restitution", "speed_before_m_s", "speed_after_m_s", "contact_time_s", "contact_time_ms")
 LARGEST_BYTES = 2**24
 
 
-def from_impact(mass, restitution, contact_s):
+def from_impact(mass: float, restitution: Number, contact_s: Number) -> Identified:
     """The Identified of two Numbers; errors of None count as 0."""
     values = restitution.value, contact_s.value
     covariance = np.diag([(number.error or 0.0) ** 2 for number in (restitution, contact_s)])
@@ -23,7 +25,7 @@ def from_impact(mass, restitution, contact_s):
     return identified_from(mass, stiffness, damping, slopes @ covariance @ slopes.T)
 
 
-def read_impacts(path):
+def read_impacts(path: Path) -> tuple[Number, Number]:
     """(restitution, contact time [s]) as Numbers from a table of impacts: means with the errors that their scatter gives them."""
     table = read_csv_table(path, COLUMNS, "impacts", LARGEST_BYTES)
     speeds = {"speed_before_m_s", "speed_after_m_s"}
@@ -34,7 +36,8 @@ def read_impacts(path):
     rows = [_impact(table, line, cells) for line, cells in table.rows]
     means = np.mean(rows, axis=0)
     errors = np.std(rows, axis=0, ddof=1) / np.sqrt(len(rows)) if len(rows) > 1 else (None, None)
-    return tuple(Number(float(mean), None if error is None else float(error)) for mean, error in zip(means, errors))
+    restitution, contact_s = (Number(float(mean), None if error is None else float(error)) for mean, error in zip(means, errors))
+    return restitution, contact_s
 
 
 def _impact(table, line, cells):
@@ -53,7 +56,7 @@ def _impact(table, line, cells):
     return restitution, contact_s
 
 
-def fault_of(restitution, contact_s):
+def fault_of(restitution: float, contact_s: float) -> str:
     """What is wrong with a measured impact; empty where nothing is."""
     if not 1e-9 < restitution <= 1:
         return f"has a restitution of {restitution:.4g}; a stop sends a hammer back with a share of its speed, above 0 up to 1"

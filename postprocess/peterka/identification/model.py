@@ -2,8 +2,11 @@
 
 import numpy as np
 
+from ..arrays import Mask, Reals
 from .contact_pulse import identified
-from .release_motion import Rig, motion
+from .first_guess import Guess
+from .recording import Recording
+from .release_motion import Motion, Rig, motion
 
 SHARP = ("force", "acceleration")  # signals that jump at first touch
 FIRST_DAMPING_RATIO = 0.005
@@ -18,7 +21,8 @@ class Model:
     Parameters are ln ki and ci over their first guess, the first touch in contacts from its guess, ln of its speed and of omega
     over what start() took, the damping ratio, and the signals' offsets in their ranges."""
 
-    def __init__(self, recording, guess, mass, gap, springs):
+    def __init__(self, recording: Recording, guess: Guess, mass: float, gap: float,
+                 springs: tuple[float, float] | None) -> None:
         self.recording, self.guess, self.mass, self.gap = recording, guess, mass, gap
         self.springs = springs  # (omega, damping ratio) where they are given, or None
         self.names = list(recording.signals)
@@ -27,27 +31,30 @@ class Model:
         self.first = identified(mass, FIRST_RESTITUTION, guess.contact_s)
         self.speed, self.omega = 1.0, 1.0  # of which the parameters are multiples
 
-    def start(self, omega):
+    def start(self, omega: float) -> Reals:
+        """The first parameters, with springs of this omega [rad/s]."""
         self.omega, self.speed = omega, 1.0
         parameters = np.array([0, 1, 0, 0, 0, FIRST_DAMPING_RATIO, *[0] * len(self.names)], dtype=float)
         self.speed = self._first_speed(parameters)
         return parameters
 
-    def rig(self, parameters):
+    def rig(self, parameters: Reals) -> Rig:
+        """That of these parameters."""
         omega, ratio = self.springs or (self.omega * np.exp(parameters[OMEGA]), parameters[DAMPING_RATIO])
         return Rig(self.mass, self.first[0] * np.exp(parameters[STIFFNESS]), self.first[1] * parameters[DAMPING], omega, ratio, self.gap)
 
-    def motion(self, parameters, until):
+    def motion(self, parameters: Reals, until: float) -> Motion:
+        """That of these parameters, with all impacts that begin before `until` [s]."""
         touch = self.guess.touch_time + parameters[TOUCH] * self.guess.contact_s
         return motion(self.rig(parameters), touch, self.speed * np.exp(parameters[SPEED]), until)
 
-    def signals(self, moved, parameters, time):
+    def signals(self, moved: Motion, parameters: Reals, time: Reals) -> dict[str, Reals]:
         """As recorded."""
         model = moved.signals(time, self.names)
         return {name: self.guess.signs[name] * model[name] + self.guess.offsets[name] + self.ranges[name] * offset
                 for name, offset in zip(self.names, parameters[OFFSETS:])}
 
-    def free(self, springs):
+    def free(self, springs: bool) -> Mask:
         """Which of the parameters are fitted."""
         return np.array([True] * 4 + [springs and not self.springs] * 2 + [True] * len(self.names))
 

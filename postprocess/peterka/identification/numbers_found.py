@@ -1,9 +1,12 @@
 """What came out of measurements: numbers with their standard errors, and how errors go on through a function."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
+from ..arrays import Reals
 from .contact_pulse import pulse
 
 
@@ -29,11 +32,13 @@ class Identified:
     contact_s: Number
     covariance: np.ndarray  # of ki and ci, (2, 2)
 
-    def replaced(self, **numbers):
+    def replaced(self, **numbers: Number) -> Self:
+        """The same with other Numbers."""
         return replace(self, **numbers)
 
 
-def identified_from(mass, stiffness, damping, covariance, natural_frequency_hz=None, damping_ratio=None):
+def identified_from(mass: float, stiffness: float, damping: float, covariance: Reals,
+                    natural_frequency_hz: Number | None = None, damping_ratio: Number | None = None) -> Identified:
     """Identified of ki and ci with their covariance (2, 2), and the Numbers of the springs."""
     covariance = np.asarray(covariance)
     errors = np.sqrt(np.diag(covariance))
@@ -42,13 +47,13 @@ def identified_from(mass, stiffness, damping, covariance, natural_frequency_hz=N
                       damping_ratio, restitution, contact_s, covariance)
 
 
-def propagated(function, values, covariance):
+def propagated(function: Callable[..., Sequence[float]], values: Sequence[float], covariance: Reals) -> list[Number]:
     """Numbers of what a function makes of values with this covariance."""
-    values = np.asarray(values, dtype=float)
-    middle = np.array(function(*values))
-    slopes = np.empty((len(middle), len(values)))
-    for column, step in enumerate(1e-5 * np.maximum(np.abs(values), 1e-300)):
-        ends = [values.copy() for _ in range(2)]
+    at = np.asarray(values, dtype=float)
+    middle = np.array(function(*at))
+    slopes = np.empty((len(middle), len(at)))
+    for column, step in enumerate(1e-5 * np.maximum(np.abs(at), 1e-300)):
+        ends = [at.copy() for _ in range(2)]
         ends[0][column] = max(ends[0][column] - step, 0)
         ends[1][column] += step
         slopes[:, column] = (np.array(function(*ends[1])) - np.array(function(*ends[0]))) / (ends[1][column] - ends[0][column])
@@ -56,7 +61,7 @@ def propagated(function, values, covariance):
     return [Number(float(value), float(error)) for value, error in zip(middle, errors)]
 
 
-def combined(found):
+def combined(found: Sequence[Identified]) -> Identified:
     """The Identified of several of the same mass: means, each with its own weight. Where they scatter by more than their
     errors, the errors grow by as much."""
     if len(found) == 1:
@@ -67,10 +72,10 @@ def combined(found):
     mean = covariance @ sum(weight @ value for weight, value in zip(weights, values))
     scatter = sum((value - mean) @ weight @ (value - mean) for weight, value in zip(weights, values)) / (2 * len(found) - 2)
     springs = {name: _mean([getattr(one, name) for one in found]) for name in ("natural_frequency_hz", "damping_ratio")}
-    return identified_from(found[0].mass, *map(float, mean), covariance * max(1.0, scatter), **springs)
+    return identified_from(found[0].mass, float(mean[0]), float(mean[1]), covariance * max(1.0, scatter), **springs)
 
 
-def combined_impacts(found, in_step):
+def combined_impacts(found: Sequence[Identified], in_step: bool) -> Identified:
     """The same of impacts of one recording. Where sampling is in step with them, all jumps lie at the same place between
     samples, and that many impacts tell no better than one where it is: the errors don't shrink."""
     mean = combined(found)

@@ -1,10 +1,15 @@
 """A recording and the motion fitted to it: all of it, the hardest impact closely, and what is left of each signal."""
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ..look import axes, style, units
 from ..look.linear_ticks import LinearNumbers, LinearTicks
+from .fit import Fit
+from .recording import Recording
 
 WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
 RECORDED = {"color": "#8C8C8C", "marker": "o", "markersize": 1.8, "markeredgewidth": 0, "linestyle": "none"}
@@ -22,7 +27,7 @@ class _Titled:
 
 
 @style.using()
-def draw(recording, fits, title):
+def draw(recording: Recording, fits: Sequence[Fit], title: str) -> Figure:
     """The picture of the Fits [one, or one for each impact] of a Recording as a Figure."""
     names = [name for name in NAMES if name in fits[0].fitted]
     figure = axes.new_figure(WIDTH, HEAD + ROW * len(names))

@@ -38,15 +38,15 @@ class Recording:
     signals: dict[str, np.ndarray]
 
     @property
-    def step(self):
+    def step(self) -> float:
         """Between samples [s]."""
         return (self.time[-1] - self.time[0]) / (len(self.time) - 1)
 
 
-def read_recording(path, begin, end):
+def read_recording(path: Path, begin: float | None, end: float | None) -> Recording:
     """The Recording of a file, of the times from begin to end [s] alone (None: as far as it goes)."""
     table = read_csv_table(path, (*TIMES, *SIGNALS), "samples", LARGEST_BYTES)
-    clocks, names = ([name for name in table.names if name in kinds] for kinds in (TIMES, SIGNALS))
+    clocks, names = [name for name in table.names if name in TIMES], [name for name in table.names if name in SIGNALS]
     if len(clocks) != 1:
         raise table.refusal(f"has {' and '.join(clocks) or 'no time'}; it needs one column of {' or '.join(TIMES)}")
     quantities = [SIGNALS[name][0] for name in names]

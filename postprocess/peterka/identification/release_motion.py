@@ -6,10 +6,14 @@ Flight and contact are damped oscillators, so each piece is known at any time wi
 the springs never push the hammer into the stop, and contact that has ended begins again only at x = gap.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
+
+from ..arrays import Reals
 
 LONGEST_SEARCH = 200
 MOST_IMPACTS = 500  # of one motion; those after them are too weak to be recorded
@@ -37,7 +41,7 @@ class Piece:
     roots: tuple[complex, complex]
     amplitudes: tuple[complex, complex]
 
-    def derivative(self, order, time):
+    def derivative(self, order: int, time: Any) -> Any:
         """The order-th derivative of x at these times."""
         since = np.asarray(time) - self.begin
         if self.roots[0].imag:  # a conjugate pair
@@ -55,15 +59,15 @@ class Motion:
     pieces: list[Piece]
 
     @property
-    def touches(self):
+    def touches(self) -> Reals:
         """Times at which contacts begin."""
         return np.array([piece.begin for piece in self.pieces if piece.contact])
 
-    def contacts(self):
+    def contacts(self) -> list[tuple[float, float]]:
         """(begin, end) of each contact that ended."""
         return [(piece.begin, after.begin) for piece, after in zip(self.pieces, self.pieces[1:]) if piece.contact]
 
-    def signals(self, time, names):
+    def signals(self, time: Reals, names: Iterable[str]) -> dict[str, Reals]:
         """{name: values at these ascending times}, of force [N], acceleration [m/s^2], displacement [m]."""
         found = {name: np.empty(len(time)) for name in names}
         ends = np.searchsorted(time, [piece.begin for piece in self.pieces[1:]])
@@ -83,7 +87,7 @@ class Motion:
         return self.rig.stiffness * (piece.derivative(0, time) - self.rig.gap) + self.rig.damping * piece.derivative(1, time)
 
 
-def motion(rig, touch_time, touch_speed, until):
+def motion(rig: Rig, touch_time: float, touch_speed: float, until: float) -> Motion:
     """The Motion that first touches the stop then and so fast, with all impacts that begin before `until` [s]."""
     flight = _piece(rig, touch_time, rig.gap, touch_speed, contact=False)
     pieces = [flight]

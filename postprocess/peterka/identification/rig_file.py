@@ -1,12 +1,15 @@
 """The rig that was found, as a TOML file that jobs name by rig = "...": hammer, contact, and the cart where it is told."""
 
+from collections.abc import Iterable
+
 from ..files.harmless import harmless
+from .numbers_found import Identified
 from .words import number_text
 
 KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error would be chance
 
 
-def rig_text(found, sources, amplitude_m=None):
+def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | None = None) -> str:
     """Of an Identified; `sources`: the names of what it was found from."""
     lines = ["# Found by identify.py from " + harmless(", ".join(sources), 400) + ", with standard errors.", "", "[hammer]",
              f"mass_kg = {found.mass!r}"]

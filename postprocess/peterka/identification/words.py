@@ -1,11 +1,17 @@
 """What came out, in words for a terminal."""
 
+from collections.abc import Sequence
+
 import numpy as np
+
+from .fit import Fit
+from .numbers_found import Identified, Number
+from .recording import Recording
 
 MUCH_LEFT = 3  # times the noise
 
 
-def number_text(number):
+def number_text(number: Number) -> str:
     """5.497e+06 ± 1.2e+04 is "5497000 ± 12000"."""
     if not number.error:
         return f"{number.value:.5g}"
@@ -16,7 +22,7 @@ def number_text(number):
     return " ± ".join(shown)
 
 
-def result_lines(found):
+def result_lines(found: Identified) -> list[str]:
     """Of an Identified."""
     rows = [("stop's stiffness ki", found.stiffness, "N/m"), ("stop's damping ci", found.damping, "Ns/m"),
             ("natural frequency", found.natural_frequency_hz, "Hz"), ("damping ratio ζ", found.damping_ratio, ""),
@@ -24,7 +30,7 @@ def result_lines(found):
     return [f"  {name:<20} {_value(number, unit)}" for name, number, unit in rows]
 
 
-def recording_lines(recording, fits):
+def recording_lines(recording: Recording, fits: Sequence[Fit]) -> list[str]:
     """Of a Recording and its Fits."""
     signals = " and ".join(recording.signals)
     impacts = sum(len(fit.motion.contacts()) for fit in fits)

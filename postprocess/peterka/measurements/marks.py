@@ -60,11 +60,12 @@ def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Cal
     ax.set(xlim=limits[0], ylim=limits[1])
 
 
-def name_over_map(ax, file, points):
+def name_over_map(ax: Axes, file: Plane, points: Sequence[Point]) -> None:
     """Labels beside these marks, where they have room: once all else is written."""
     for point in points:
         if point.label:
-            write_beside(ax, *(getattr(point, quantity) for quantity in _quantities(file)), point.label)
+            x, y = (getattr(point, quantity) for quantity in _quantities(file))
+            write_beside(ax, x, y, point.label)
 
 
 def _quantities(file):

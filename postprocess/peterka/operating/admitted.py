@@ -19,6 +19,7 @@ import numpy as np
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.regimes import PERIODIC, check_labels
 from ..maps.comparison import label_codes
+from ..maps.map_file import PeterkaFile
 
 ANY, JOB = "any", "job"
 MOST_SLOTS = 64
@@ -49,7 +50,7 @@ class Admitted:
     share: np.ndarray
 
 
-def quantity_of(file, name):
+def quantity_of(file: PeterkaFile, name: str) -> Quantity:
     """The Quantity of this name in a map."""
     dataset = QUANTITIES[name]
     if dataset != "peak_force_ratio" and dataset not in file.quantities:
@@ -60,11 +61,12 @@ def quantity_of(file, name):
                     "W" if name == "contact_power" else "m/s")
 
 
-def has_starts(file):
+def has_starts(file: PeterkaFile) -> bool:
+    """Whether a map was computed with [starts]."""
     return file.data.has("basin_share")
 
 
-def admitted(file, starts, name):
+def admitted(file: PeterkaFile, starts: str | float, name: str) -> Admitted:
     """The Admitted of a map; `starts` is ANY, JOB or a share."""
     slots = 0
     if starts != JOB:
@@ -73,7 +75,7 @@ def admitted(file, starts, name):
     return Admitted(*(np.concatenate([piece[n] for piece in pieces]) for n in range(3)))
 
 
-def read_code(code):
+def read_code(code: int) -> tuple[int, int]:
     """(p, q) of a code of an orbit."""
     orbit = int(code) - int(label_codes(np.array([PERIODIC]), np.array([0]), np.array([0]))[0])
     return orbit >> 32, orbit & 0xFFFFFFFF

@@ -4,12 +4,16 @@ The box reaches at least as far as the drift: where that ends between two cells,
 box leaves the map have no guarantee, as nobody computed what lies there.
 """
 
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
-from .admitted import NO_REGIME
+from ..arrays import Mask, Reals
+from ..files.opened import OpenedFile
+from ..maps.map_file import Axis
+from .admitted import NO_REGIME, Admitted
 
 TOUCH = 1e-9  # of a step: rounding
 
@@ -24,7 +28,7 @@ class Reach:
     after: np.ndarray
     inside: np.ndarray
 
-    def meets(self, at):
+    def meets(self, at: int) -> Mask:
         """Whether the box of each cell has cells in common with that of the cell `at`, (n,)."""
         here = np.arange(len(self.before))
         return (here - self.before <= at + self.after[at]) & (here + self.after >= at - self.before[at])
@@ -39,17 +43,17 @@ class Unit:
     what: str
 
 
-def unit_of(file, name):
+def unit_of(file: OpenedFile, name: str) -> Unit | None:
     """The Unit in which people set an axis, Hz or mm; None for an axis of something else."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    known = {"frequency_ratio": hertz and Unit(hertz, "Hz", "frequency"), "frequency_hz": Unit(1.0, "Hz", "frequency"),
-             "gap_ratio": metres and Unit(1000 * metres, "mm", "gap"), "gap_m": Unit(1000.0, "mm", "gap")}
-    if name in known and not known[name]:
+    known = {"frequency_ratio": Unit(hertz, "Hz", "frequency") if hertz else None, "frequency_hz": Unit(1.0, "Hz", "frequency"),
+             "gap_ratio": Unit(1000 * metres, "mm", "gap") if metres else None, "gap_m": Unit(1000.0, "mm", "gap")}
+    if name in known and known[name] is None:
         raise file.refusal(f"doesn't say what a {name} of 1 is in {'Hz' if name.startswith('frequency') else 'mm'}")
     return known.get(name)
 
 
-def reach(file, axis, hz, mm):
+def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
     """The Reach of a drift by so much to either side; an axis that is neither a frequency nor a gap doesn't drift."""
     unit = unit_of(file, axis.name)
     width = 0.0 if unit is None else {"Hz": hz, "mm": mm}[unit.unit] / unit.factor
@@ -59,10 +63,10 @@ def reach(file, axis, hz, mm):
     here = np.arange(len(values))
     before = here - np.searchsorted(values, values - width + slack, side="right") + 1
     after = np.searchsorted(values, values + width - slack, side="left") - here
-    return Reach(width, *(np.where(inside, cells, 0) for cells in (before, after)), inside)
+    return Reach(width, np.where(inside, before, 0), np.where(inside, after, 0), inside)
 
 
-def guaranteed(admitted, rows, columns, codes=None):
+def guaranteed(admitted: Admitted, rows: Reach, columns: Reach, codes: Collection[int] | None = None) -> Reals:
     """The worst value over the box around each cell, (rows, columns): NaN where its regime isn't one, or isn't one of
     `codes`."""
     labels, number = np.unique(admitted.code, return_inverse=True)
@@ -76,7 +80,7 @@ def guaranteed(admitted, rows, columns, codes=None):
     return np.where(inside & (lowest == highest) & np.isfinite(worst), worst, np.nan)
 
 
-def over_box(values, rows, columns, filtered):
+def over_box(values: Reals, rows: Reach, columns: Reach, filtered: Callable) -> Reals:
     """A filter over the box around each cell: along the rows, then along the columns, for each size that occurs."""
     for axis, along in ((0, rows), (1, columns)):
         wide = np.empty_like(values)

@@ -1,18 +1,27 @@
 """The guaranteed value over the plane of a map, with the best separate places and the box of the best one."""
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from ..arrays import Reals
 from ..look import axes, style, units
 from ..look.notes import write_beside
+from ..maps.map_file import PeterkaFile
 from ..maps.reduce import block_size, largest, with_edges
+from .admitted import Quantity
+from .drift import Reach
+from .places import Place
 
 WIDTH = 3.7  # in
 COLOURS, NOTHING = "viridis", "#F2F2F2"
 
 
 @style.using()
-def draw(file, guarantee, places, rows, columns, what):
+def draw(file: PeterkaFile, guarantee: Reals, places: Sequence[Place], rows: Reach, columns: Reach,
+         what: tuple[Quantity, str, str]) -> Figure:
     """As a Figure; `what`: the Quantity, and in words the starts and the drift."""
     quantity, starts, drift = what
     block = block_size(file.shape)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import minimum_filter1d
 
-from .admitted import read_code
-from .drift import over_box
+from ..arrays import Reals
+from .admitted import Admitted, read_code
+from .drift import Reach, over_box
 
 MOST = 10
 
@@ -24,11 +25,11 @@ class Place:
     share: float
 
 
-def best_places(guarantee, admitted, rows, columns, most=MOST):
+def best_places(guarantee: Reals, admitted: Admitted, rows: Reach, columns: Reach, most: int = MOST) -> list[Place]:
     """The Places with the largest guarantee, the best first; none where nothing is guaranteed."""
     left = np.where(guarantee > 0, guarantee, -np.inf)
     shares = over_box(admitted.share, rows, columns, minimum_filter1d)
-    found = []
+    found: list[Place] = []
     while len(found) < most and np.isfinite(left.max()):
         row, column = (int(n) for n in np.unravel_index(_middle_of_best(left), left.shape))
         found.append(Place(row, column, float(guarantee[row, column]), float(admitted.value[row, column]),

@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from ..maps.map_file import PeterkaFile
-from .admitted import admitted, read_code
+from .admitted import Quantity, admitted, read_code
+from .drift import Reach
+from .places import Place
 
 FINER, FEWEST, MOST = 4, 17, 129  # points for one of the map's steps, and along a side
 ROUNDING = 1e-6  # of a value: both grids have the box' corners, and their coordinates other last bits
@@ -31,14 +33,16 @@ class Verified:
     worst: float
     at: tuple[float, float]
 
-    def holds(self, place):
+    def holds(self, place: Place) -> bool:
+        """Whether the guarantee of a Place stands, but for rounding."""
         return self.another == 0 and self.worst >= place.worst * (1 - ROUNDING)
 
 
-def verify(file, place, reaches, starts, quantity, folder, ranks=1, binary=None):
+def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts: str | float, quantity: Quantity,
+           folder: Path, ranks: int = 1, binary: Path | None = None) -> Verified:
     """The Verified of a Place; its job and file are put into `folder`."""
-    text = file.data.attribute("job")
-    paths = axis_paths(file, text)
+    text = str(file.data.attribute("job"))
+    paths = axis_paths(file, file.data.attribute("job"))
     sizes = {}
     for name, axis, along, at in (("columns", file.columns, reaches[1], place.column),
                                   ("rows", file.rows, reaches[0], place.row)):
@@ -59,10 +63,10 @@ def verify(file, place, reaches, starts, quantity, folder, ranks=1, binary=None)
                         (float(finer.rows.values[row]), float(finer.columns.values[column])))
 
 
-def axis_paths(file, text):
+def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
     """{"rows", "columns": the axis' table in the job}; the first axis of a job is that of the columns."""
     try:
-        found = list(_tables(tomllib.loads(text)["axes"], "axes"))
+        found = list(_tables(tomllib.loads(text)["axes"], "axes"))  # type: ignore[arg-type]  # no text: refused below
     except (tomllib.TOMLDecodeError, KeyError, TypeError, AttributeError) as error:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
     by_name = {_coordinate(path): path for path in found}
@@ -72,7 +76,7 @@ def axis_paths(file, text):
         raise file.refusal(f"has no axis {error} in its job") from error
 
 
-def text_of(file, place, found, quantity):
+def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity) -> str:
     """What the finer box says, in words."""
     worst, unit = quantity.factor * found.worst, quantity.unit
     if found.another:

@@ -1,17 +1,22 @@
 """What was found, in words and as a table."""
 
+from collections.abc import Mapping, Sequence
+
 from ..look import units
-from .admitted import ANY, JOB
-from .drift import unit_of
+from ..maps.map_file import PeterkaFile
+from .admitted import ANY, JOB, Quantity
+from .drift import Reach, unit_of
+from .places import Place
 
 
-def starts_in_words(starts):
+def starts_in_words(starts: str | float) -> str:
+    """"from every start", or from which of them."""
     if starts == JOB:
         return "from the job's own start"
     return "from every start" if starts == ANY else f"from {100 * starts:g} % of the starts"
 
 
-def drift_in_words(file, rows, columns):
+def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:
     """Of both axes, those that people set in Hz and mm first of all."""
     words = []
     for axis, along in ((file.columns, columns), (file.rows, rows)):
@@ -23,12 +28,12 @@ def drift_in_words(file, rows, columns):
     return "drift " + (", ".join(words) or "none")
 
 
-def place_in_words(file, place):
+def place_in_words(file: PeterkaFile, place: Place) -> str:
     """Where a place is."""
     return ", ".join(_coordinate(file, axis, at) for axis, at in ((file.columns, place.column), (file.rows, place.row)))
 
 
-def table(file, places, quantity, with_share):
+def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
     """Lines with the Places."""
     heads = [_head(file, file.columns), _head(file, file.rows)]
     names = ["", "z", *heads, f"guaranteed [{quantity.unit}]", f"at the place [{quantity.unit}]"]
@@ -43,7 +48,7 @@ def table(file, places, quantity, with_share):
     return ["  ".join(cell.rjust(width) for cell, width in zip(line, widths)) for line in [names, *lines]]
 
 
-def best_lines(file, place, quantity, fields):
+def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapping[str, float]) -> list[str]:
     """On the best place; `fields` {dataset: what the file has there}."""
     newtons = file.newtons
     lines = [f"best: {place_in_words(file, place)}, z = {place.orbit[0]}/{place.orbit[1]}: at least "

@@ -13,11 +13,14 @@ or less, as they would if they were measured again; the same ones for all machin
 """
 
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 from heapq import heapify, heapreplace
 from math import ceil
 
 import numpy as np
+
+from .tile_costs import TileCosts
 
 RUNS_PER_RANK = 16
 MOST_REPLAYS, REPLAYED_TILES = 24, 400_000  # of one case, and in all of them
@@ -37,6 +40,8 @@ class Machine:
 
 @dataclass(frozen=True)
 class Replay:
+    """A map's course on so many ranks."""
+
     ranks: int
     seconds: float  # until the last rank is done
     work: float  # computing time of all tiles [s]
@@ -44,17 +49,18 @@ class Replay:
     scatter: float = 0.0  # of the seconds: their standard deviation over the mean
 
     @property
-    def efficiency(self):
+    def efficiency(self) -> float:
+        """Work over what all ranks had time for."""
         return self.work / (self.ranks * self.seconds)
 
 
-def deal_size(remaining, tiles, ranks, runs_per_rank=RUNS_PER_RANK):
+def deal_size(remaining: int, tiles: int, ranks: int, runs_per_rank: int = RUNS_PER_RANK) -> int:
     """How many tiles a run has; the program's rule (deal_size in src/parallel/tile_pool.cpp)."""
     longest = max(tiles // (runs_per_rank * ranks), 1)
     return min(-(-remaining // (2 * ranks)), longest)
 
 
-def typical(costs, ranks, machine, size=deal_size):
+def typical(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int, int, int], int] = deal_size) -> Replay:
     """The mean of several replays, as a Replay."""
     random = np.random.default_rng(ranks)
     few = ranks > 1 and costs.count < MANY * ranks
@@ -66,7 +72,7 @@ def typical(costs, ranks, machine, size=deal_size):
                   round(float(np.mean([one.runs for one in replays]))), float(efficiency.std() / efficiency.mean()))
 
 
-def replay(costs, ranks, machine, size=deal_size):
+def replay(costs: TileCosts, ranks: int, machine: Machine, size: Callable[[int, int, int], int] = deal_size) -> Replay:
     """The course of a map with these TileCosts, as a Replay."""
     before, tiles, in_hand = costs.before, costs.count, machine.in_hand
     master = _Master(costs, machine)

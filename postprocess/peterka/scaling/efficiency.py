@@ -5,15 +5,18 @@ Dotted: rank 0 answers without delay. Where a line leaves its dotted one, rank 0
 one falls, there are too few tiles for so many ranks.
 """
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 from math import isqrt
 
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ..look import axes, style
-from .dealing import MOST_REPLAYS, typical
+from .dealing import MOST_REPLAYS, Machine, Replay, typical
+from .run_record import RunRecord
 from .tile_costs import TileCosts, goes_by_squares, tiles_of
 
 WIDTH, HEIGHT = 3.7, 3.0  # in, without the legend
@@ -27,28 +30,30 @@ class Curve:
     """The same plane as a map of so many cells; members of shape (ranks,)."""
 
     cells: int
-    tiles: tuple  # rows and columns
-    replays: list  # of dealing.Replay
-    ideal: list  # the same with a rank 0 that answers without delay
+    tiles: tuple[int, int]  # rows and columns
+    replays: list[Replay]
+    ideal: list[Replay]  # the same with a rank 0 that answers without delay
 
 
 @dataclass(frozen=True)
 class Measured:
+    """One run."""
+
     cells: int
     ranks: int
     seconds: float
     efficiency: float  # against the run of as many cells on one rank
 
 
-def ranks_up_to(most):
+def ranks_up_to(most: int) -> list[int]:
     """1, 2, 5, 10, ... and `most` itself."""
     decades = 10 ** np.arange(int(np.log10(most)) + 1)
     return sorted({int(number) for number in np.outer(decades, (1, 2, 5)).ravel() if number <= most} | {most})
 
 
-def curve(record, cells, ranks, machine):
+def curve(record: RunRecord, cells: int, ranks: Iterable[int], machine: Machine) -> Curve:
     """The Curve of a map of about so many cells, as many along one side as along the other."""
-    shape = record.shape if cells == record.cells else (isqrt(cells),) * 2
+    shape = record.shape if cells == record.cells else (isqrt(cells), isqrt(cells))
     tiles = tiles_of(shape)
     ideal = replace(machine, service=0.0)
     real, at_once = [], []
@@ -60,9 +65,9 @@ def curve(record, cells, ranks, machine):
     return Curve(cells, tiles, real, at_once)
 
 
-def measured_efficiency(records):
+def measured_efficiency(records: Sequence[RunRecord]) -> tuple[list[Measured], list[RunRecord]]:
     """(list of Measured, list of RunRecord without a run on one rank to compare with)."""
-    alone = {}
+    alone: dict[tuple[int, int], float] = {}
     for record in records:
         if record.ranks == 1:
             alone[record.shape] = min(record.seconds, alone.get(record.shape, np.inf))
@@ -72,7 +77,7 @@ def measured_efficiency(records):
     return points, [record for record in records if record.shape not in alone]
 
 
-def most_ranks(replays, least=WELL_USED):
+def most_ranks(replays: Iterable[Replay], least: float = WELL_USED) -> int:
     """The largest number of ranks up to which all efficiencies are at least this; 1 rank always is well used."""
     well = 1
     for one in replays:
@@ -82,14 +87,14 @@ def most_ranks(replays, least=WELL_USED):
     return well
 
 
-def well_used(curve):
+def well_used(curve: Curve) -> str:
     """Up to how many ranks, and whether rank 0 is what limits that."""
     real, ideal = most_ranks(curve.replays), most_ranks(curve.ideal)
     ranks = f"{real} rank{'s' * (real > 1)}"
     return f"{ranks}, and up to {ideal} if rank 0 served at once" if ideal > real else f"{ranks}; rank 0 is not what limits it"
 
 
-def text(curves, machine):
+def text(curves: Sequence[Curve], machine: Machine) -> str:
     """The numbers of the picture, and where rank 0 is too slow."""
     lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 served at once':>26}"]
     for one in curves:
@@ -105,13 +110,14 @@ def text(curves, machine):
     return "\n".join([*lines, assumptions(machine)])
 
 
-def assumptions(machine):
+def assumptions(machine: Machine) -> str:
+    """What the replay takes for granted, in a sentence."""
     return (f"Rank 0 deals {_rate(machine)} runs a second and looks for requests every {1e6 * machine.look:.3g} µs, a "
             f"message takes {1e6 * machine.latency:.3g} µs; starting up and the file are left out.")
 
 
 @style.using()
-def draw(record, curves, measured, machine):
+def draw(record: RunRecord, curves: Sequence[Curve], measured: Sequence[Measured], machine: Machine) -> Figure:
     """Figure of Curves and Measured points."""
     handles = [Line2D([], [], color=COLOURS[number % len(COLOURS)], marker=MARKERS[number % len(MARKERS)],
                       markersize=3.5, linewidth=1.1, label=f"{_power(one.cells)} cells")

@@ -5,10 +5,13 @@
              many fewer tiles: the replay of one group stands for all
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import ceil, sqrt
 
-from .dealing import deal_size, typical
+from .dealing import Machine, Replay, deal_size, typical
+from .efficiency import Curve
+from .run_record import RunRecord
 from .tile_costs import TileCosts
 
 BEST_PART = 0.9  # efficiency over that of a rank 0 that answers without delay, below which there is something to remedy
@@ -27,7 +30,7 @@ class Remedies:
     group_size: int  # of the best
 
 
-def text(record, curves, machine):
+def text(record: RunRecord, curves: Iterable[Curve], machine: Machine) -> str:
     """A line for each number of ranks of these scaling.Curves at which rank 0 costs more than a tenth of them all."""
     lines = [f"{'cells':>9}{'ranks':>8}{'one dealer':>12}{'longer runs':>13}{'groups':>10}"]
     for curve in curves:
@@ -39,7 +42,7 @@ def text(record, curves, machine):
     return "\n".join(lines) if len(lines) > 1 else "Rank 0 is fast enough everywhere."
 
 
-def remedies(record, tiles, present, machine):
+def remedies(record: RunRecord, tiles: tuple[int, int], present: Replay, machine: Machine) -> Remedies:
     """What each gives in place of this Replay of a plane of `tiles` (rows, columns) with the costs of a RunRecord."""
     ranks = present.ranks
     costs = TileCosts(record.tile_seconds, tiles, ranks)
@@ -49,7 +52,7 @@ def remedies(record, tiles, present, machine):
         return min(max(deal_size(remaining, all_tiles, everyone), least), ceil(remaining / everyone))
 
     groups = {size: _one_group(record, tiles, ranks / size, size, machine) for size in GROUP_SIZES if size < ranks}
-    best = max(groups, key=groups.get, default=ranks)
+    best = max(groups, key=lambda size: groups[size], default=ranks)
     floor = typical(costs, ranks, machine, with_floor).efficiency
     return Remedies(ranks, present.efficiency, floor, groups.get(best, present.efficiency), best)
 

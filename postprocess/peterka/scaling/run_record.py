@@ -1,6 +1,7 @@
 """What a finished map file tells of its run: the time of every tile, the ranks, the wall time of all tiles."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -11,19 +12,22 @@ from .tile_costs import tiles_of, whole_tiles
 
 @dataclass(frozen=True)
 class RunRecord:
+    """What a finished map tells of its run."""
+
     path: str
     title: str
-    shape: tuple  # cells
+    shape: tuple[int, int]  # cells
     tile_seconds: np.ndarray  # [rows][columns] of tiles, each as if it were a whole one
     ranks: int
     seconds: float  # wall time of solving and storing the cells
 
     @property
-    def cells(self):
+    def cells(self) -> int:
+        """Of the map."""
         return self.shape[0] * self.shape[1]
 
 
-def read_record(path):
+def read_record(path: Path) -> RunRecord:
     """The RunRecord of the file at this path; NotDrawable where it has none."""
     with PeterkaFile(path) as file:
         rows, columns = tiles_of(file.shape)

@@ -7,8 +7,11 @@ On a finer grid each measured tile stands for the block of smaller tiles that co
 from copy import copy
 from itertools import count, islice
 from math import gcd
+from typing import Self
 
 import numpy as np
+
+from ..arrays import Integers, Reals
 
 TILE = 16  # cells along a side
 ROW_SHARE, COLUMN_SHARE = 0.7548776662466927, 0.5698402909980532  # of the plane, from one tile dealt to the next
@@ -20,7 +23,7 @@ class TileCosts:
     """`seconds` [rows][columns] of the measured tiles; `shape` of the finer grid's tiles, default: the measured one; in
     the order for so many `ranks`."""
 
-    def __init__(self, seconds, shape=None, ranks=1):
+    def __init__(self, seconds: Reals, shape: tuple[int, int] | None = None, ranks: int = 1) -> None:
         seconds = np.asarray(seconds, dtype=float)
         rows, columns = shape or seconds.shape
         measured_row = np.arange(rows) * seconds.shape[0] // rows
@@ -37,7 +40,7 @@ class TileCosts:
         self.total = float(self._before[-1])  # s
         self.dearest = float(seconds[np.unique(measured_row)][:, np.unique(measured_column)].max())  # s
 
-    def measured_again(self, random, noise):
+    def measured_again(self, random: np.random.Generator, noise: float) -> Self:
         """TileCosts whose tiles take this share more or less, at random (standard deviation)."""
         again = copy(self)
         costs = np.diff(self._before) * np.maximum(1 + noise * random.standard_normal(self.count), 0)
@@ -45,11 +48,11 @@ class TileCosts:
         again.total = float(again._before[-1])
         return again
 
-    def before(self, turn):
+    def before(self, turn: int) -> float:
         """Time of all tiles dealt before this turn, 0 to count [s]."""
         return float(self._before[turn])
 
-    def turn_after(self, seconds):
+    def turn_after(self, seconds: float) -> int:
         """The first turn before which the tiles take longer than this; count + 1 where all of them don't."""
         return int(np.searchsorted(self._before, seconds, side="right"))
 
@@ -57,7 +60,7 @@ class TileCosts:
 class DealOrder:
     """The order in which the program deals tiles; its rules are those of src/parallel/deal_order.cpp."""
 
-    def __init__(self, rows, columns, ranks):
+    def __init__(self, rows: int, columns: int, ranks: int) -> None:
         self._grid = rows, columns
         self._side = 4 if goes_by_squares(rows * columns, ranks) else 1
         self._squares = -(-rows // self._side), -(-columns // self._side)
@@ -68,7 +71,7 @@ class DealOrder:
         self._alone = max(self.turns - self._first_alone, 1)
         self._alone_stride = deal_stride(1, self._alone)
 
-    def places(self, turns):
+    def places(self, turns: Integers) -> tuple[Integers, Integers]:
         """Rows and columns of the tiles of these turns, without turns that have none."""
         alone = (turns - self._first_alone) * self._alone_stride % self._alone
         places = np.where(turns < self._first_alone, turns, self._first_alone + alone)
@@ -80,11 +83,12 @@ class DealOrder:
         return row[exists], column[exists]
 
 
-def goes_by_squares(tiles, ranks):
+def goes_by_squares(tiles: int, ranks: int) -> bool:
+    """Whether tiles are dealt by squares of several: where a rank has many."""
     return tiles // ranks >= MANY
 
 
-def deal_stride(rows, columns):
+def deal_stride(rows: int, columns: int) -> int:
     """From one square to the next, modulo all squares; scatters them evenly over the plane."""
     squares = rows * columns
     if squares < 2:
@@ -103,12 +107,13 @@ def _spread(stride, rows, columns):
     return np.min(turns * (up * up + along * along))
 
 
-def tiles_of(shape):
+def tiles_of(shape: tuple[int, int]) -> tuple[int, int]:
     """Rows and columns of tiles of a grid of (rows, columns) cells."""
-    return tuple(-(-side // TILE) for side in shape)
+    rows, columns = shape
+    return -(-rows // TILE), -(-columns // TILE)
 
 
-def whole_tiles(seconds, shape):
+def whole_tiles(seconds: Reals, shape: tuple[int, int]) -> Reals:
     """Times per tile in number order (n,), of a grid of (rows, columns) cells, as [rows][columns] of tiles; one cut off
     by the border is scaled up to a whole one."""
     rows, columns = tiles_of(shape)
