@@ -1,19 +1,25 @@
 """How far measured forces are from a map: each from the cell in which its point lies, as a table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..files.regimes import NAMES, NOT_COMPUTED, PERIODIC
+from ..look.drawn import Plane
 from . import tables
 from .points import Point
 
-if TYPE_CHECKING:  # maps stand below measurements
-    from ..maps.map_file import PeterkaFile
+
+class Map(Plane, Protocol):
+    """A map, whose cells are read in bands of rows."""
+
+    @property
+    def newtons(self) -> float | None: ...
+
+    def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]: ...
 
 
 @dataclass(frozen=True)
@@ -25,12 +31,12 @@ class CellResidual:
     motion: str
 
 
-def residuals(file: PeterkaFile, points: Iterable[Point]) -> list[CellResidual]:
+def residuals(file: Map, points: Iterable[Point]) -> list[CellResidual]:
     """[CellResidual] of the points with a force, in their order."""
     return [_of_cell(file, point) for point in points if point.force is not None]
 
 
-def table(file: PeterkaFile, found: Sequence[CellResidual]) -> list[str]:
+def table(file: Map, found: Sequence[CellResidual]) -> list[str]:
     """Lines; in Hz, mm and N where the file tells the rig."""
     hertz, metres, newtons = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m"), file.newtons
     units = "Hz" if hertz else "Omega/omega", "mm" if metres else "gap/A0", "N" if newtons else "F/(m g)"
