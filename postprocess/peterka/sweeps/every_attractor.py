@@ -12,6 +12,7 @@ SIZE = 1.0  # pt
 
 
 def handles(file: SweepFile) -> list[Line2D]:
+    """Entries of a legend: one where the sweep has [starts]."""
     return [Line2D([], [], label="every attractor that starts find", **DOTS | {"markersize": 3 * SIZE})] if file.slots else []
 
 
@@ -25,6 +26,7 @@ def forces(file: SweepFile, gap: float | None) -> tuple[np.ndarray, np.ndarray]:
 
 
 def draw(ax: Axes, x: np.ndarray, y: np.ndarray, size: float = SIZE) -> None:
+    """Dots below all branches, at these places of a panel, (n,) each."""
     if len(x):
         ax.plot(x, y, **DOTS, markersize=size, zorder=1.3, rasterized=len(x) > 5000)
 
