@@ -128,13 +128,13 @@ def picture(rows):
     right.semilogx(seconds, [100 * (1 - row.found) for row in rows], "o-", color="black")
     right.semilogx(seconds, [100 * (1 - row.expected) for row in rows], "--", color="#D55E00")
     for row in rows:
-        left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(-4, -11), fontsize=7)
+        left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(3, 4), fontsize=7)
     left.set_ylabel("error of a basin share (rms)")
     right.set_ylabel("attractors missed (%)")
     last.semilogx(seconds, [row.attractors for row in rows], "o-", color="black")
     last.set_ylabel("attractors of a cell, as found")
     for panel in (left, right, last):
-        panel.margins(x=0.12)
+        panel.margins(x=0.12, y=0.1)
         panel.set_xlabel("computing time of a cell (s)")
     left.legend(fontsize=7)
     return figure
