@@ -29,9 +29,14 @@ class Prospects {
     void take(const regime::CellResult& result) {
         chaos_.take(result, result.regime == regime::Regime::chaotic,
                     result.sensitivity > regime::rounding_decides);
-        unresolved_.take(result, result.regime == regime::Regime::unresolved, true);
+        // chaos takes as long as it is followed
+        unresolved_.take(result, result.regime == regime::Regime::unresolved,
+                         result.regime != regime::Regime::chaotic);
     }
-    [[nodiscard]] Sooner sooner() const { return {chaos_.is_sure(), unresolved_.is_sure()}; }
+    [[nodiscard]] Sooner sooner() const {
+        const bool chaos = chaos_.is_sure();
+        return {chaos, unresolved_.is_sure() && (chaos || !chaos_.is_there())};
+    }
 
     // The budget of starts that are unresolved sooner.
     [[nodiscard]] static job::SteadyState smaller(job::SteadyState budget) {
@@ -40,7 +45,7 @@ class Prospects {
     }
 
   private:
-    static constexpr std::int64_t max_cycles = 600;
+    static constexpr std::int64_t max_cycles = 300;
     static constexpr double most_otherwise = 0.2;
 
     // Starts that were followed for more than a few cycles.
@@ -57,9 +62,10 @@ class Prospects {
             else
                 ++otherwise_;
         }
+        [[nodiscard]] bool is_there() const { return longest_ > 0; }
         [[nodiscard]] bool is_sure() const {
             const auto expected = static_cast<double>((otherwise_ + 1) * longest_);
-            return longest_ > 0 && expected <= most_otherwise * static_cast<double>(cycles_);
+            return is_there() && expected <= most_otherwise * static_cast<double>(cycles_);
         }
 
       private:

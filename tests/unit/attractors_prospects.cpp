@@ -66,5 +66,16 @@ TEST(Prospects, UnresolvedStartsAreGivenUpSoonerOnlyWhereNoneEndsInTheMeantime) 
     EXPECT_FALSE(prospects.sooner().unresolved);
 }
 
+// Else chaos that isn't known well enough would be cut short.
+TEST(Prospects, WhereThereIsChaosItHasToBeKnownFirst) {
+    const CellResult unresolved{
+        .regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 3};
+    Prospects prospects = after(5, unresolved);
+    prospects.take(chaotic());
+    EXPECT_FALSE(prospects.sooner().unresolved);
+    for (int n = 0; n < 4; ++n) prospects.take(chaotic());
+    EXPECT_TRUE(prospects.sooner().chaos && prospects.sooner().unresolved);
+}
+
 }  // namespace
 }  // namespace peterka::attractors
