@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 import time
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -24,14 +23,15 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
+import cycles  # noqa: E402
 import ratios  # noqa: E402
+from labels import CHAOTIC, NO_IMPACT, PERIODIC, SUSTAINED, Labels  # noqa: E402
 
 from peterka.scaling.run_record import read_record  # noqa: E402
 from peterka.studies.study_file import StudyFile  # noqa: E402
 from peterka.studies.study_words import work_precision_table  # noqa: E402
 
 JOB = "jobs/peterka_170mm.toml"
-NO_IMPACT, PERIODIC, CHAOTIC, SUSTAINED = range(4)  # regimes in a file
 HUGE = 8192
 PLANNED = 65536
 # The fastest other program that was tried, measured once on a 2-core AVX-512 machine, with the same eight cells.
@@ -67,7 +67,7 @@ class Bench:
     def __init__(self, build, results):
         self.build, self.results = build, results
         self.cycle_rows = []  # of batch_cycles: (name, µs, error)
-        self.refined_over_full = None
+        self.refined_over_full = self.refined_file = None  # of the refined map
         results.mkdir(parents=True, exist_ok=True)
 
     def output(self, *command):
@@ -78,9 +78,12 @@ class Bench:
             sys.exit(f"measure.py: {' '.join(map(str, command))} failed with code {done.returncode}")
         return done.stdout
 
+    def file_of(self, points, ranks, name=""):
+        return self.results / f"benchmark_{points}_on_{ranks}{name}.h5"
+
     def map(self, points, ranks, name="", settings=()):
         """Computes the paper's plane with so many points a side, without an audit; a Run."""
-        file = self.results / f"benchmark_{points}_on_{ranks}{name}.h5"
+        file = self.file_of(points, ranks, name)
         command = ["mpirun", "-n", ranks, self.build / "peterka", "run", JOB, "--output", file, "--fresh", "--quiet",
                    "--set", f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}",
                    "--set", "audit.cells=0", *(word for setting in settings for word in ("--set", setting))]
@@ -218,6 +221,8 @@ def decisions(bench, sizes, _page):
         "Newton's method and measuring included. Periodic cells with another label after the long run: "
         f"{int(np.sum(other))} of {int(np.sum(periodic))}.",
         markdown(["where", "called chaotic", f"no impact within {LONG} cycles", "periodic by then"], rows),
+        "The same with fewer `chaos_cycles`: what the certainty of chaos costs.",
+        markdown(cycles.SOONER, cycles.called_sooner(bench, sizes, truth)),
     ])
 
 
@@ -229,7 +234,7 @@ def refinement(bench, sizes, _page):
     with h5py.File(refined.file) as file:
         computed = np.mean(file["computed"][:])
     wrong = ~found.same(true)
-    bench.refined_over_full = refined.solving / whole.solving
+    bench.refined_over_full, bench.refined_file = refined.solving / whole.solving, refined.file
     row = [f"{points} × {points}", str(levels), f"{100 * computed:.2f} %", f"{100 - 100 * np.mean(wrong):.3f} %",
            f"{np.sum(found.cycles) / np.sum(true.cycles):.2f}", f"{refined.solving / whole.solving:.2f}"]
     return "\n\n".join([
@@ -247,6 +252,9 @@ def costs(bench, sizes, _page):
         f"{sizes.map} × {sizes.map} cells of the plane, windows of a quarter as many.",
         markdown(["ratio", "measured", "goal"],
                  ratios.rows_of(bench, sizes, bench.cycle_rows, bench.refined_over_full)),
+        "Where the map's cycles go, and those of the cells that the refined one computes. What a neighbour's orbit could spare a "
+        "computed cell lies in the second row; below it the certainty that is asked for decides (see Decisions).",
+        markdown(cycles.WHERE, cycles.by_regime(bench.file_of(sizes.map, 1, "_ratios"), bench.refined_file)),
     ])
 
 
@@ -257,23 +265,6 @@ def what_is_wrong(true, found):
 
     return (f"Of the cells with a wrong label {share(true, PERIODIC)} are periodic in the whole map and "
             f"{share(true, NO_IMPACT)} without impact; {share(found, CHAOTIC)} are filled as chaotic.")
-
-
-class Labels:
-    """Regime, p and q of a map's cells, the cycles they took, and whether the hammer may come free for good there."""
-
-    def __init__(self, file):
-        with h5py.File(file) as opened:
-            self.regime, self.impacts, self.period, self.cycles = (
-                opened[name][:] for name in ("regime", "impacts", "period", "cycles"))
-            eta, gap = opened["frequency_ratio"][:], opened["gap_ratio"][:]
-            hammer = tomllib.loads(opened.attrs["job"])["hammer"]  # with the numbers of its rig
-        zeta = hammer["damping_ns_per_m"] / (4 * np.pi * hammer["mass_kg"] * hammer["natural_frequency_hz"])
-        amplitude = eta**2 / np.hypot(1 - eta**2, 2 * zeta * eta)
-        self.comes_free = gap[:, None] > amplitude[None, :]
-
-    def same(self, other):
-        return (self.regime == other.regime) & (self.impacts == other.impacts) & (self.period == other.period)
 
 
 def deal_rates(bench, sizes):
