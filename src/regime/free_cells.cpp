@@ -39,6 +39,16 @@ std::size_t FreeCells::place_of(const scene::Cell& cell) {
     return std::hash<double>()(cell.oscillator.frequency) % places;
 }
 
+bool FreeCells::may_be_free(const scene::Cell& cell) {
+    if (scene_.rigs_differ()) return true;  // as far as is known
+    Swing& swing = swings_[place_of(cell)];
+    if (swing.frequency != cell.oscillator.frequency) {
+        const trajectory::FreeFlight<double> flight(without_cubic(cell.oscillator));
+        swing = {cell.oscillator.frequency, flight.amplitude()};
+    }
+    return swing.amplitude < cell.oscillator.gap;
+}
+
 std::optional<CellResult> FreeCells::compute(const scene::Cell& cell) {
     ++computed_;
     return solve_at_once(scene_.job(), cell);
@@ -54,6 +64,7 @@ std::optional<CellResult> FreeCells::told_by_another(const scene::Cell& cell) co
 }
 
 std::optional<CellResult> FreeCells::find(const scene::Cell& cell) {
+    if (!may_be_free(cell)) return std::nullopt;
     const std::optional<CellResult> result = compute(cell);
     // of a hammer without damping the start rings on, and what it adds rounds differently with every gap
     if (!result || scene_.rigs_differ() || cell.oscillator.damping_ratio == 0) return result;

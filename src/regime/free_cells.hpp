@@ -40,12 +40,19 @@ class FreeCells {
 
         [[nodiscard]] bool tells_of(const scene::Cell& cell) const;
     };
+    // |u| of the steady motion without a stop: where that reaches the stop, no start stays free.
+    struct Swing {
+        double frequency = 0;
+        double amplitude = 0;
+    };
     static constexpr std::size_t places = 256;
     [[nodiscard]] static std::size_t place_of(const scene::Cell& cell);
+    [[nodiscard]] bool may_be_free(const scene::Cell& cell);
     [[nodiscard]] std::optional<CellResult> compute(const scene::Cell& cell);
 
     const scene::Scene& scene_;
-    double farthest_;                  // gap of any cell
+    double farthest_;  // gap of any cell
+    std::array<Swing, places> swings_;
     std::array<Known, places> known_;  // neighbours in a map share their frequencies
     std::int64_t computed_ = 0;
 };

@@ -93,6 +93,8 @@ std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x)
 }
 
 Settling::Contact Settling::contact_of(const scene::Oscillator<double>& oscillator) {
+    // The springs press on average only where the hammer's rest lies behind the stop.
+    if (oscillator.gap >= 0) return std::monostate{};
     if (oscillator.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(oscillator);
     if (scene::is_rigid(oscillator.contact)) return trajectory::RigidContact<double>(oscillator);
     return std::monostate{};  // no proof without a closed form

@@ -14,6 +14,7 @@
 #include "rig.hpp"
 #include "same_bytes.hpp"
 #include "scene/scene.hpp"
+#include "trajectory/lasting_contact.hpp"
 
 namespace peterka::regime {
 namespace {
@@ -71,6 +72,39 @@ TEST(FreeCells, MostAreToldFromAnother) {
     }
     EXPECT_GE(told, 224);  // two of a column may share a place with another column
     EXPECT_LE(free_cells.computed(), 64);
+}
+
+TEST(FreeCells, NoneIsSoughtWhereTheMotionWithoutAStopReachesIt) {
+    job::Job job = testing::job_170mm(238.2325);
+    job.columns = {1.3, 2.0, 8};
+    job.rows = {0, 1, 8};
+    const scene::Scene scene(job);
+    FreeCells free_cells(scene);
+    for (std::int64_t i = 0; i < 64; ++i) EXPECT_FALSE(free_cells.find(scene.cell(i / 8, i % 8)));
+    EXPECT_EQ(free_cells.computed(), 0);
+}
+
+// So none of them is looked for (regime/settling.cpp).
+TEST(Contacts, NoneLastsWhereTheHammerRestsBeforeTheStop) {
+    std::mt19937 random(22);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int lasting = 0;
+    for (int n = 0; n < 2000; ++n) {
+        scene::Oscillator<double> oscillator = testing::paper_rig(testing::beam_170mm, between(0.01, 6), 0);
+        if (n % 2 == 0) oscillator.contact = scene::KelvinVoigt<double>{between(0.1, 1e5), between(0, 300)};
+        const auto may_last = [&](double gap) {
+            oscillator.gap = gap;
+            scene::Oscillator<double> rigid = oscillator;
+            rigid.contact = scene::Restitution<double>{0.5};
+            return trajectory::LinearContact<double>(oscillator).may_last() ||
+                   trajectory::RigidContact<double>(rigid).may_last();
+        };
+        EXPECT_FALSE(may_last(n % 5 == 0 ? 0 : between(0, 5)));
+        lasting += may_last(-between(0, 60)) ? 1 : 0;
+    }
+    EXPECT_GT(lasting, 500);
 }
 
 // The way round, by a search for each cell, costs a map without [starts] twice as much where nothing impacts.
