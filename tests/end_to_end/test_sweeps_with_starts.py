@@ -162,6 +162,15 @@ def test_samples_lie_on_their_attractors(tmp_path, sweep_file):
                 float(cells.attractor_peak_force_ratio[slot, 2, column]), rel=1e-5)
 
 
+@pytest.mark.parametrize("engine", ["netcdf4", "h5netcdf"])
+def test_other_readers_open_it(sweep_file, engine):
+    with xarray.open_dataset(sweep_file, engine=engine) as cells:
+        assert cells.sizes == {"frequency_ratio": POINTS, "branch": 4, "sample": SAMPLES, "attractor": 8}
+        assert cells.basin_share.dims == ("attractor", "branch", "frequency_ratio")
+        assert cells.stroboscopic_attractor.dims == ("branch", "frequency_ratio", "sample")
+        np.testing.assert_allclose(cells.basin_share.sum("attractor"), 1, rtol=0, atol=1e-12)
+
+
 def test_each_point_says_which_of_them_it_is_on(sweep_file):
     with xarray.open_dataset(sweep_file) as cells:
         mine = cells.start_attractor.values

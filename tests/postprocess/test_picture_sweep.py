@@ -188,6 +188,19 @@ def test_every_attractor_is_drawn_thin_below_the_branches(tmp_path):
         assert "every attractor that starts find" in legend_texts(drawn)
 
 
+def test_a_sweep_whose_branches_never_impact_shows_what_starts_find(tmp_path):
+    write_sweep_with_starts(tmp_path / "a.h5")
+    with SealedFile(tmp_path / "a.h5", "r+") as file:
+        file["peak_force_ratio"][...] = 0
+        file["regime"][...], file["jump"][...] = 0, 0
+        force = file["attractor_peak_force_ratio"][()]
+        force[0] = 0
+        file["attractor_peak_force_ratio"][...] = force
+    with SweepFile(tmp_path / "a.h5") as file:
+        ax = panels_of(figure_of(response.draw(file)))[1]
+    assert ax.get_ylim()[1] > 70 and (dots_of(ax)[0].get_ydata() == 70).sum() == 6
+
+
 def test_a_sweep_without_starts_has_none_of_it(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5")) as file:
         assert file.slots == 0

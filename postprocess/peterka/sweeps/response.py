@@ -29,7 +29,7 @@ CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
          borders: Sequence[Border] = NO_BORDERS) -> list[Axes] | None:
     """The response as a list of Axes, one for each gap; None where no point has a force."""
-    if not any(np.any(branch.force > 0) for branch in file.branches):
+    if not _largest(file) > 0:
         return None
     second = _second_scale(file)
     handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "force")]
@@ -37,7 +37,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
         x, forces = every_attractor.forces(file, gap)
-        top = max([forces.max(initial=0.0)] + [np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap)]
+        top = max([forces.max(initial=0.0), *(np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap))]
                   + [point.force + point.errors.get("force", 0.0) for point in points if point.force is not None])
         bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
         every_attractor.draw(ax, x, forces)
@@ -50,11 +50,16 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     return list(panels.values())
 
 
+def _largest(file):
+    """Force of all branches and attractors."""
+    branches = (branch.force.max(initial=0.0, where=np.isfinite(branch.force)) for branch in file.branches)
+    return float(max(*branches, *(every_attractor.forces(file, gap)[1].max(initial=0.0) for gap in file.gaps)))
+
+
 def _second_scale(file):
     if not file.newtons:
         return None
-    largest = max(np.nanmax(np.nan_to_num(branch.force)) for branch in file.branches)
-    factor, unit = units.with_prefix(largest * file.newtons, "N")
+    factor, unit = units.with_prefix(_largest(file) * file.newtons, "N")
     return f"peak force ({unit})", file.newtons * factor
 
 
