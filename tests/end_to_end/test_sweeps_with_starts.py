@@ -162,6 +162,22 @@ def test_samples_lie_on_their_attractors(tmp_path, sweep_file):
                 float(cells.attractor_peak_force_ratio[slot, 2, column]), rel=1e-5)
 
 
+def test_samples_of_an_orbit_are_those_of_a_branch_on_it(sweep_file):
+    """Which found it from elsewhere."""
+    compared = 0
+    with h5py.File(sweep_file) as file:
+        cells = {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
+    for branch, column in np.argwhere((cells["regime"] == 1) & (cells["start_attractor"] >= 0) & (cells["period"] <= 2)):
+        for kind, numbers in (("stroboscopic", ("displacement", "velocity")), ("impact", ("displacement", "velocity"))):
+            mine = cells[f"{kind}_attractor"][branch, column] == cells["start_attractor"][branch, column]
+            for number in numbers:
+                own = cells[f"{kind}_{number}"][branch, column]
+                found = cells[f"attractor_{kind}_{number}"][branch, column][mine]
+                np.testing.assert_allclose(np.sort(found), np.sort(own[np.isfinite(own)]), rtol=1e-6, atol=1e-7)
+                compared += 1
+    assert compared > 100
+
+
 @pytest.mark.parametrize("engine", ["netcdf4", "h5netcdf"])
 def test_other_readers_open_it(sweep_file, engine):
     with xarray.open_dataset(sweep_file, engine=engine) as cells:

@@ -1,0 +1,62 @@
+#include "findings/sweep_attractors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace peterka {
+namespace {
+
+using quantities::StoredAttractor;
+using quantities::StoredCell;
+using regime::Regime;
+
+StoredCell on_slot(std::int32_t slot, std::int32_t attractors) {
+    StoredCell cell;
+    cell.attractors = attractors;
+    cell.start_attractor = slot;
+    return cell;
+}
+
+StoredAttractor loop(std::int32_t impacts, std::int32_t period, double share) {
+    return {.regime = Regime::periodic, .impacts = impacts, .period = period, .share = share};
+}
+
+const StoredAttractor swinging{.regime = Regime::no_impact, .impacts = 0, .period = 1, .share = 0.5};
+
+// Two branches of three points and two slots: at the first point both are on slot 0, at the second they are on
+// one each, at the third on slot 1.
+TEST(SweepAttractors, AreBesideTheBranchesWhereNoneIsOnThem) {
+    const std::vector<StoredCell> cells{on_slot(0, 2), on_slot(0, 2), on_slot(1, 2),
+                                        on_slot(0, 2), on_slot(1, 2), on_slot(1, 2)};
+    const std::vector<StoredAttractor> first{loop(1, 1, 0.5), loop(1, 1, 0.5), loop(1, 2, 0.75)};
+    const std::vector<StoredAttractor> second{loop(1, 2, 0.5), swinging, loop(1, 1, 0.25)};
+    std::vector<StoredAttractor> attractors;
+    for (const auto& slot : {first, first, second, second}) {
+        attractors.insert(attractors.end(), slot.begin(), slot.end());
+    }
+    const GapAttractors found = find_beside_branches(cells, attractors, 3);
+    EXPECT_EQ(found.points, 3);
+    EXPECT_EQ(found.several, 3);
+    EXPECT_EQ(found.most, 2);
+    EXPECT_EQ(found.with_unvisited, 2);
+    ASSERT_EQ(found.unvisited.size(), 1U);
+    const Unvisited& half = found.unvisited.front();
+    EXPECT_EQ(half.motion.z, (findings::ImpactClass{.period = 2, .impacts = 1}));
+    EXPECT_EQ(half.points, 2);
+    EXPECT_EQ(half.first, 0);
+    EXPECT_EQ(half.last, 2);
+    EXPECT_EQ(half.largest_share, 0.75);
+}
+
+// Nothing is claimed of these; and empty slots hold none.
+TEST(SweepAttractors, WithoutAProofCountNowhere) {
+    const std::vector<StoredCell> cells{on_slot(0, 2)};
+    StoredAttractor unresolved = loop(0, 0, 0.1);
+    unresolved.regime = Regime::unresolved;
+    const std::vector<StoredAttractor> attractors{swinging, unresolved, StoredAttractor{}};
+    EXPECT_EQ(find_beside_branches(cells, attractors, 1).with_unvisited, 0);
+}
+
+}  // namespace
+}  // namespace peterka
