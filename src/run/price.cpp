@@ -51,14 +51,14 @@ std::int64_t cells_in_hand_bytes(const job::Job& job) {
 std::int64_t starts_bytes(const job::Job& job) {
     if (job.starts.count == 0) return 0;
     const std::int64_t open_cells = std::min<std::int64_t>(800, job.cells());
-    constexpr std::int64_t largest_round = 256;
+    const std::int64_t largest_round = std::clamp<std::int64_t>(job.starts.count / 2, 8, 256);  // they double
     constexpr std::int64_t result = 1000;
     const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
     const std::int64_t kept =
         job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
     constexpr auto end = static_cast<std::int64_t>(sizeof(regime::CellResult));
     const std::int64_t told = job.audit.cells > 0 ? 2 * end * job.starts.count : 0;
-    return open_cells * std::min(job.starts.count + 1, largest_round) * result + 2 * tiles * kept + told;
+    return open_cells * largest_round * result + 2 * tiles * kept + told;
 }
 
 // A rank keeps regions of a refined map until they are whole.

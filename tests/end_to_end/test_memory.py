@@ -4,6 +4,8 @@ import re
 import resource
 import subprocess
 
+import pytest
+
 import jobs
 import launch
 import many_starts
@@ -56,3 +58,15 @@ def test_starts_of_an_audited_map_are_priced_by_their_count(tmp_path):
     few, many = (launch.told_megabytes(launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path))
                  for count in (10_000, 1_000_000))
     assert many - few > 300
+
+
+@pytest.mark.parametrize("job", [many_starts.small_map(count=256), sweep(samples=64, attractors=8).replace("points = 4001", "points = 601")],
+                         ids=["map", "sweep"])
+def test_no_more_is_taken_than_was_told(tmp_path, job):
+    jobs.write(tmp_path, job)
+    told = launch.told_megabytes(launch.run("check", "job.toml", cwd=tmp_path))
+    process = launch.start("run", "job.toml", "--quiet", cwd=tmp_path)
+    most = launch.largest_resident_megabytes(process)
+    process.communicate(timeout=launch.HANGING)
+    assert process.returncode == 0
+    assert 20 < most < told, (most, told)
