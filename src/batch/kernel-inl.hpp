@@ -90,6 +90,7 @@ class Kernel {
     static constexpr bool keeps_legs = Gathered::keeps_legs;
 
     HWY_ATTR void begin();
+    HWY_INLINE V begin_flight(std::size_t i, V delta, V velocity) const;
     HWY_ATTR void step(int n);
     HWY_INLINE V kick(const Lanes& lanes, std::size_t i, Mask active, V cubic_part) const;
     HWY_INLINE Flags fly(const Lanes& lanes, std::size_t i, Mask active, const Forced& forced,
@@ -156,6 +157,24 @@ class Kernel {
     std::size_t next_ = 0;  // which of the two states is that of the coming grid point
 };
 
+// How far the flights of a vector of lanes swing, and the margin that their bound keeps.
+template <bool measure, bool jacobian, bool cubic>
+HWY_INLINE V Kernel<measure, jacobian, cubic>::begin_flight(std::size_t i, V delta, V velocity) const {
+    const V gap = load(lanes_[Field::gap] + i);
+    const V eta = load(lanes_[Field::frequency] + i);
+    const V static_position = cubic ? load(lanes_[Field::static_position] + i) : -gap;
+    const V x = delta - static_position - load(lanes_[Field::flight_im] + i);
+    const V v = neg_mul_add(eta, load(lanes_[Field::flight_re] + i), velocity);
+    const V inverse_rate = cubic ? all(1) / load(lanes_[Field::flight_rate] + i) : all(1 / rig_.flight_rate);
+    const V quadrature = mul_add(all(rig_.damping_ratio), x, v) * inverse_rate;
+    const V amplitude = sqrt(mul_add(x, x, quadrature * quadrature));
+    const V square = eta * eta;
+    const V stiff = cubic ? load(lanes_[Field::flight_square] + i) : all(1);
+    const V fourth = mul_add(square * square, load(lanes_[Field::swing] + i), stiff * stiff * amplitude);
+    store(hull_margin(fourth, load(lanes_[Field::step] + i)), lanes_[Field::margin] + i);
+    return amplitude;
+}
+
 // All lanes at forcing phase 0, sorted by phase.
 template <bool measure, bool jacobian, bool cubic>
 HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
@@ -176,20 +195,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
         const Mask contact = ~flight & ((force > zero) | at_stop);
         const Mask unloaded = ~(flight | contact);
         const Mask in_use = load(lanes_[Field::in_use] + i) > zero;
-
-        const V gap = load(lanes_[Field::gap] + i);
-        const V eta = load(lanes_[Field::frequency] + i);
-        const V static_position = cubic ? load(lanes_[Field::static_position] + i) : -gap;
-        const V x = delta - static_position - load(lanes_[Field::flight_im] + i);
-        const V v = neg_mul_add(eta, load(lanes_[Field::flight_re] + i), velocity);
-        const V inverse_rate =
-            cubic ? all(1) / load(lanes_[Field::flight_rate] + i) : all(1 / rig_.flight_rate);
-        const V quadrature = mul_add(all(rig_.damping_ratio), x, v) * inverse_rate;
-        const V amplitude = sqrt(mul_add(x, x, quadrature * quadrature));
-        const V square = eta * eta;
-        const V stiff = cubic ? load(lanes_[Field::flight_square] + i) : all(1);
-        const V fourth = mul_add(square * square, load(lanes_[Field::swing] + i), stiff * stiff * amplitude);
-        store(hull_margin(fourth, load(lanes_[Field::step] + i)), lanes_[Field::margin] + i);
+        const V amplitude = begin_flight(i, delta, velocity);
         store(choose(flight, zero, all(never)), lanes_[Field::next] + i);
 
         const auto phase = choose(
@@ -204,7 +210,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
             store(zero, lanes_[Field::largest_displacement] + i);
         }
         if constexpr (Gathered::bounds_legs) {
-            const V u = delta + gap;
+            const V u = delta + load(lanes_[Field::gap] + i);
             store(amplitude, lanes_[Field::leg_amplitude] + i);
             store(sqrt(mul_add(u, u, velocity * velocity)), lanes_[Field::leg_energy] + i);
         }

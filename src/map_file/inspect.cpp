@@ -77,7 +77,8 @@ void require_job(const std::filesystem::path& path, const hdf5::FileId& file, co
     const std::string in_file = hdf5::read_text(file.id(), attribute::job_identity).value_or("");
     const std::string in_job = job::identity_text(job);
     if (in_file == in_job) return;
-    refuse(path, fmt::format("belongs to another job:{}\n", job_difference(in_file, in_job)), start_over);
+    throw Failure(ExitCode::output, fmt::format("{}: belongs to another job:{}\n{}", path.string(),
+                                                job_difference(in_file, in_job), start_over));
 }
 
 void require_datasets(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {

@@ -43,6 +43,7 @@ def test_job_of_a_file(unfinished):
         file.attrs["job_identity"] = keys[:40000]
     code, text = shown("run", "job.toml", cwd=unfinished)
     assert code == 3 and "belongs to another job" in text and "more keys" in text
+    assert text.splitlines()[-1].startswith("Start over with --fresh")
     assert len(text) < 50000 and len(text.splitlines()) < 60
 
 
