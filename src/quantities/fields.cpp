@@ -53,9 +53,10 @@ FieldOf<Numbers> field_of(const cell::QuantityOf<Numbers>& quantity) {
 }
 
 // A row of the table as a constant: so its members and its dimension are known where this is compiled.
-template <const auto& row, template <cell::Units> class Numbers>
+template <const auto& rows, std::size_t n, template <cell::Units> class Numbers>
 void put_in_unit_of_file(Numbers<cell::Units::of_file>& stored,
                          const Numbers<cell::Units::nondimensional>& numbers, const scene::Scales& scales) {
+    constexpr const auto& row = rows[n];
     constexpr bool has_unit =
         row.dimension != cell::Dimension::label && row.dimension != cell::Dimension::number;
     double value = row.load(numbers);
@@ -68,7 +69,7 @@ Numbers<cell::Units::of_file> in_units_of_file(const Numbers<cell::Units::nondim
                                                const scene::Scales& scales) {
     Numbers<cell::Units::of_file> stored;
     [&]<std::size_t... n>(std::index_sequence<n...> /*numbers*/) {
-        (put_in_unit_of_file<rows[n], Numbers>(stored, numbers, scales), ...);
+        (put_in_unit_of_file<rows, n, Numbers>(stored, numbers, scales), ...);
     }
     (std::make_index_sequence<std::size(rows)>());
     return stored;
