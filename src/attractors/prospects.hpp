@@ -4,7 +4,7 @@
 // would take most of the cycles of a map. But a start that has no proof after a few hundred cycles has
 // forgotten where it began, and ends in what such starts of its cell end in. The first of these are followed as
 // any; once the cycles that they took, and how many of them ended otherwise on the way, say that of the next
-// ones no more than a fifth would (at the upper end: counting one more than were seen), these are called by a
+// ones no more than a tenth would (at the upper end: counting one more than were seen), these are called by a
 // shorter look. Whatever ends otherwise there counts again.
 #pragma once
 
@@ -46,7 +46,7 @@ class Prospects {
 
   private:
     static constexpr std::int64_t max_cycles = 300;
-    static constexpr double most_otherwise = 0.2;
+    static constexpr double most_otherwise = 0.1;
 
     // Starts that were followed for more than a few cycles.
     class Followed {

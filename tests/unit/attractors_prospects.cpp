@@ -28,16 +28,16 @@ Prospects after(int starts, const CellResult& result) {
     return prospects;
 }
 
-// One more than was seen may end otherwise while one start is followed: of five that is a fifth.
-TEST(Prospects, ChaosIsKnownOnceFiveStartsWereFollowedForAsLongAsOneIs) {
+// One more than was seen may end otherwise while one start is followed: of ten that is a tenth.
+TEST(Prospects, ChaosIsKnownOnceTenStartsWereFollowedForAsLongAsOneIs) {
     EXPECT_FALSE(Prospects().sooner().chaos);
-    EXPECT_FALSE(after(4, chaotic()).sooner().chaos);
-    EXPECT_TRUE(after(5, chaotic()).sooner().chaos);
-    EXPECT_FALSE(after(5, chaotic()).sooner().unresolved);
+    EXPECT_FALSE(after(9, chaotic()).sooner().chaos);
+    EXPECT_TRUE(after(10, chaotic()).sooner().chaos);
+    EXPECT_FALSE(after(10, chaotic()).sooner().unresolved);
 }
 
 TEST(Prospects, AStartThatEndedOtherwiseAsksForAsManyMore) {
-    Prospects prospects = after(9, chaotic());
+    Prospects prospects = after(19, chaotic());
     prospects.take(settled(500, 60));
     EXPECT_FALSE(prospects.sooner().chaos);
     prospects.take(chaotic());
@@ -46,7 +46,7 @@ TEST(Prospects, AStartThatEndedOtherwiseAsksForAsManyMore) {
 
 // What settled at once, or slowly but surely, was never like chaos.
 TEST(Prospects, StartsThatRememberTheirBeginningTellNothing) {
-    Prospects prospects = after(5, chaotic());
+    Prospects prospects = after(10, chaotic());
     for (int n = 0; n < 20; ++n) {
         prospects.take(settled(40, 60));
         prospects.take(settled(900, 5));
@@ -57,8 +57,8 @@ TEST(Prospects, StartsThatRememberTheirBeginningTellNothing) {
 TEST(Prospects, UnresolvedStartsAreGivenUpSoonerOnlyWhereNoneEndsInTheMeantime) {
     const CellResult unresolved{
         .regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 3};
-    EXPECT_FALSE(after(4, unresolved).sooner().unresolved);
-    Prospects prospects = after(5, unresolved);
+    EXPECT_FALSE(after(9, unresolved).sooner().unresolved);
+    Prospects prospects = after(10, unresolved);
     EXPECT_TRUE(prospects.sooner().unresolved);
     EXPECT_LT(Prospects::smaller({.max_cycles = 3000}).max_cycles, 3000);
     EXPECT_EQ(Prospects::smaller({.max_cycles = 200}).max_cycles, 200);
@@ -70,10 +70,10 @@ TEST(Prospects, UnresolvedStartsAreGivenUpSoonerOnlyWhereNoneEndsInTheMeantime) 
 TEST(Prospects, WhereThereIsChaosItHasToBeKnownFirst) {
     const CellResult unresolved{
         .regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 3};
-    Prospects prospects = after(5, unresolved);
+    Prospects prospects = after(10, unresolved);
     prospects.take(chaotic());
     EXPECT_FALSE(prospects.sooner().unresolved);
-    for (int n = 0; n < 4; ++n) prospects.take(chaotic());
+    for (int n = 0; n < 9; ++n) prospects.take(chaotic());
     EXPECT_TRUE(prospects.sooner().chaos && prospects.sooner().unresolved);
 }
 
