@@ -92,20 +92,14 @@ JOBS = {"mass as text": JOB.replace("0.298", '"x"'), "mass 0": JOB.replace("0.29
         "no cart": JOB.replace("[cart]", "[card]"), "endless": "[" * 5000, "mass infinite": JOB.replace("0.298", "inf")}
 
 
-def hostile_files(kind, folder):
-    """(what was changed, path) of each; the path is that of the last one again."""
+def hostile_files(kind, folder, wanted=lambda what: True):
+    """(what was changed, path) of each whose change is wanted; the path is that of the last one again."""
     sound, path = KINDS[kind](folder / f"{kind}_sound.h5"), folder / f"{kind}.h5"
     with h5py.File(sound) as file:
         names, groups = [], []
         file.visititems(lambda name, thing: (names if isinstance(thing, h5py.Dataset) else groups).append(name))
         values = {name: file[name][()] for name in names}
         attributes = list(file.attrs)
-
-    def change(what, act):
-        shutil.copy(sound, path)
-        with SealedFile(path, "r+") as file:
-            act(file)
-        return what, path
 
     def replace(name, value):
         def act(file):
@@ -117,14 +111,24 @@ def hostile_files(kind, folder):
                     file[name].attrs[key] = attributes[key]
         return act
 
-    for name in names + groups:
-        yield change(f"no {name}", lambda file, name=name: file.pop(name))
-    for name in names:
-        for what, value in changes_of(values[name]).items() if not isinstance(values[name], bytes) else ():
-            yield change(f"{name}: {what}", replace(name, value))
-    for name in attributes:
-        yield change(f"no attribute {name}", lambda file, name=name: file.attrs.pop(name))
-        for what, value in ATTRIBUTES.items():
-            yield change(f"attribute {name}: {what}", lambda file, name=name, value=value: file.attrs.update({name: value}))
-    for what, job in JOBS.items() if "job" in attributes else ():
-        yield change(f"job: {what}", lambda file, job=job: file.attrs.update({"job": job}))
+    def changes():
+        """(what, what does it to an open file)"""
+        for name in names + groups:
+            yield f"no {name}", lambda file, name=name: file.pop(name)
+        for name in names:
+            for what, value in changes_of(values[name]).items() if not isinstance(values[name], bytes) else ():
+                yield f"{name}: {what}", replace(name, value)
+        for name in attributes:
+            yield f"no attribute {name}", lambda file, name=name: file.attrs.pop(name)
+            for what, value in ATTRIBUTES.items():
+                yield f"attribute {name}: {what}", lambda file, name=name, value=value: file.attrs.update({name: value})
+        for what, job in JOBS.items() if "job" in attributes else ():
+            yield f"job: {what}", lambda file, job=job: file.attrs.update({"job": job})
+
+    for what, act in changes():
+        if not wanted(what):
+            continue
+        shutil.copy(sound, path)
+        with SealedFile(path, "r+") as file:
+            act(file)
+        yield what, path
