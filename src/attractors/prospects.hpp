@@ -3,9 +3,8 @@
 // Chaos is told by following it, for chaos_cycles or more, and what has no proof for max_cycles: a few starts
 // would take most of the cycles of a map. But a start that has no proof after a few hundred cycles has
 // forgotten where it began, and ends in what such starts of its cell end in. The first of these are followed as
-// any; once the cycles that they took, and how many of them ended otherwise on the way, say that of the next
-// ones no more than a tenth would (at the upper end: counting one more than were seen), these are called by a
-// shorter look. Whatever ends otherwise there counts again.
+// any; once they are ten times as many as those that ended otherwise on the way (counting one more than were
+// seen), the next ones are called by a shorter look. Whatever ends otherwise there counts again.
 #pragma once
 
 #include <algorithm>
@@ -56,11 +55,12 @@ class Prospects {
         void take(const regime::CellResult& result, bool ends_so, bool is_like) {
             const std::int64_t cycles = (ends_so ? result.observed_cycles : result.cycles) - few_;
             if (cycles <= 0 || (!ends_so && !is_like)) return;
-            cycles_ += cycles;
-            if (ends_so)
-                longest_ = std::max(longest_, cycles);
-            else
+            if (!ends_so) {
                 ++otherwise_;
+                return;
+            }
+            cycles_ += cycles;
+            longest_ = std::max(longest_, cycles);
         }
         [[nodiscard]] bool is_there() const { return longest_ > 0; }
         [[nodiscard]] bool is_sure() const {
@@ -70,7 +70,7 @@ class Prospects {
 
       private:
         std::int64_t few_;
-        std::int64_t cycles_ = 0;  // beyond the few, of all of them
+        std::int64_t cycles_ = 0;  // beyond the few, of those that ended so
         std::int64_t longest_ = 0;
         std::int64_t otherwise_ = 0;
     };

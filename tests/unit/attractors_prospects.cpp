@@ -44,6 +44,17 @@ TEST(Prospects, AStartThatEndedOtherwiseAsksForAsManyMore) {
     EXPECT_TRUE(prospects.sooner().chaos);
 }
 
+// However long they were followed: they might have been called chaotic all that time, and were not.
+TEST(Prospects, StartsThatStayedUnresolvedForLongArentLikeChaos) {
+    Prospects prospects;
+    for (int n = 0; n < 5; ++n) {
+        prospects.take(
+            {.regime = Regime::unresolved, .cycles = 3000, .observed_cycles = 3000, .sensitivity = 40});
+    }
+    prospects.take(chaotic(414));
+    EXPECT_FALSE(prospects.sooner().chaos);
+}
+
 // What settled at once, or slowly but surely, was never like chaos.
 TEST(Prospects, StartsThatRememberTheirBeginningTellNothing) {
     Prospects prospects = after(10, chaotic());
