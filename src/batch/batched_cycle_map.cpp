@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "batch/cycle_kernel.hpp"
+#include "batch/own_rigs_kernel.hpp"
 #include "motion/linear_motion.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
@@ -71,6 +72,7 @@ BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size
     : springs_(springs),
       oscillator_(springs == Springs::split ? rig : without_cubic(rig)),
       rig_(oscillator_),
+      fields_(fields),
       grid_(steps_per_cycle),
       slab_(nullptr, deallocate),
       queues_(0),
@@ -78,11 +80,20 @@ BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size
     make_room(capacity);
 }
 
+BatchedCycleMap::BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs)
+    : springs_(springs),
+      fields_(fields_with_rigs),
+      grid_(steps_per_cycle),
+      slab_(nullptr, deallocate),
+      queues_(0) {
+    make_room(capacity);
+}
+
 void BatchedCycleMap::make_room(std::size_t capacity) {
     const std::size_t distance = stride(capacity);
-    std::unique_ptr<double[], void (*)(double*)> slab(allocate(distance * fields), deallocate);
-    std::fill_n(slab.get(), distance * fields, 0.0);
-    for (std::size_t n = 0; n < fields; ++n) {
+    std::unique_ptr<double[], void (*)(double*)> slab(allocate(distance * fields_), deallocate);
+    std::fill_n(slab.get(), distance * fields_, 0.0);
+    for (std::size_t n = 0; n < fields_; ++n) {
         double* array = slab.get() + n * distance;
         if (slab_) std::copy_n(lanes_.arrays[n], size_, array);
         lanes_.arrays[n] = array;
@@ -94,6 +105,7 @@ void BatchedCycleMap::make_room(std::size_t capacity) {
     outcome_.resize(rounded_up(capacity));
     twin_only_.resize(capacity);
     twins_.resize(capacity);
+    if (!rig_) oscillators_.resize(capacity);
 }
 
 scene::Oscillator<double> BatchedCycleMap::oscillator_of(double frequency, double gap) const {
@@ -108,18 +120,20 @@ void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& st
     lanes_.velocity(0)[slot] = state[1];
 }
 
-BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double gap) const {
-    const scene::Oscillator<double> oscillator = oscillator_of(frequency, gap);
+BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(const scene::Oscillator<double>& oscillator) const {
+    const double frequency = oscillator.frequency;
     const auto cubic = trajectory::cubic_about_stop(oscillator);
     const motion::LinearMotion<double> flight(cubic(motion::flight_equation(oscillator)));
     const motion::LinearMotion<double> contact(cubic(motion::contact_equation(oscillator)));
     Forcing f;
     f.frequency = frequency;
-    f.gap = gap;
+    f.gap = oscillator.gap;
     const double step = oscillator.period() / grid_.steps;
     const double fastest = std::max({1.0, frequency, flight.natural_frequency()});
     const bool relative = oscillator.cubic == 0 || oscillator.cubic_form == job::CubicForm::relative;
-    f.fit = rig_.fit && is_regular(flight) && is_regular(contact) && relative && step * fastest <= longest_step;
+    const bool can_press = rig_ ? rig_->fit : oscillator.kelvin_voigt().stiffness > 0;
+    f.fit =
+        can_press && is_regular(flight) && is_regular(contact) && relative && step * fastest <= longest_step;
     const double square = flight.equation().stiffness;
     const double re = flight.response().real();
     const double im = flight.response().imag();
@@ -157,7 +171,7 @@ BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(double frequency, double ga
 const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, double gap) {
     Forcing& kept = forcings_[std::hash<double>()(frequency) % frequencies_kept];
     const bool fits = kept.frequency == frequency && (oscillator_.cubic == 0 || kept.gap == gap);
-    if (!fits) kept = forcing_of(frequency, gap);
+    if (!fits) kept = forcing_of(oscillator_of(frequency, gap));
     return kept;
 }
 
@@ -169,14 +183,27 @@ void BatchedCycleMap::use_lanes(std::size_t size) {
 }
 
 void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {
+    add(forcing(frequency, gap), oscillator_.cubic, gap, state);
+}
+
+void BatchedCycleMap::add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state) {
+    const std::size_t slot = size_;
+    const scene::Oscillator<double> own = springs_ == Springs::split ? oscillator : without_cubic(oscillator);
+    add(forcing_of(own), own.cubic, own.gap, state);
+    lanes_[Field::damping_ratio][slot] = own.damping_ratio;
+    lanes_[Field::cubic][slot] = own.cubic;
+    lanes_[Field::stiffness][slot] = own.kelvin_voigt().stiffness;
+    lanes_[Field::damping][slot] = own.kelvin_voigt().damping;
+    oscillators_[slot] = own;
+}
+
+void BatchedCycleMap::add(const Forcing& f, double cubic, double gap, const scene::State<double>& state) {
     const std::size_t slot = size_;
     if (slot == capacity()) make_room(2 * slot);
     use_lanes(slot + 1);
-    const Forcing& f = forcing(frequency, gap);
     set_state(slot, state);
     for (std::size_t n = gap_fields; n < cell_fields; ++n) lanes_.arrays[n][slot] = f.values[n - gap_fields];
-    const double below_stop =
-        (gap + oscillator_.cubic * gap * gap * gap) / f[Field::flight_square];  // the static position
+    const double below_stop = (gap + cubic * gap * gap * gap) / f[Field::flight_square];  // the static position
     lanes_[Field::gap][slot] = gap;
     lanes_[Field::static_position][slot] = -below_stop;
     lanes_[Field::forced_delta_constant][slot] = -below_stop + f[Field::e00] * below_stop;
@@ -188,7 +215,8 @@ void BatchedCycleMap::add(double frequency, double gap, const scene::State<doubl
 }
 
 void BatchedCycleMap::copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to) {
-    for (std::size_t n = 0; n < fields; ++n) lanes_.arrays[n][to] = from.lanes_.arrays[n][slot];
+    for (std::size_t n = 0; n < fields_; ++n) lanes_.arrays[n][to] = from.lanes_.arrays[n][slot];
+    if (!rig_) oscillators_[to] = from.oscillators_[slot];
     twin_only_[to] = from.twin_only_[slot];
     pattern_[to] = from.pattern_[slot];
     outcome_[to] = from.outcome_[slot];
@@ -214,7 +242,8 @@ void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
 }
 
 BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
-    const auto oscillator = oscillator_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]);
+    const auto oscillator =
+        rig_ ? oscillator_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]) : oscillators_[slot];
     if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(oscillator, grid_.steps);
     return trajectory::ExactCycleMap<double>(oscillator);
 }
@@ -240,7 +269,13 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
 
 void BatchedCycleMap::advance(Wanted wanted) {
     using Outcome = trajectory::Cycle<double>::Outcome;
-    run_cycle(rig_, grid_, lanes_, queues_, wanted);
+    if (rig_) {
+        run_cycle(*rig_, grid_, lanes_, queues_, wanted);
+    } else if (springs_ == Springs::split) {
+        run_own_rigs_split_cycle(grid_, lanes_, queues_, wanted);
+    } else {
+        run_own_rigs_cycle(grid_, lanes_, queues_, wanted);
+    }
     if (grid_.steps % 2 == 1) {
         std::copy_n(lanes_.delta(1), lanes_.size, lanes_.delta(0));
         std::copy_n(lanes_.velocity(1), lanes_.size, lanes_.velocity(0));

@@ -1,9 +1,10 @@
 // The stroboscopic map of many cells at once: the fast twin of trajectory/exact_cycle_map.hpp.
 //
-// Cells sit side by side in slots 0 to size() - 1; all share springs' damping and stop (the rig), each has its
-// own forcing and gap. One call carries all of them through one forcing cycle. What the kernel can't do surely
-// (resonance, stops that don't oscillate, grazing) the scalar twin does; `left_to_twin` counts
-// it. A cell's result depends on the cell and its state alone, not on its slot or its neighbours.
+// Cells sit side by side in slots 0 to size() - 1; each has its own forcing and gap, and all share springs'
+// damping and stop (the rig), or each has its own of these, too. One call carries all of them through one
+// forcing cycle. What the kernel can't do surely (resonance, stops that don't oscillate, grazing) the scalar
+// twin does; `left_to_twin` counts it. A cell's result depends on the cell and its state alone, not on its slot
+// or its neighbours.
 //
 // With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point. The
 // absolute form of the cubic is left to the twin.
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "batch/lanes.hpp"
@@ -34,6 +36,8 @@ class BatchedCycleMap {
     // come.
     BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
                     Springs springs = Springs::linear);
+    // Of cells with rigs of their own. Jacobians are always there.
+    BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs);
 
     // Grid steps per cycle that cells of a frequency ratio need: a step is at most pi/4 of the hammer's own
     // phase.
@@ -45,9 +49,11 @@ class BatchedCycleMap {
 
     // Adds a cell at slot size(), with its state (delta, delta') at forcing phase 0.
     void add(double frequency, double gap, const scene::State<double>& state);
+    // The same with its rig, where each has its own.
+    void add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state);
     // Takes a cell out; the last one takes its slot.
     void remove(std::size_t slot);
-    // Takes a cell over from another batch with the same rig, steps and springs, to slot size().
+    // Takes a cell over from another batch with the same rig, or rigs too, steps and springs, to slot size().
     void take(BatchedCycleMap& other, std::size_t slot);
     void set_state(std::size_t slot, const scene::State<double>& state);
 
@@ -82,10 +88,11 @@ class BatchedCycleMap {
         double& operator[](Field field) { return values[index_of(field) - gap_fields]; }
         double operator[](Field field) const { return values[index_of(field) - gap_fields]; }
     };
-    [[nodiscard]] Forcing forcing_of(double frequency, double gap) const;
+    [[nodiscard]] Forcing forcing_of(const scene::Oscillator<double>& oscillator) const;
     const Forcing& forcing(double frequency, double gap);
 
     [[nodiscard]] scene::Oscillator<double> oscillator_of(double frequency, double gap) const;
+    void add(const Forcing& forcing, double cubic, double gap, const scene::State<double>& state);
     void make_room(std::size_t capacity);
     void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);
@@ -93,8 +100,9 @@ class BatchedCycleMap {
     void run_twin(std::size_t slot, Wanted wanted);
 
     Springs springs_;
-    scene::Oscillator<double> oscillator_;
-    Rig rig_;
+    scene::Oscillator<double> oscillator_;  // where all share the rig: of any place
+    std::optional<Rig> rig_;                // none: each cell has its own
+    std::size_t fields_;                    // arrays in use
     Grid grid_;
     std::size_t size_ = 0;
     std::unique_ptr<double[], void (*)(double*)> slab_;
@@ -105,6 +113,7 @@ class BatchedCycleMap {
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;
     std::vector<bool> twin_only_;  // the kernel can't do the cell
     std::vector<Twin> twins_;
+    std::vector<scene::Oscillator<double>> oscillators_;  // where each has its own rig
     std::vector<Forcing> forcings_;  // of the frequencies met last: neighbours in a map share them
     std::size_t twin_only_count_ = 0;
     std::int64_t cycles_ = 0;

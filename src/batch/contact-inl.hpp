@@ -27,22 +27,21 @@ struct ContactPoint {
 };
 
 // cubic: with a cubic spring. Such a contact is followed for a step of the grid at most.
-template <bool cubic>
-class Contact {
+template <bool cubic, class Cells>
+class ContactOf {
   public:
     using Point = ContactPoint;
 
-    HWY_INLINE Contact(const Rig& rig, const Lanes& lanes, const Cells& cells, const Moment& start)
-        : rig_(rig),
-          cells_(cells),
+    HWY_INLINE ContactOf(const Lanes& lanes, const Cells& cells, const Moment& start)
+        : cells_(cells),
           start_(start),
           re_(gather(lanes[Field::contact_re], cells.index)),
           im_(gather(lanes[Field::contact_im], cells.index)),
           static_position_(cells.contact_static_position),
           x_(start.delta - static_position_ - mul_add(re_, start.sine, im_ * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(re_, start.cosine, im_ * start.sine)),
-          force_re_(mul_sub(all(rig.stiffness), re_, all(rig.damping) * cells.eta * im_)),
-          force_im_(mul_add(all(rig.stiffness), im_, all(rig.damping) * cells.eta * re_)) {}
+          force_re_(mul_sub(all(cells.rig.stiffness), re_, all(cells.rig.damping) * cells.eta * im_)),
+          force_im_(mul_add(all(cells.rig.stiffness), im_, all(cells.rig.damping) * cells.eta * re_)) {}
 
     [[nodiscard]] HWY_INLINE Point start() const { return {x_, v_, start_.sine, start_.cosine}; }
     [[nodiscard]] HWY_INLINE Point at(V t) const {
@@ -50,21 +49,21 @@ class Contact {
         return carried(flow_for(t), cubic ? small_sine_cosine(angle) : sine_cosine(angle));
     }
     [[nodiscard]] HWY_INLINE Matrix2 flow_for(V t) const {
-        return flow(sine_cosine(cells_.contact_rate * t), exp_of(all(-rig_.contact_decay) * t),
-                    all(rig_.contact_decay), cells_.contact_square, cells_.inverse_contact_rate);
+        return flow(sine_cosine(cells_.contact_rate * t), exp_of(all(-cells_.rig.contact_decay) * t),
+                    all(cells_.rig.contact_decay), cells_.contact_square, cells_.inverse_contact_rate);
     }
 
     [[nodiscard]] HWY_INLINE Force force(const Point& p) const {
-        const V b = all(-2 * rig_.contact_decay);
+        const V b = all(-2 * cells_.rig.contact_decay);
         const V square = cells_.contact_square;
-        const V own = mul_add(all(rig_.stiffness), p.x, all(rig_.damping) * p.v);
+        const V own = mul_add(all(cells_.rig.stiffness), p.x, all(cells_.rig.damping) * p.v);
         const V a = mul_sub(b, p.v, square * p.x);
-        const V own_slope = mul_add(all(rig_.stiffness), p.v, all(rig_.damping) * a);
+        const V own_slope = mul_add(all(cells_.rig.stiffness), p.v, all(cells_.rig.damping) * a);
         const V own_curvature = mul_sub(b, own_slope, square * own);
         const V own_jerk = mul_sub(b, own_curvature, square * own_slope);
         const V forced = mul_add(force_re_, p.sine, force_im_ * p.cosine);
         const V forced_slope = cells_.eta * mul_sub(force_re_, p.cosine, force_im_ * p.sine);
-        return {own + forced + all(rig_.stiffness) * static_position_, own_slope + forced_slope,
+        return {own + forced + all(cells_.rig.stiffness) * static_position_, own_slope + forced_slope,
                 neg_mul_add(cells_.drive, forced, own_curvature),
                 neg_mul_add(cells_.drive, forced_slope, own_jerk),
                 mul_sub(b, own_jerk, square * own_curvature)};  // of the forcing, nothing that matters
@@ -76,20 +75,20 @@ class Contact {
     }
 
     [[nodiscard]] HWY_INLINE V static_position() const { return static_position_; }
-    [[nodiscard]] HWY_INLINE V static_force() const { return all(rig_.stiffness) * static_position_; }
+    [[nodiscard]] HWY_INLINE V static_force() const { return all(cells_.rig.stiffness) * static_position_; }
     [[nodiscard]] HWY_INLINE V force_swing() const {
         return sqrt(mul_add(force_re_, force_re_, force_im_ * force_im_));
     }
     // Amplitudes of the homogeneous parts of the force and of the position, which only decay.
     [[nodiscard]] HWY_INLINE V force_amplitude(const Point& p) const {
-        const V own = mul_add(all(rig_.stiffness), p.x, all(rig_.damping) * p.v);
-        const V a = mul_sub(all(-2 * rig_.contact_decay), p.v, cells_.contact_square * p.x);
-        const V slope = mul_add(all(rig_.stiffness), p.v, all(rig_.damping) * a);
-        const V quadrature = mul_add(all(rig_.contact_decay), own, slope) * cells_.inverse_contact_rate;
+        const V own = mul_add(all(cells_.rig.stiffness), p.x, all(cells_.rig.damping) * p.v);
+        const V a = mul_sub(all(-2 * cells_.rig.contact_decay), p.v, cells_.contact_square * p.x);
+        const V slope = mul_add(all(cells_.rig.stiffness), p.v, all(cells_.rig.damping) * a);
+        const V quadrature = mul_add(all(cells_.rig.contact_decay), own, slope) * cells_.inverse_contact_rate;
         return sqrt(mul_add(own, own, quadrature * quadrature));
     }
     [[nodiscard]] HWY_INLINE V amplitude(const Point& p) const {
-        const V quadrature = mul_add(all(rig_.contact_decay), p.x, p.v) * cells_.inverse_contact_rate;
+        const V quadrature = mul_add(all(cells_.rig.contact_decay), p.x, p.v) * cells_.inverse_contact_rate;
         return sqrt(mul_add(p.x, p.x, quadrature * quadrature));
     }
 
@@ -98,14 +97,14 @@ class Contact {
     [[nodiscard]] HWY_INLINE Point near(double time, const Flow& until, V t) const {
         if constexpr (cubic) return at(all(time) + t);
         constexpr std::size_t last = Rig::series_length - 1;
-        V sine = all(rig_.series[last]);
-        V slope = all(rig_.slope_series[last]);
+        V sine = all(cells_.rig.series[last]);
+        V slope = all(cells_.rig.slope_series[last]);
         for (std::size_t n = last; n-- > 0;) {
-            sine = mul_add(sine, t, all(rig_.series[n]));
-            slope = mul_add(slope, t, all(rig_.slope_series[n]));
+            sine = mul_add(sine, t, all(cells_.rig.series[n]));
+            slope = mul_add(slope, t, all(cells_.rig.slope_series[n]));
         }
-        const Matrix2 after{mul_add(all(2 * rig_.contact_decay), sine, slope), sine,
-                            all(-rig_.contact_square) * sine, slope};
+        const Matrix2 after{mul_add(all(2 * cells_.rig.contact_decay), sine, slope), sine,
+                            all(-cells_.rig.contact_square) * sine, slope};
         const V x = mul_add(all(until.e00), x_, all(until.e01) * v_);
         const V v = mul_add(all(until.e10), x_, all(until.e11) * v_);
         const SineCosine phase =
@@ -114,7 +113,7 @@ class Contact {
     }
     // A tiny time after p, by Taylor series.
     [[nodiscard]] HWY_INLINE Point next(const Point& p, V t) const {
-        const V b = all(-2 * rig_.contact_decay);
+        const V b = all(-2 * cells_.rig.contact_decay);
         const V square = cells_.contact_square;
         const V second = mul_sub(b, p.v, square * p.x);
         const V third = mul_sub(b, second, square * p.v);
@@ -136,7 +135,6 @@ class Contact {
         return {f.upper(x_, v_), f.lower(x_, v_), phase.sine, phase.cosine};
     }
 
-    const Rig& rig_;
     const Cells& cells_;
     const Moment& start_;
     V re_, im_;  // steady response

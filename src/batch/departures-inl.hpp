@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::release_all() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release_all() {
     const Waiting w = take(queues_.releases);
     const Cells cells = cells_of(w.lanes);
     Gathered track(lanes_, w.lanes);
@@ -21,13 +21,13 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release_all() {
 }
 
 // The stop doesn't press, and the hammer is on its way out: it leaves, and flies on to a grid point.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V time, const Moment& m, Mask which,
-                                                        Gathered& track) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells, V time, const Moment& m,
+                                                             Mask which, Gathered& track) {
     const V zero = all(0);
-    const Flight flight(rig_, cells, m);
+    const Flight flight(cells, m);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
-    const Derivatives d = derivatives(rig_, cells, m);
+    const Derivatives d = derivatives(cells, m);
 
     // With an upper bound of delta'' the parabola says when it is surely out, and that it still goes down then;
     // so does the force, whose slope is kappa delta' + chi delta''. A hammer that nothing bends is out after
@@ -41,7 +41,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
     const V speed_out = neg_mul_add(most, leaving, speed);
     const Mask soon = leaving <= all(4) * cells.step;  // stretches of flight are six steps at most
     const Mask sure =
-        out & soon & (speed > zero) & (most * all(rig_.damping) < all(rig_.stiffness) * speed_out);
+        out & soon & (speed > zero) & (most * all(cells.rig.damping) < all(cells.rig.stiffness) * speed_out);
     if constexpr (measure && !cubic) {
         const V u = m.delta + cells.gap;
         track.leg_amplitude = choose(which, flight.amplitude(), track.leg_amplitude);
@@ -84,16 +84,16 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::release(const Cells& cells, V ti
 
 // The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the
 // stop it can't get from below without a force, so where the force rises next tells whether it had left.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::turn() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
     const Waiting w = take(queues_.turns);
     const Cells cells = cells_of(w.lanes);
-    const Flight flight(rig_, cells, w.moment);
+    const Flight flight(cells, w.moment);
     const V zero = all(0);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
     const V grid_point = cubic ? all(until_) : min(floor(w.time * cells.per_step) + all(4), all(steps_));
     const V length = mul_sub(grid_point, cells.step, w.time);
-    const Found force = seek_force(rig_, cells, w.moment, length, fourth, every());
+    const Found force = seek_force(cells, w.moment, length, fourth, every());
     const Mask resumes = force.found & (force.moment.delta > zero);
     const Mask has_left = force.found & (force.moment.delta < zero);
     const Moment end = end_of(flight, length);

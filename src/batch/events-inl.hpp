@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::strike_all(int n) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike_all(int n) {
     while (queues_.crossings.size > 0) {
         const Index lanes = take(queues_.crossings);
         const Cells cells = cells_of(lanes);
@@ -20,7 +20,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::strike_all(int n) {
         const Moment start{gather(lanes_.delta(1 - next_), lanes), gather(lanes_.velocity(1 - next_), lanes),
                            all(grid_.sine[static_cast<std::size_t>(n)]),
                            all(grid_.cosine[static_cast<std::size_t>(n)])};
-        const Found found = strike(rig_, cells, start, gather(lanes_.delta(next_), lanes),
+        const Found found = strike(cells, start, gather(lanes_.delta(next_), lanes),
                                    gather(lanes_.velocity(next_), lanes), gather(lanes_[Field::margin], lanes));
         const Mask which = found.found;
         push(lanes, all(n + 1), time, start, ~which & real_, queues_.hops);
@@ -32,8 +32,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::strike_all(int n) {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::drain() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain() {
     // each round carries its lanes on in time; what goes on for longer is left to the twin
     for (int round = 0; round < 100'000; ++round) {
         if (queues_.hops.size > 0) {
@@ -56,14 +56,14 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::drain() {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
     const Waiting w = take(queues_.hops);
     const Cells cells = cells_of(w.lanes);
     const V length = mul_sub(w.end, cells.step, w.time);
-    const Flight flight(rig_, cells, w.moment);
+    const Flight flight(cells, w.moment);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
-    const Found found = seek_touch(rig_, cells, w.moment, length, fourth, every());
+    const Found found = seek_touch(cells, w.moment, length, fourth, every());
     leave_to_twin(cells, found.unsure);
     const Mask touches = found.found;
     const Mask stays_below = ~(found.unsure | touches);
@@ -85,9 +85,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hop() {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::arrive(const Cells& cells, V delta, V velocity, V grid_point,
-                                                       V fourth_derivative, Mask which) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, V delta, V velocity,
+                                                            V grid_point, V fourth_derivative, Mask which) {
     put(delta, lanes_.delta(next_), cells.index, which);
     put(velocity, lanes_.velocity(next_), cells.index, which);
     put(grid_point, lanes_[Field::next], cells.index, which);
@@ -95,9 +95,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::arrive(const Cells& cells, V del
 }
 
 // The hammer meets the stop.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::touch(const Cells& cells, V time, const Moment& m, Mask which,
-                                                      Gathered& track) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V time, const Moment& m,
+                                                           Mask which, Gathered& track) {
     const V drive = cells.drive;
     // a touch so slow that rounding decides about it
     const V scale = drive + abs(cells.gap) + all(1);
@@ -114,18 +114,19 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::touch(const Cells& cells, V time
     }
     if constexpr (jacobian) {
         track.carry(flown(cells, time - track.leg_start), which);
-        track.jump(rig_.damping, which);
+        track.jump(all(cells.rig.damping), which);
     }
     if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
 
-    const Mask is_short = touch_shortly(cells, time, m, which, track);
+    Mask is_short = none();
+    if constexpr (!own) is_short = touch_shortly(cells, time, m, which, track);
     push(cells.index, all(0), time, m, real_ & ~is_short & which, queues_.contacts);
 }
 
 // Those of the touches that are over soon, or but for the next kick would be, and what follows.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells, V time, const Moment& m,
-                                                              Mask which, Gathered& track) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moment& m,
+                                                                   Mask which, Gathered& track) {
     const V drive = cells.drive;
     const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
@@ -147,7 +148,7 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells
     const Mask may_be_short = (cubic ? like_unforced : like_unforced & ends_before) & small_angle;
     Mask is_short = which & may_be_short;
     if (any(is_short)) {
-        const Contact<cubic> contact(rig_, lanes_, cells, m);
+        const Contact contact(lanes_, cells, m);
         // the pull half-way
         const V later = mul_add(cells.eta * all(rig_.exit_time / 2), m.cosine, m.sine);
         const V mean_pull = mul_sub(drive, later, springs) / m.velocity * all(1 / rig_.pull_scale);
@@ -188,11 +189,11 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic>::touch_shortly(const Cells& cells
 }
 
 // A contact of any length, from its beginning or from the cycle's.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::stay() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
-    const Contact<cubic> contact(rig_, lanes_, cells, w.moment);
+    const Contact contact(lanes_, cells, w.moment);
     const V length = mul_sub(all(until_), cells.step, w.time);
     const V zero = all(0);
     Sought end = seek(cells, contact, 0, all(-1), zero, contact.start(), length, every());

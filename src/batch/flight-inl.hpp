@@ -31,11 +31,36 @@ HWY_INLINE SineCosine turned(V sine, V cosine, SineCosine by) {
     return {mul_add(sine, by.cosine, cosine * by.sine), neg_mul_add(sine, by.sine, cosine * by.cosine)};
 }
 
-// What of a vector of lanes doesn't change.
-struct Cells {
+// The numbers of batch/rig.hpp of a vector of lanes whose rigs differ. What takes long to find out isn't there:
+// for a few impacts it wouldn't pay.
+struct OwnRigs {
+    // fetch: a field's numbers of these lanes.
+    template <class Fetch>
+    HWY_INLINE explicit OwnRigs(Fetch fetch)
+        : damping_ratio(fetch(Field::damping_ratio)),
+          flight_rate(fetch(Field::flight_rate)),
+          cubic(fetch(Field::cubic)),
+          stiffness(fetch(Field::stiffness)),
+          damping(fetch(Field::damping)),
+          lag(damping / stiffness),
+          contact_decay(mul_add(damping, all(0.5), damping_ratio)),
+          contact_square(stiffness + all(1)),
+          contact_frequency(sqrt(contact_square)),
+          contact_rate(fetch(Field::contact_rate)) {}
+
+    V damping_ratio, flight_rate, cubic, stiffness, damping, lag;
+    V contact_decay, contact_square, contact_frequency, contact_rate;
+    static constexpr bool weakly_damped = false;
+};
+
+// What of a vector of lanes doesn't change. Whose: const Rig&, that of all lanes, or OwnRigs.
+template <class Whose>
+struct CellsOf {
     template <bool cubic>
-    HWY_INLINE Cells(const Rig& rig, const Lanes& lanes, double steps, Index which, std::bool_constant<cubic>)
-        : index(which),
+    HWY_INLINE CellsOf(const Whose& its_rig, const Lanes& lanes, double steps, Index which,
+                       std::bool_constant<cubic>)
+        : rig(its_rig),
+          index(which),
           eta(gather(lanes[Field::frequency], which)),
           gap(gather(lanes[Field::gap], which)),
           step(gather(lanes[Field::step], which)),
@@ -68,6 +93,7 @@ struct Cells {
         }
     }
 
+    Whose rig;
     Index index;
     V eta, gap, step, re, im;
     V drive;     // amplitude of the forcing
@@ -86,8 +112,8 @@ struct Cells {
 struct Derivatives {
     V second, third, fourth;
 };
-HWY_INLINE Derivatives derivatives(const Rig& rig, const Cells& cells, const Moment& m) {
-    const V damping = all(-2 * rig.damping_ratio);
+HWY_INLINE Derivatives derivatives(const auto& cells, const Moment& m) {
+    const V damping = all(-2 * cells.rig.damping_ratio);
     const V wave = cells.drive * m.sine;
     const V second =
         mul_add(damping, m.velocity, neg_mul_add(cells.square, m.delta - cells.static_position, wave));
@@ -105,34 +131,34 @@ HWY_INLINE Rise rise_of_position(const Moment& m, const Derivatives& d) {
     return {m.delta, m.velocity, d.second, d.third, d.fourth};
 }
 // Of the force over the stop's stiffness: where it rises while delta > 0, the stop presses again.
-HWY_INLINE Rise rise_of_force(const Rig& rig, const Cells& cells, const Moment& m, const Derivatives& d) {
-    const V lag = all(rig.lag);
+HWY_INLINE Rise rise_of_force(const auto& cells, const Moment& m, const Derivatives& d) {
+    const V lag = all(cells.rig.lag);
     const V square = cells.drive * cells.drive;
-    const V fifth = mul_add(all(-2 * rig.damping_ratio), d.fourth,
+    const V fifth = mul_add(all(-2 * cells.rig.damping_ratio), d.fourth,
                             neg_mul_sub(square * cells.eta, m.cosine, cells.square * d.third));
     return {mul_add(lag, m.velocity, m.delta), mul_add(lag, d.second, m.velocity),
             mul_add(lag, d.third, d.second), mul_add(lag, d.fourth, d.third), mul_add(lag, fifth, d.fourth)};
 }
 
 // The flow of a flight of any length.
-HWY_INLINE Matrix2 flight_flow(const Rig& rig, const Cells& cells, V t) {
-    return flow(sine_cosine(cells.rate * t), exp_of(all(-rig.damping_ratio) * t), all(rig.damping_ratio),
-                cells.square, cells.inverse_rate);
+HWY_INLINE Matrix2 flight_flow(const auto& cells, V t) {
+    return flow(sine_cosine(cells.rate * t), exp_of(all(-cells.rig.damping_ratio) * t),
+                all(cells.rig.damping_ratio), cells.square, cells.inverse_rate);
 }
 
 // The same within one step of the grid.
-HWY_INLINE Matrix2 soon_flow(const Rig& rig, const Cells& cells, V t) {
-    const V exponent = all(-rig.damping_ratio) * t;
-    const V decay = rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
-    return flow(small_sine_cosine(cells.rate * t), decay, all(rig.damping_ratio), cells.square,
+HWY_INLINE Matrix2 soon_flow(const auto& cells, V t) {
+    const V exponent = all(-cells.rig.damping_ratio) * t;
+    const V decay = cells.rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
+    return flow(small_sine_cosine(cells.rate * t), decay, all(cells.rig.damping_ratio), cells.square,
                 cells.inverse_rate);
 }
 
+template <class Cells>
 class Flight {
   public:
-    HWY_INLINE Flight(const Rig& rig, const Cells& cells, const Moment& start)
-        : rig_(rig),
-          cells_(cells),
+    HWY_INLINE Flight(const Cells& cells, const Moment& start)
+        : cells_(cells),
           start_(start),
           x_(start.delta - cells.static_position - mul_add(cells.re, start.sine, cells.im * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(cells.re, start.cosine, cells.im * start.sine)) {}
@@ -163,12 +189,12 @@ class Flight {
 
   private:
     [[nodiscard]] HWY_INLINE V quadrature() const {
-        return mul_add(all(rig_.damping_ratio), x_, v_) * cells_.inverse_rate;
+        return mul_add(all(cells_.rig.damping_ratio), x_, v_) * cells_.inverse_rate;
     }
     [[nodiscard]] HWY_INLINE Moment at(V t, SineCosine own, SineCosine forcing) const {
-        const V exponent = all(-rig_.damping_ratio) * t;
-        const V decay = rig_.weakly_damped ? small_exp(exponent) : exp_of(exponent);
-        const Matrix2 f = flow(own, decay, all(rig_.damping_ratio), cells_.square, cells_.inverse_rate);
+        const V exponent = all(-cells_.rig.damping_ratio) * t;
+        const V decay = cells_.rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
+        const Matrix2 f = flow(own, decay, all(cells_.rig.damping_ratio), cells_.square, cells_.inverse_rate);
         const SineCosine phase = turned(start_.sine, start_.cosine, forcing);
         const V steady = mul_add(cells_.re, phase.sine, cells_.im * phase.cosine);
         const V steady_velocity = cells_.eta * mul_sub(cells_.re, phase.cosine, cells_.im * phase.sine);
@@ -176,7 +202,6 @@ class Flight {
                 phase.sine, phase.cosine};
     }
 
-    const Rig& rig_;
     const Cells& cells_;
     const Moment& start_;
     V x_, v_;  // homogeneous part at the start

@@ -60,10 +60,17 @@ struct Flags {
 // The forcing's phase at a step's start.
 using Forced = SineCosine;
 
-template <bool measure, bool jacobian, bool cubic>
+// own: each lane has a rig of its own.
+template <bool measure, bool jacobian, bool cubic, bool own>
 class Kernel {
   public:
-    Kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues)
+    Kernel(const Grid& grid, const Lanes& lanes, Queues& queues) requires own : rig_(),
+                                                                                grid_(grid),
+                                                                                lanes_(lanes),
+                                                                                queues_(queues),
+                                                                                steps_(grid.steps),
+                                                                                until_(steps_) {}
+    Kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues) requires(!own)
         : rig_(rig), grid_(grid), lanes_(lanes), queues_(queues), steps_(grid.steps), until_(steps_) {}
 
     HWY_ATTR void run() {
@@ -88,6 +95,9 @@ class Kernel {
   private:
     using Gathered = Track<measure, jacobian, cubic>;
     static constexpr bool keeps_legs = Gathered::keeps_legs;
+    using Whose = std::conditional_t<own, OwnRigs, const Rig&>;
+    using Cells = CellsOf<Whose>;
+    using Contact = ContactOf<cubic, Cells>;
 
     HWY_ATTR void begin();
     HWY_INLINE V begin_flight(std::size_t i, V delta, V velocity) const;
@@ -111,7 +121,20 @@ class Kernel {
     HWY_ATTR void finish_kicks();
 
     HWY_ATTR Cells cells_of(Index lanes) const {
-        return {rig_, lanes_, steps_, lanes, std::bool_constant<cubic>()};
+        if constexpr (own) {
+            const OwnRigs rigs([&](Field field) HWY_ATTR { return gather(lanes_[field], lanes); });
+            return {rigs, lanes_, steps_, lanes, std::bool_constant<cubic>()};
+        } else {
+            return {rig_, lanes_, steps_, lanes, std::bool_constant<cubic>()};
+        }
+    }
+    // Of the vector of lanes that begins there.
+    HWY_INLINE Whose rig_at(std::size_t i) const {
+        if constexpr (own) {
+            return OwnRigs([&](Field field) HWY_ATTR { return load(lanes_[field] + i); });
+        } else {
+            return rig_;
+        }
     }
     // Takes lanes off a list; from then on `real_` says which of them are no padding.
     HWY_ATTR Index take(Crossings& list) {
@@ -126,9 +149,9 @@ class Kernel {
     }
     // The flow of a stretch of flight, and its end. With a cubic spring no stretch is longer than a step.
     HWY_INLINE Matrix2 flown(const Cells& cells, V length) const {
-        return cubic ? soon_flow(rig_, cells, length) : flight_flow(rig_, cells, length);
+        return cubic ? soon_flow(cells, length) : flight_flow(cells, length);
     }
-    HWY_INLINE static Moment end_of(const Flight& flight, V length) {
+    HWY_INLINE static Moment end_of(const Flight<Cells>& flight, V length) {
         return cubic ? flight.soon(length) : flight.at(length);
     }
     // An elastic stop lets go at delta = 0, give or take a rounding error.
@@ -147,7 +170,8 @@ class Kernel {
                          Mask which);
     HWY_ATTR void hold(const Cells& cells, V delta, V velocity, Mask which, Queue& held);
 
-    const Rig& rig_;
+    struct None {};
+    std::conditional_t<own, None, const Rig&> rig_;
     const Grid& grid_;
     const Lanes& lanes_;
     Queues& queues_;
@@ -158,15 +182,16 @@ class Kernel {
 };
 
 // How far the flights of a vector of lanes swing, and the margin that their bound keeps.
-template <bool measure, bool jacobian, bool cubic>
-HWY_INLINE V Kernel<measure, jacobian, cubic>::begin_flight(std::size_t i, V delta, V velocity) const {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, V delta, V velocity) const {
+    const auto& rig = rig_at(i);
     const V gap = load(lanes_[Field::gap] + i);
     const V eta = load(lanes_[Field::frequency] + i);
     const V static_position = cubic ? load(lanes_[Field::static_position] + i) : -gap;
     const V x = delta - static_position - load(lanes_[Field::flight_im] + i);
     const V v = neg_mul_add(eta, load(lanes_[Field::flight_re] + i), velocity);
-    const V inverse_rate = cubic ? all(1) / load(lanes_[Field::flight_rate] + i) : all(1 / rig_.flight_rate);
-    const V quadrature = mul_add(all(rig_.damping_ratio), x, v) * inverse_rate;
+    const V inverse_rate = cubic ? all(1) / load(lanes_[Field::flight_rate] + i) : all(1 / rig.flight_rate);
+    const V quadrature = mul_add(all(rig.damping_ratio), x, v) * inverse_rate;
     const V amplitude = sqrt(mul_add(x, x, quadrature * quadrature));
     const V square = eta * eta;
     const V stiff = cubic ? load(lanes_[Field::flight_square] + i) : all(1);
@@ -176,8 +201,8 @@ HWY_INLINE V Kernel<measure, jacobian, cubic>::begin_flight(std::size_t i, V del
 }
 
 // All lanes at forcing phase 0, sorted by phase.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
     const V zero = all(0);
     queues_.twin.size = 0;
     next_ = 0;
@@ -189,7 +214,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
         store(delta, lanes_[Field::start_delta] + i);
         store(velocity, lanes_[Field::start_velocity] + i);
 
-        const V force = mul_add(all(rig_.stiffness), delta, all(rig_.damping) * velocity);
+        const auto& rig = rig_at(i);
+        const V force = mul_add(all(rig.stiffness), delta, all(rig.damping) * velocity);
         const Mask at_stop = delta == zero;
         const Mask flight = (delta < zero) | (at_stop & (velocity <= zero));
         const Mask contact = ~flight & ((force > zero) | at_stop);
@@ -232,8 +258,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::begin() {
 }
 
 // Closes the last leg of each lane.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::finish() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::finish() {
     const V zero = all(0);
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_[Field::impacts] + i);
@@ -250,9 +276,10 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::finish() {
                 store(choose(flies, max(largest, bound), largest), lanes_[Field::largest_displacement] + i);
             }
             if constexpr (jacobian) {
-                const Matrix2 f = flow(sine_cosine(all(rig_.flight_rate) * duration),
-                                       exp_of(all(-rig_.damping_ratio) * duration), all(rig_.damping_ratio),
-                                       all(1), all(1 / rig_.flight_rate));
+                const auto& rig = rig_at(i);
+                const Matrix2 f = flow(sine_cosine(all(rig.flight_rate) * duration),
+                                       exp_of(all(-rig.damping_ratio) * duration), all(rig.damping_ratio),
+                                       all(1), all(1 / rig.flight_rate));
                 const Matrix2 j = load_jacobian(lanes_, i);
                 store_jacobian(choose(flies, f * j, j), lanes_, i);
             }
@@ -262,10 +289,20 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::finish() {
 
 template <bool cubic>
 HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    if (wanted.measure && wanted.jacobian) return Kernel<true, true, cubic>(rig, grid, lanes, queues).run();
-    if (wanted.measure) return Kernel<true, false, cubic>(rig, grid, lanes, queues).run();
-    if (wanted.jacobian) return Kernel<false, true, cubic>(rig, grid, lanes, queues).run();
-    return Kernel<false, false, cubic>(rig, grid, lanes, queues).run();
+    constexpr bool own = false;
+    if (wanted.measure && wanted.jacobian)
+        return Kernel<true, true, cubic, own>(rig, grid, lanes, queues).run();
+    if (wanted.measure) return Kernel<true, false, cubic, own>(rig, grid, lanes, queues).run();
+    if (wanted.jacobian) return Kernel<false, true, cubic, own>(rig, grid, lanes, queues).run();
+    return Kernel<false, false, cubic, own>(rig, grid, lanes, queues).run();
+}
+
+// Of lanes with rigs of their own, the Jacobian always: who wants only states has one rig.
+template <bool cubic>
+HWY_ATTR void run_own_kernel(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    constexpr bool own = true;
+    if (wanted.measure) return Kernel<true, true, cubic, own>(grid, lanes, queues).run();
+    return Kernel<false, true, cubic, own>(grid, lanes, queues).run();
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

@@ -13,9 +13,9 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The hammer is at the stop at the grid point, and waits for the kick there.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::hold(const Cells& cells, V delta, V velocity, Mask which,
-                                                     Queue& held) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hold(const Cells& cells, V delta, V velocity, Mask which,
+                                                          Queue& held) {
     if (!any(which)) return;
     const auto point = static_cast<std::size_t>(until_);
     const Moment m{delta, velocity, all(grid_.sine[point]), all(grid_.cosine[point])};
@@ -24,18 +24,18 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::hold(const Cells& cells, V delta
 }
 
 // `part` of a whole kick of those at the stop.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(double part) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::kick_held(double part) {
     kick_held(queues_.held_contacts, queues_.contacts, true, part);
     kick_held(queues_.held_releases, queues_.releases, false, part);
 }
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& ready, bool pressed,
-                                                          double part) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::kick_held(Queue& held, Queue& ready, bool pressed,
+                                                               double part) {
     while (held.size > 0) {
         const Waiting w = take(held);
         const Cells cells = cells_of(w.lanes);
-        const Kick kick(all(part * rig_.cubic) * cells.step, cells.gap, w.moment.delta);
+        const Kick kick(all(part * cells.rig.cubic) * cells.step, cells.gap, w.moment.delta);
         const V velocity = w.moment.velocity - kick.speed;
         if constexpr (jacobian) {
             const Matrix2 j = kicked(gather_jacobian(lanes_, w.lanes), kick.slope);
@@ -43,7 +43,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
             scatter(j.e11, lanes_[Field::jacobian_11], w.lanes);
         }
         // a kick that made the force change its sign would be an event
-        const V force = mul_add(all(rig_.stiffness), w.moment.delta, all(rig_.damping) * velocity);
+        const V force = mul_add(all(cells.rig.stiffness), w.moment.delta, all(cells.rig.damping) * velocity);
         const Mask presses = force > all(0);
         const Mask same = (w.moment.delta >= all(0)) & (pressed ? presses : ~presses);
         leave_to_twin(cells, ~same);
@@ -53,15 +53,15 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::kick_held(Queue& held, Queue& re
 }
 
 // The half kick at the cycle's end.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::finish_kicks() {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::finish_kicks() {
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_[Field::impacts] + i);
         store(choose(impacts > all(0), all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);
         const Mask flies = load(lanes_[Field::next] + i) <= all(steps_);
         const V delta = load(lanes_.delta(next_) + i);
-        const Kick kick(all(rig_.cubic / 2) * load(lanes_[Field::step] + i), load(lanes_[Field::gap] + i),
-                        delta);
+        const Kick kick(all(0.5 * rig_at(i).cubic) * load(lanes_[Field::step] + i),
+                        load(lanes_[Field::gap] + i), delta);
         const V velocity = load(lanes_.velocity(next_) + i);
         const V kicked_velocity = velocity - kick.speed;
         store(choose(flies, kicked_velocity, velocity), lanes_.velocity(next_) + i);

@@ -71,6 +71,12 @@ enum class Field : std::uint8_t {
     jacobian_01,
     jacobian_10,
     jacobian_11,
+
+    // The cell's rig, where rigs differ.
+    damping_ratio,
+    cubic,
+    stiffness,
+    damping,
 };
 constexpr std::size_t index_of(Field field) {
     return static_cast<std::size_t>(field);
@@ -79,13 +85,14 @@ constexpr Field after(Field field, std::size_t places) {
     return static_cast<Field>(index_of(field) + places);
 }
 constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
+constexpr std::size_t fields_with_rigs = index_of(Field::damping) + 1;
 // Those that don't change from cycle to cycle: the first of them depend on the gap always.
 constexpr std::size_t gap_fields = index_of(Field::frequency);
 constexpr std::size_t cell_fields = index_of(Field::delta_0);
 
 struct Lanes {
     std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
-    std::array<double*, fields> arrays{};
+    std::array<double*, fields_with_rigs> arrays{};
     std::uint64_t* pattern = nullptr;  // of the cycle's events
 
     double* operator[](Field field) const { return arrays[index_of(field)]; }

@@ -20,8 +20,7 @@ struct Sought {
     Mask found;
     Mask unsure;
 };
-template <bool cubic>
-HWY_INLINE Sought seek(const Cells& cells, const Contact<cubic>& contact, int order, V sign, V from,
+HWY_INLINE Sought seek(const auto& cells, const auto& contact, int order, V sign, V from,
                        const ContactPoint& start, V end, Mask which) {
     const V zero = all(0);
     const V w = cells.contact_frequency;
@@ -95,8 +94,7 @@ HWY_INLINE Sought seek(const Cells& cells, const Contact<cubic>& contact, int or
 
 // Largest force of a contact up to its end: its maxima one after another, for as long as what is left of the
 // transient could still exceed the largest seen (as in trajectory/largest_value.hpp).
-template <bool cubic>
-HWY_INLINE Peak long_peak(const Cells& cells, const Contact<cubic>& contact, V end, Mask which) {
+HWY_INLINE Peak long_peak(const auto& cells, const auto& contact, V end, Mask which) {
     const V highest = contact.static_force() + contact.force_swing();
     V time = all(0);
     ContactPoint point = contact.start();

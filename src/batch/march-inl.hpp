@@ -15,14 +15,16 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // From grid point n to the next.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::step(int n) {
     next_ = 1 - next_;
     real_ = every();
     const auto point = static_cast<std::size_t>(n);
     const Forced forced{all(grid_.sine[point]), all(grid_.cosine[point])};
     const V here = all(n);
-    const V cubic_part = all(n == 0 ? rig_.cubic / 2 : rig_.cubic);  // of it that acts in this kick
+    const double part = n == 0 ? 0.5 : 1;  // of the cubic that acts in this kick
+    V cubic_part = all(0);
+    if constexpr (cubic && !own) cubic_part = all(part * rig_.cubic);
     const Lanes lanes = lanes_;  // so that the compiler knows that no store changes them
     const std::size_t size = in_vectors(lanes.size);
     for (std::size_t word = 0; word < size; word += 64) {
@@ -30,6 +32,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
         for (std::size_t i = word; i < std::min(word + 64, size); i += width()) {
             const Mask active = load(lanes[Field::next] + i) <= here;
             V kick_slope = all(0);
+            if constexpr (cubic && own) cubic_part = all(part * rig_at(i).cubic);
             if constexpr (cubic) kick_slope = kick(lanes, i, active, cubic_part);
             const Flags these = fly(lanes, i, active, forced, kick_slope);
             flags.rises |= these.rises << (i - word);
@@ -40,9 +43,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic>::step(int n) {
 }
 
 // Kicks a vector of lanes, and gives the kick's derivative by delta.
-template <bool measure, bool jacobian, bool cubic>
-HWY_INLINE V Kernel<measure, jacobian, cubic>::kick(const Lanes& lanes, std::size_t i, Mask active,
-                                                    V cubic_part) const {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_INLINE V Kernel<measure, jacobian, cubic, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
+                                                         V cubic_part) const {
     const Kick kick(cubic_part * load(lanes[Field::step] + i), load(lanes[Field::gap] + i),
                     load(lanes.delta(1 - next_) + i));
     double* velocity = lanes.velocity(1 - next_) + i;
@@ -54,9 +57,9 @@ HWY_INLINE V Kernel<measure, jacobian, cubic>::kick(const Lanes& lanes, std::siz
 }
 
 // One step of flight of a vector of lanes, and its flag test.
-template <bool measure, bool jacobian, bool cubic>
-HWY_INLINE Flags Kernel<measure, jacobian, cubic>::fly(const Lanes& lanes, std::size_t i, Mask active,
-                                                       const Forced& forced, V kick_slope) const {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, std::size_t i, Mask active,
+                                                            const Forced& forced, V kick_slope) const {
     const V x0 = load(lanes.delta(1 - next_) + i);
     const V v0 = load(lanes.velocity(1 - next_) + i);
     const V margin = load(lanes[Field::margin] + i);
@@ -96,8 +99,8 @@ HWY_INLINE Flags Kernel<measure, jacobian, cubic>::fly(const Lanes& lanes, std::
 }
 
 // Those of up to 64 lanes that events stop in the step after grid point n.
-template <bool measure, bool jacobian, bool cubic>
-HWY_ATTR void Kernel<measure, jacobian, cubic>::enqueue(std::size_t first_lane, int n, Flags flags) {
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
     const auto lane_of = [&](std::uint64_t left) {
         return first_lane + static_cast<std::size_t>(std::countr_zero(left));
     };

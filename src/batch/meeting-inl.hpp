@@ -16,7 +16,7 @@ struct Meeting {
     V time;     // from now
     Mask sure;  // the series resolves it
 };
-HWY_INLINE Meeting meet(const Cells& cells, const Rise& rise) {
+HWY_INLINE Meeting meet(const auto& cells, const Rise& rise) {
     const V inverse = all(1) / rise.slope;
     const V first = -rise.value * inverse;
     const V second = rise.second * inverse * all(0.5);
@@ -31,7 +31,7 @@ HWY_INLINE Meeting meet(const Cells& cells, const Rise& rise) {
     return {t, (reach < all(1e-3)) & (rise.slope > all(0))};
 }
 // At the stop, delta = 0.
-HWY_INLINE Moment meeting_moment(const Cells& cells, const Moment& m, const Derivatives& d, V t) {
+HWY_INLINE Moment meeting_moment(const auto& cells, const Moment& m, const Derivatives& d, V t) {
     const V high = mul_add(t * all(1.0 / 6), d.fourth, d.third * all(0.5));
     const V x = cells.eta * t;
     const V z = x * x;
@@ -49,8 +49,7 @@ struct Found {
 };
 
 // A flight that starts below zero and ends a step of the grid later above it.
-HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start, V delta1, V velocity1,
-                        V margin) {
+HWY_INLINE Found strike(const auto& cells, const Moment& start, V delta1, V velocity1, V margin) {
     // guess: Newton's method on the cubic through both ends
     const V h = cells.step;
     const V rise = delta1 - start.delta;
@@ -69,16 +68,16 @@ HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start,
         s = min(max(s + halley, all(0)), all(1));
     }
 
-    const Flight flight(rig, cells, start);
+    const Flight flight(cells, start);
     V time = s * h;
     Moment m = flight.soon(time);
-    Derivatives d = derivatives(rig, cells, m);
+    Derivatives d = derivatives(cells, m);
     Meeting meeting = meet(cells, rise_of_position(m, d));
     for (int n = 0; n < 3 && !everywhere(meeting.sure); ++n) {
         const V again = min(max(time + meeting.time, all(0)), h);
         time = choose(meeting.sure, time, again);
         m = flight.soon(time);
-        d = derivatives(rig, cells, m);
+        d = derivatives(cells, m);
         const Meeting next = meet(cells, rise_of_position(m, d));
         meeting = {choose(meeting.sure, meeting.time, next.time), meeting.sure | next.sure};
     }
@@ -100,10 +99,10 @@ HWY_INLINE Found strike(const Rig& rig, const Cells& cells, const Moment& start,
 // and the bound on what bends it. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later, where
 // it is zero.
 template <class RiseOf, class Land>
-HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V length, V fourth_derivative,
-                      Mask which, RiseOf rise_of, Land land) {
+HWY_INLINE Found seek(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which,
+                      RiseOf rise_of, Land land) {
     const V zero = all(0);
-    const Flight flight(rig, cells, start);
+    const Flight flight(cells, start);
     V time = zero;
     Moment m = start;
     V end_time = zero;
@@ -112,7 +111,7 @@ HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V
     Mask found = none();
     Mask unsure = none();
     for (int n = 0; n < 40; ++n) {
-        const Derivatives d = derivatives(rig, cells, m);
+        const Derivatives d = derivatives(cells, m);
         const Rise s = rise_of(m, d);
         const V below = min(s.value, zero);
         // the parabola's root for a window, or `otherwise` where it has none
@@ -158,23 +157,21 @@ HWY_INLINE Found seek(const Rig& rig, const Cells& cells, const Moment& start, V
     return {end_time, end, found, unsure | active};
 }
 // The hammer's next touch.
-HWY_INLINE Found seek_touch(const Rig& rig, const Cells& cells, const Moment& start, V length,
-                            V fourth_derivative, Mask which) {
+HWY_INLINE Found seek_touch(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which) {
     return seek(
-        rig, cells, start, length, fourth_derivative, which,
+        cells, start, length, fourth_derivative, which,
         [](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
         [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
 }
 // From where the stop doesn't press: the next moment at which it would, if it is still reached.
-HWY_INLINE Found seek_force(const Rig& rig, const Cells& cells, const Moment& start, V length,
-                            V fourth_derivative, Mask which) {
-    const V fourth = fourth_derivative * mul_add(all(rig.lag), max(cells.eta, cells.frequency), all(1));
+HWY_INLINE Found seek_force(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which) {
+    const V fourth = fourth_derivative * mul_add(all(cells.rig.lag), max(cells.eta, cells.frequency), all(1));
     return seek(
-        rig, cells, start, length, fourth, which,
-        [&](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_force(rig, cells, m, d); },
+        cells, start, length, fourth, which,
+        [&](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_force(cells, m, d); },
         [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR {
             const Moment end = meeting_moment(cells, m, d, t);
-            return Moment{all(-rig.lag) * end.velocity, end.velocity, end.sine, end.cosine};
+            return Moment{all(-cells.rig.lag) * end.velocity, end.velocity, end.sine, end.cosine};
         });
 }
 

@@ -27,8 +27,7 @@ struct Release {
 
 // End of a contact whose force is surely like the unforced one's (see rig.hpp). pull: acceleration by forcing
 // over speed, over pull_scale.
-template <bool cubic>
-HWY_INLINE Release short_release(const Rig& rig, const Contact<cubic>& contact, V pull, Mask which) {
+HWY_INLINE Release short_release(const Rig& rig, const auto& contact, V pull, Mask which) {
     const V close = all(2.5e-3 / rig.contact_frequency);  // its fifth power, over 120, is left out
     const V earliest = all(rig.falls_from - rig.exit_time);
     const V latest = all(rig.latest_exit - rig.exit_time);
@@ -58,8 +57,7 @@ struct ShortPeak {
 };
 
 // Largest force of such a contact.
-template <bool cubic>
-HWY_INLINE ShortPeak short_peak(const Rig& rig, const Contact<cubic>& contact, V pull, Mask which) {
+HWY_INLINE ShortPeak short_peak(const Rig& rig, const auto& contact, V pull, Mask which) {
     const Force first = contact.force(contact.start());
     if (rig.falls_from == 0) return {first.value, all(0), every()};
     const Mask falls = first.slope <= all(0);

@@ -69,8 +69,8 @@ struct Track {
         jacobian_now = choose(where, f * jacobian_now, jacobian_now);
     }
     // The force jumps by chi v.
-    HWY_INLINE void jump(double damping, Mask where) {
-        const Matrix2 after = kicked(jacobian_now, all(damping));
+    HWY_INLINE void jump(V damping, Mask where) {
+        const Matrix2 after = kicked(jacobian_now, damping);
         jacobian_now.e10 = choose(where, after.e10, jacobian_now.e10);
         jacobian_now.e11 = choose(where, after.e11, jacobian_now.e11);
     }

@@ -51,6 +51,10 @@ HWY_INLINE V all(double x) {
     const auto one = hn::Set(Tag(), x);
     return {one, one};
 }
+// So that the same words serve a number of all lanes and one of each.
+HWY_INLINE V all(V x) {
+    return x;
+}
 HWY_INLINE V load(const double* from) {
     return {hn::LoadU(Tag(), from), hn::LoadU(Tag(), from + half())};
 }
@@ -135,8 +139,14 @@ HWY_INLINE V operator-(V x, V y) {
 HWY_INLINE V operator*(V x, V y) {
     return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)};
 }
+HWY_INLINE V operator*(double x, V y) {
+    return all(x) * y;
+}
 HWY_INLINE V operator/(V x, V y) {
     return {hn::Div(x.a, y.a), hn::Div(x.b, y.b)};
+}
+HWY_INLINE V operator/(double x, V y) {
+    return all(x) / y;
 }
 HWY_INLINE V operator-(V x) {
     return {hn::Neg(x.a), hn::Neg(x.b)};

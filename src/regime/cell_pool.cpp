@@ -18,8 +18,6 @@ constexpr std::size_t capacity = 128;
 // A group waits until it has so many, of those that go several cycles at once so many.
 constexpr std::size_t enough_near = 64;
 constexpr std::size_t enough_far = 128;
-// Of lines with rigs of their own: more only bring more small groups, whose batches leave the cache.
-constexpr std::size_t most_of_lines = 64;
 constexpr std::size_t most_in_hand = 768;  // with all that wait
 constexpr std::size_t most_alone = 32;     // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
@@ -48,8 +46,11 @@ struct CellPool::Cell : Reused {
 };
 
 struct CellPool::Group {
-    Group(const Request& its_request, const scene::Oscillator<double>& its_rig, const Batch& batch)
-        : request(its_request), kind(batch), rig(its_rig), map(rig, few_cells, batch.steps, batch.springs) {}
+    Group(const Request& its_request, const scene::Oscillator<double>& rig, const Batch& batch)
+        : request(its_request), kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
+    // Of cells with rigs of their own.
+    Group(const Request& its_request, const Batch& batch)
+        : request(its_request), kind(batch), map(few_cells, batch.steps, batch.springs) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
@@ -106,7 +107,6 @@ struct CellPool::Group {
 
     Request request;
     Batch kind;
-    scene::Oscillator<double> rig;  // that its lanes share
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
     // Of several cycles: those of a slot side by side, and largest values over them.
@@ -118,16 +118,10 @@ struct CellPool::Group {
 };
 
 CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
-    : scene_(scene),
-      rigs_(scene::rigs_of(scene)),
-      known_(known),
-      take_(std::move(take)),
-      findings_(findings),
-      free_(scene) {}
+    : scene_(scene), known_(known), take_(std::move(take)), findings_(findings), free_(scene) {}
 CellPool::~CellPool() = default;
 
 bool CellPool::has_room() const {
-    if (rigs_ == scene::Rigs::of_lines) return in_hand_ < most_of_lines;
     if (alone_.size() >= most_alone || in_hand_ >= most_in_hand) return false;
     std::size_t waiting = 0;
     for (const Group& group : groups_) {
@@ -179,11 +173,11 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 CellPool::Group& CellPool::group_for(const Cell& cell) {
     const Request request = cell.request();
     const auto suits = [&](const Group& group) {
-        return group.request == request && group.kind == *cell.batch &&
-               (rigs_ == scene::Rigs::one || scene::same_rig(group.rig, cell.desk.oscillator()));
+        return group.request == request && group.kind == *cell.batch;
     };
     const auto found = std::ranges::find_if(groups_, suits);
     if (found != groups_.end()) return *found;
+    if (scene_.rigs_differ()) return groups_.emplace_back(request, *cell.batch);
     return groups_.emplace_back(request, cell.desk.oscillator(), *cell.batch);
 }
 
@@ -191,7 +185,7 @@ CellPool::Group& CellPool::group_for(const Cell& cell) {
 void CellPool::enter(std::unique_ptr<Cell> cell) {
     if (cell->engine != cell->desk.engines_used()) {
         cell->engine = cell->desk.engines_used();
-        cell->batch = rigs_ == scene::Rigs::of_cells ? std::nullopt : batch_of(cell->desk);
+        cell->batch = batch_of(cell->desk);
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
@@ -203,12 +197,15 @@ void CellPool::enter(std::unique_ptr<Cell> cell) {
 void CellPool::enqueue(std::unique_ptr<Cell> cell) {
     const scene::Oscillator<double>& oscillator = cell->desk.oscillator();
     Group& group = group_for(*cell);
-    group.map.add(oscillator.frequency, oscillator.gap, cell->desk.order().from);
+    if (scene_.rigs_differ()) {
+        group.map.add(oscillator, cell->desk.order().from);
+    } else {
+        group.map.add(oscillator.frequency, oscillator.gap, cell->desk.order().from);
+    }
     put_in(group, std::move(cell));
 }
 
 void CellPool::step() {
-    if (rigs_ == scene::Rigs::of_lines) return step_of_lines();
     bool waits = true;
     for (Group& group : groups_) {  // on the way more may be appended
         if (!group.is_full()) continue;
@@ -220,15 +217,6 @@ void CellPool::step() {
     const auto most =
         std::ranges::max_element(groups_, {}, [](const Group& group) { return group.cells.size(); });
     if (most != groups_.end() && !most->cells.empty()) advance(*most);
-}
-
-// There are many groups, one or more for each line, and none of them becomes large: waiting doesn't pay.
-void CellPool::step_of_lines() {
-    if (!alone_.empty()) return serve_alone();
-    for (Group& group : groups_) {  // on the way more may be appended
-        if (!group.cells.empty()) advance(group);
-    }
-    groups_.remove_if([](const Group& group) { return group.cells.empty(); });
 }
 
 void CellPool::advance(Group& group) {

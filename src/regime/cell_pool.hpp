@@ -22,7 +22,6 @@
 #include "regime/cycle_desk.hpp"
 #include "regime/free_cells.hpp"
 #include "regime/scalar_engine.hpp"
-#include "scene/rigs.hpp"
 #include "scene/scene.hpp"
 #include "support/task.hpp"
 
@@ -65,7 +64,7 @@ class CellPool {
     struct Cell;
     struct Group;  // a batch and the cells in it
 
-    // What all cells of a batch share.
+    // What all cells of a batch share, besides the rig where there is one.
     struct Batch {
         batch::Springs springs;
         int steps;  // per cycle
@@ -84,7 +83,6 @@ class CellPool {
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
-    void step_of_lines();
     void move(Group& from, std::size_t slot);
     std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
     std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
@@ -92,7 +90,6 @@ class CellPool {
     void finish(const Cell& cell);
 
     const scene::Scene& scene_;
-    const scene::Rigs rigs_;
     const AttractorTable& known_;
     Take take_;
     Findings findings_;

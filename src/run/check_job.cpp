@@ -17,7 +17,6 @@
 #include "run/price.hpp"
 #include "run/run_plan.hpp"
 #include "run/traced_cell.hpp"
-#include "scene/rigs.hpp"
 #include "scene/scene.hpp"
 #include "study/topic.hpp"
 #include "support/readable.hpp"
@@ -58,13 +57,10 @@ std::string branches_text(const job::Job& job) {
 // Of a job whose cells have springs, dampers or stops of their own.
 std::string rigs_text(const job::Job& job) {
     if (job.kind == job::Kind::sweep) return "";
-    const scene::Rigs rigs = scene::rigs_of(scene::Scene(job));
-    if (rigs == scene::Rigs::one) return "";
-    const bool of_lines = rigs == scene::Rigs::of_lines;
-    return fmt::format(
-        "#   rigs     {}: a cycle takes about {} times as long as in a map with one rig\n",
-        of_lines ? "each line of cells has its own" : "each cell has its own and is solved alone",
-        of_lines ? 5 : 8);
+    if (!scene::Scene(job).rigs_differ()) return "";
+    return "#   rigs     cells have their own: a cycle takes about twice as long as in a map with one rig, "
+           "where stops "
+           "don't swing ten times\n";
 }
 
 // Of a basin that has the rig and the place of a cell of a map.

@@ -81,6 +81,22 @@ void compare(const Twin& twin, const scene::State<double>& x, const batch::Batch
     result.bound_too_high = std::max(result.bound_too_high, bound / totals.displacement_bound - 1);
 }
 
+// So many cycles of cells that are in the batch.
+template <class Cell>
+Comparison compare_cycles(batch::BatchedCycleMap& map, const std::vector<Twin>& twins, std::vector<Cell>& cells,
+                          int cycles) {
+    Comparison result;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+        map.advance({.measure = true, .jacobian = true});
+        for (std::size_t n = 0; n < cells.size(); ++n) {
+            compare(twins[n], cells[n].state, map, n, result);
+            cells[n].state = map.state(n);
+        }
+    }
+    result.left_to_twin = map.left_to_twin();
+    return result;
+}
+
 }  // namespace
 
 std::vector<BatchCell> random_cells(unsigned seed, std::size_t count, double least_frequency,
@@ -114,16 +130,17 @@ Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<B
         oscillator.gap = cells[n].gap;
         twins.push_back(twin_of(oscillator, grid));
     }
-    Comparison result;
-    for (int cycle = 0; cycle < cycles; ++cycle) {
-        map.advance({.measure = true, .jacobian = true});
-        for (std::size_t n = 0; n < cells.size(); ++n) {
-            compare(twins[n], cells[n].state, map, n, result);
-            cells[n].state = map.state(n);
-        }
+    return compare_cycles(map, twins, cells, cycles);
+}
+
+Comparison compare_with_twin(std::vector<OwnRigCell> cells, const BatchGrid& grid, int cycles) {
+    batch::BatchedCycleMap map(cells.size(), grid.steps_per_cycle, grid.springs);
+    std::vector<Twin> twins;
+    for (const OwnRigCell& cell : cells) {
+        map.add(cell.oscillator, cell.state);
+        twins.push_back(twin_of(cell.oscillator, grid));
     }
-    result.left_to_twin = map.left_to_twin();
-    return result;
+    return compare_cycles(map, twins, cells, cycles);
 }
 
 }  // namespace peterka::testing

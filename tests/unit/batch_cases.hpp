@@ -54,4 +54,11 @@ struct BatchGrid {
 Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<BatchCell> cells,
                              const BatchGrid& grid, int cycles);
 
+// The same of cells with rigs of their own.
+struct OwnRigCell {
+    scene::Oscillator<double> oscillator;
+    scene::State<double> state;
+};
+Comparison compare_with_twin(std::vector<OwnRigCell> cells, const BatchGrid& grid, int cycles);
+
 }  // namespace peterka::testing
