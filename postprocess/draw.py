@@ -14,7 +14,8 @@ gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which m
 (share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
-curves, --curves, tells at its gaps, which are listed, too. The points of --measured lie over these three, and over
+curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them. A file of curves gives
+STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap. The points of --measured lie over these three, and over
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
@@ -54,6 +55,7 @@ from peterka.sweeps import residuals  # noqa: E402
 from peterka.sweeps.borders import NO_BORDERS, read_borders  # noqa: E402
 from peterka.sweeps.borders import table as table_of_borders  # noqa: E402
 from peterka.sweeps.sweep_file import SweepFile  # noqa: E402
+from peterka.sweeps.unstable import NO_UNSTABLE, read_unstable  # noqa: E402
 
 
 def main() -> int:
@@ -117,13 +119,16 @@ def draw_file(path: Path, arguments: argparse.Namespace) -> None:
         if measured.points:
             tell_residuals(file, measured.points)
         borders = read_borders(arguments.curves, file) if arguments.curves else NO_BORDERS
+        unstable = NO_UNSTABLE
         if borders:
             assert isinstance(file, SweepFile)
+            unstable = read_unstable(arguments.curves, file, borders)
             for line in table_of_borders(file, borders):
                 tell(line)
         if file.computed < 1:
             tell(f"{path}: {axes.incomplete_text(file)}")
-        for name, draw in chosen(file, pictures_of(file, arguments.after, measured, borders), arguments.only).items():
+        pictures = pictures_of(file, arguments.after, measured, borders, unstable)
+        for name, draw in chosen(file, pictures, arguments.only).items():
             drawn = draw(file)
             if drawn is None:
                 tell(f"{path}: no value to draw, {name} is left out")

@@ -10,10 +10,10 @@ from typing import Any
 
 from .files.opened import OpenedFile, Source
 from .maps import (
-    attractor_maps, audit_map, basin_map, computed_map, curves_map, force_map, last_impact, number_map, peterka_map,
-    quantity_map,
+    attractor_maps, audit_map, basin_map, computed_map, curves_map, edge_distance_map, force_map, last_impact, number_map,
+    peterka_map, quantity_map,
 )
-from .maps.curves_file import CurvesFile
+from .maps.curves_file import CurvesFile, UnstableBranch
 from .maps.map_file import PeterkaFile
 from .measurements.points import NOTHING_MEASURED, Measurements
 from .studies import labels, stability, work_precision
@@ -21,6 +21,7 @@ from .studies.study_file import StudyFile
 from .sweeps import bifurcation, response
 from .sweeps.borders import NO_BORDERS, Border
 from .sweeps.sweep_file import SweepFile
+from .sweeps.unstable import NO_UNSTABLE
 from .traces import impact, motion, phase_plane, relative_plane, spectrum
 from .traces.trace_file import TraceFile
 
@@ -49,6 +50,7 @@ def _has_share(name: str) -> Callable[[Any], bool]:
 
 
 PLANES = ("map", "basin")
+OVER_SWEEPS = ("measured", "borders", "unstable")
 PICTURES = [
     Row("map", ("map",), peterka_map.draw, takes=("measured",)),
     Row("force_1_1", ("map",), force_map.draw_single_impact, takes=("measured",)),
@@ -72,11 +74,11 @@ PICTURES = [
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
-    Row("response", ("sweep",), response.draw, takes=("measured", "borders")),
-    Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"),
-        takes=("measured", "borders")),
-    Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"),
-        takes=("measured", "borders")),
+    *(Row(f"edge_distance_{word}", ("curves",), partial(edge_distance_map.draw, side=side), lambda file: file.has_edge_distance)
+      for side, (word, *_) in edge_distance_map.SIDES.items()),
+    Row("response", ("sweep",), response.draw, takes=OVER_SWEEPS),
+    Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=OVER_SWEEPS),
+    Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=OVER_SWEEPS),
     Row("motion", ("trace",), motion.draw),
     Row("phase_plane", ("trace",), phase_plane.draw),
     Row("relative_plane", ("trace",), relative_plane.draw_motion),
@@ -103,9 +105,11 @@ def picture_name(file: OpenedFile, name: str) -> str:
 
 
 def pictures_of(file: OpenedFile, cycles: int = 300, measured: Measurements = NOTHING_MEASURED,
-                borders: Sequence[Border] = NO_BORDERS) -> dict[str, Callable]:
+                borders: Sequence[Border] = NO_BORDERS,
+                unstable: Sequence[UnstableBranch] = NO_UNSTABLE) -> dict[str, Callable]:
     """{name: draw(file, ax=None)} of all pictures of an open file, each of which may still find nothing to draw. `cycles`:
-    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map, `borders` over those of a sweep."""
-    options = {"cycles": cycles, "measured": measured, "borders": borders}
+    of a short run, whose view of a basin is drawn; `measured`: points over the pictures of a sweep or map, `borders` and `unstable` orbits
+    over those of a sweep."""
+    options = {"cycles": cycles, "measured": measured, "borders": borders, "unstable": unstable}
     return {row.name.format(**options): partial(row.draw, **{name: options[name] for name in row.takes})
             for row in PICTURES if file.kind in row.kinds and row.has(file)}

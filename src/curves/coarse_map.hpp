@@ -40,26 +40,34 @@ class CoarseMap {
     [[nodiscard]] std::int64_t rows() const { return scene_->rows(); }
     [[nodiscard]] std::int64_t columns() const { return scene_->columns(); }
     [[nodiscard]] std::int64_t count() const { return rows() * columns(); }
-    [[nodiscard]] const Site& site(std::int64_t cell) const { return sites_[static_cast<std::size_t>(cell)]; }
+    [[nodiscard]] const Site& site(std::int64_t cell) const {
+        return sites_[static_cast<std::size_t>(cell)].front();
+    }
+    // The same, and the periodic motions on which other starts of the cell end, where the job has [starts].
+    [[nodiscard]] const std::vector<Site>& sites(std::int64_t cell) const {
+        return sites_[static_cast<std::size_t>(cell)];
+    }
     [[nodiscard]] Place place(std::int64_t cell) const;
-    // The orbit of a cell; none where the equations have no stable one next to it.
-    [[nodiscard]] std::optional<OrbitPoint> orbit(const Rig& rig, std::int64_t cell, const Place& window) const;
+    // The orbit of one of a cell's sites; none where the equations have no stable one next to it.
+    [[nodiscard]] std::optional<OrbitPoint> orbit(const Rig& rig, std::int64_t cell, const Place& window,
+                                                  std::size_t site = 0) const;
 
   private:
     static constexpr std::int64_t cells_in_part = 2048;
 
     const scene::Scene* scene_;
-    std::vector<Site> sites_;
+    std::vector<std::vector<Site>> sites_;
 };
 
 // From the cell whose orbit is followed to its neighbour.
 struct Edge {
     std::int64_t from = 0;
     std::int64_t to = 0;
+    std::size_t site = 0;  // of the cell from which it comes; 0 at an edge between labels
 };
 
-// All edges of periodic cells up to a period, each from every side that can be followed, in an order that
-// scatters them over the plane.
+// All edges of periodic cells up to a period, each from every side that can be followed, and those of further
+// motions that the neighbour has not; in an order that scatters them over the plane.
 [[nodiscard]] std::vector<Edge> edges_of(const CoarseMap& map, std::int64_t most_period);
 
 }  // namespace peterka::curves

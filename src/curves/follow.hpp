@@ -2,31 +2,25 @@
 // there is a point of a curve.
 #pragma once
 
+#include <functional>
 #include <optional>
 
-#include "curves/branch_step.hpp"
+#include "curves/seed.hpp"
 
 namespace peterka::curves {
-
-// Stored as int8; the numbers are part of the file format.
-enum class CurveKind : std::int8_t { fold = 0, period_doubling = 1, grazing = 2 };
-
-struct Seed {
-    CurveKind kind = CurveKind::fold;
-    OrbitPoint point;
-};
-
-// What is asked of a point of a curve, besides the equations of its orbit.
-[[nodiscard]] std::vector<Condition> conditions_of(CurveKind kind);
 
 struct Followed {
     bool reached = false;      // the orbit is there and stable as far as it was followed
     std::optional<Seed> seed;  // or what it met before
+    Place last;                // as far as it was followed
 };
+
+// Looks at a step from here to there, as far as its motion goes on; false where it was too long to be trusted.
+using LookAtStep = std::function<bool(const OrbitPoint& here, const OrbitPoint& there, const Place& until)>;
 
 // From a place on, to another; the step's length is a share of the window.
 [[nodiscard]] Followed follow(const Rig& rig, const OrbitPoint& stable, const Place& target,
-                              const Place& window);
+                              const Place& window, const LookAtStep& look = {});
 
 // The orbit through a state at forcing phase 0, if there is one and it is stable.
 [[nodiscard]] std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const Place& place,

@@ -19,6 +19,45 @@ struct Factor {
     Jacobian<double> through;  // up to the end of the leg
 };
 
+// All factors of M scaled as bifurcation() says, and what belongs to them.
+struct Product {
+    std::vector<Factor> factors;
+    Jacobian<double> matrix = Jacobian<double>::Identity();
+    double determinant = 1;  // of M itself
+};
+
+Product product_of(const Rig& rig, const Orbit& orbit, const Place& place, Side side, double speed) {
+    const double duration = duration_of(orbit.period, place);
+    Product product;
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        const Event& event = orbit.events[i];
+        const double length = orbit.length_of_leg(i, duration);
+        Factor factor{product.matrix,
+                      rig.saltation(event, place, side == Side::with_impact, speed),
+                      rig.flow(event.presses, length),
+                      {}};
+        product.matrix = (factor.flow * factor.change.value * factor.before).eval();
+        factor.through = product.matrix;
+        product.factors.push_back(factor);
+        product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
+        if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
+    }
+    return product;
+}
+
+bool strikes(const Rig& rig, const Event& event) {
+    return rig.is_rigid() && event.kind == EventKind::touch;
+}
+
+// The product of all speeds on a rigid stop over `speed`, but for one of them.
+double speeds_without(const Rig& rig, const Orbit& orbit, double speed, std::size_t left_out) {
+    double product = 1;
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        if (strikes(rig, orbit.events[i]) && i != left_out) product *= orbit.events[i].velocity / speed;
+    }
+    return product;
+}
+
 }  // namespace
 
 double Monodromy::multiplier() const {
@@ -50,41 +89,13 @@ Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side
 Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, int sign, Side side) {
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
-    const double duration = duration_of(orbit.period, place);
-    const bool counts = side == Side::with_impact;
     const double speed = std::max(orbit.largest_speed(), place.frequency);
-    const auto strikes = [&](std::size_t i) {
-        return rig.is_rigid() && orbit.events[i].kind == EventKind::touch;
-    };
-    // The product of all speeds on a rigid stop, over the largest one, but for one of them.
-    const auto speeds_without = [&](std::size_t left_out) {
-        double product = 1;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (strikes(i) && i != left_out) product *= orbit.events[i].velocity / speed;
-        }
-        return product;
-    };
-    double determinant = 1;
-    std::vector<Factor> factors;
-    Jacobian<double> up_to_here = Jacobian<double>::Identity();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Event& event = orbit.events[i];
-        Factor factor{up_to_here,
-                      rig.saltation(event, place, counts, speed),
-                      rig.flow(event.presses, orbit.length_of_leg(i, duration)),
-                      {}};
-        up_to_here = (factor.flow * factor.change.value * factor.before).eval();
-        factor.through = up_to_here;
-        factors.push_back(factor);
-        determinant *= std::exp(-2 * rig.damping(event.presses) * orbit.length_of_leg(i, duration));
-        if (event.kind == EventKind::touch) determinant *= rig.determinant_of_touch();
-    }
-    const double speeds = speeds_without(count);
-    Bifurcation result{speeds * (1 + determinant) - sign * up_to_here.trace(),
+    const auto [factors, matrix, determinant] = product_of(rig, orbit, place, side, speed);
+    const double speeds = speeds_without(rig, orbit, speed, count);
+    Bifurcation result{speeds * (1 + determinant) - sign * matrix.trace(),
                        Eigen::VectorXd::Zero(unknowns.size())};
-    const double turn = 2 * std::numbers::pi * static_cast<double>(orbit.period);
-    const double last_longer =
-        -turn / (place.frequency * place.frequency);  // of the last leg, by the frequency
+    // of the last leg, by the frequency
+    const double last_longer = -duration_of(orbit.period, place) / place.frequency;
     Jacobian<double> after = Jacobian<double>::Identity();
     double size = 1;
     for (std::size_t i = count; i-- > 0;) {
@@ -103,10 +114,11 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
         const auto trace_of = [&](const Jacobian<double>& change) {
             return -sign * (after * change * factor.before).trace();
         };
-        if (strikes(i)) {
+        if (strikes(rig, event)) {
             result.gradient[unknowns.time(i)] += trace_of(factor.change.by_time);
             result.gradient[unknowns.velocity(i)] +=
-                trace_of(factor.change.by_velocity) + speeds_without(i) / speed * (1 + determinant);
+                trace_of(factor.change.by_velocity) +
+                speeds_without(rig, orbit, speed, i) / speed * (1 + determinant);
             result.gradient[unknowns.frequency()] += trace_of(factor.change.by_frequency);
             result.gradient[unknowns.gap()] += trace_of(factor.change.by_gap);
         }

@@ -61,7 +61,7 @@ void pack(const Curve& curve, Numbers& to) {
         pack(special.place, to);
     }
     for (const Crossing& crossing : curve.crossings) {
-        pack(crossing.place, to);
+        pack(OrbitPoint{crossing.orbit, crossing.place}, to);
         to.insert(to.end(), {crossing.multiplier, crossing.peak_force});
     }
 }
@@ -89,11 +89,48 @@ Curve unpack_curve(NumberReader& from) {
         special.place = from.place();
     }
     for (Crossing& crossing : curve.crossings) {
-        crossing.place = from.place();
+        const OrbitPoint point = unpack_point(from);
+        crossing.orbit = point.orbit;
+        crossing.place = point.place;
         crossing.multiplier = from.number();
         crossing.peak_force = from.number();
     }
     return curve;
+}
+
+void pack(const UnstableBranch& branch, Numbers& to) {
+    to.insert(to.end(), {branch.gap, as_number(branch.impacts), as_number(branch.period),
+                         as_number(branch.begins), as_number(branch.ends), as_number(branch.points.size())});
+    for (const BranchPoint& point : branch.points) {
+        to.insert(to.end(), {point.frequency, point.multiplier, point.peak_force, point.residual,
+                             as_number(point.at_phase_0.size()), as_number(point.impact_times.size())});
+        for (const State<double>& state : point.at_phase_0) to.insert(to.end(), {state[0], state[1]});
+        to.insert(to.end(), point.impact_times.begin(), point.impact_times.end());
+    }
+}
+
+UnstableBranch unpack_branch(NumberReader& from) {
+    UnstableBranch branch;
+    branch.gap = from.number();
+    branch.impacts = from.integer();
+    branch.period = from.integer();
+    branch.begins = static_cast<BranchEnd>(from.integer());
+    branch.ends = static_cast<BranchEnd>(from.integer());
+    branch.points.resize(static_cast<std::size_t>(from.integer()));
+    for (BranchPoint& point : branch.points) {
+        point.frequency = from.number();
+        point.multiplier = from.number();
+        point.peak_force = from.number();
+        point.residual = from.number();
+        point.at_phase_0.resize(static_cast<std::size_t>(from.integer()));
+        point.impact_times.resize(static_cast<std::size_t>(from.integer()));
+        for (State<double>& state : point.at_phase_0) {
+            state[0] = from.number();
+            state[1] = from.number();
+        }
+        for (double& time : point.impact_times) time = from.number();
+    }
+    return branch;
 }
 
 }  // namespace peterka::curves

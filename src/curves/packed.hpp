@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curves/trace_curve.hpp"
+#include "curves/unstable_branch.hpp"
 
 namespace peterka::curves {
 
@@ -36,5 +37,7 @@ void pack(const Seed& seed, Numbers& to);
 [[nodiscard]] Seed unpack_seed(NumberReader& from);
 void pack(const Curve& curve, Numbers& to);
 [[nodiscard]] Curve unpack_curve(NumberReader& from);
+void pack(const UnstableBranch& branch, Numbers& to);
+[[nodiscard]] UnstableBranch unpack_branch(NumberReader& from);
 
 }  // namespace peterka::curves

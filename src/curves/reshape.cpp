@@ -4,28 +4,13 @@
 #include <cmath>
 
 #include "curves/motion_events.hpp"
+#include "curves/stroboscopic.hpp"
 
 namespace peterka::curves {
 
 namespace {
 
 using EventPlace = std::vector<Event>::const_iterator;
-
-// At forcing phase 0, and in which cycle of the orbit's own count.
-struct Stroboscopic {
-    State<double> state;
-    double time = 0;
-};
-
-Stroboscopic at_phase_0(const Rig& rig, const OrbitPoint& point) {
-    const double cycle = duration_of(1, point.place);
-    const double first = point.orbit.events.front().time;
-    const double time = cycle * std::ceil(first / cycle);
-    std::size_t leg = 0;
-    while (leg + 1 < point.orbit.events.size() && point.orbit.events[leg + 1].time <= time) ++leg;
-    const Event& event = point.orbit.events[leg];
-    return {rig.state_in_leg(event.presses, point.place, event.time, rig.departure(event), time), time};
-}
 
 // The grazing of an orbit among the events of a simulated motion, which may have a weak impact instead.
 bool put_grazing_back(const Event& grazing, double duration, double speed, std::vector<Event>& events) {
@@ -107,7 +92,7 @@ std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& 
 }
 
 std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point) {
-    const Stroboscopic start = at_phase_0(rig, point);
+    const Stroboscopic start = stroboscopic_states(rig, point).front();
     auto orbit = orbit_from(rig, point.place, start.state, point.orbit.period);
     if (!orbit) return std::nullopt;
     for (Event& event : orbit->events) event.time += start.time;

@@ -18,7 +18,8 @@ class CurveSearch {
           rig_(scene.cell(0, 0).oscillator),
           map_(scene),
           most_period_(scene.job().curves.max_period),
-          gaps_(scene.job().curves.gap_ratio) {}
+          gaps_(scene.job().curves.gap_ratio),
+          wants_distances_(scene.job().curves.edge_distance) {}
 
     Findings run() {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
@@ -35,6 +36,8 @@ class CurveSearch {
         count_edges(edges);
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) found_.sites.push_back(map_.site(cell));
         put_in_order();
+        trace_branches();
+        if (wants_distances_) measure_distances();
         return found_;
     }
 
@@ -59,7 +62,7 @@ class CurveSearch {
         const Place a = map_.place(edge.from);
         const Place b = map_.place(edge.to);
         const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
-        const Site& site = map_.site(edge.from);
+        const Site& site = map_.sites(edge.from)[edge.site];
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
             const std::int64_t other = curve.impacts - site.impacts;
             return curve.period == site.period && std::abs(other) <= 1 &&
@@ -70,7 +73,7 @@ class CurveSearch {
     // 0, or 1 where the orbit reached the neighbour, and the seed.
     [[nodiscard]] Numbers follow_edge(const Edge& edge) const {
         Numbers numbers{0};
-        const auto orbit = map_.orbit(rig_, edge.from, window_.size());
+        const auto orbit = map_.orbit(rig_, edge.from, window_.size(), edge.site);
         if (!orbit) return numbers;
         const Followed followed = follow(rig_, *orbit, map_.place(edge.to), window_.size());
         numbers[0] = followed.reached ? 1 : 0;
@@ -90,7 +93,8 @@ class CurveSearch {
             std::vector<Seed> seeds;
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 NumberReader reader(results[i]);
-                if (reader.number() != 0) reached_.emplace_back(batch[i].from, batch[i].to);
+                const bool reached = reader.number() != 0;
+                if (reached && batch[i].site == 0) reached_.emplace_back(batch[i].from, batch[i].to);
                 if (!reader.done()) seeds.push_back(unpack_seed(reader));
             }
             found_.followed += std::ssize(batch);
@@ -164,7 +168,7 @@ class CurveSearch {
             const Site& a = map_.site(edge.from);
             const Site& b = map_.site(edge.to);
             const bool both_followed = b.is_periodic(most_period_);
-            if (!counts(a, b) || (both_followed && edge.from > edge.to)) continue;
+            if (edge.site > 0 || !counts(a, b) || (both_followed && edge.from > edge.to)) continue;
             ++found_.edges.edges;
             if (is_within_a_cell(edge)) {
                 ++found_.edges.on_curve;
@@ -180,6 +184,61 @@ class CurveSearch {
         const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
         return std::ranges::any_of(
             found_.curves, [&](const Curve& curve) { return nearest_on(curve, middle, cell_).distance <= 1; });
+    }
+
+    void trace_branches() {
+        std::vector<Seed> seeds;
+        for (const Curve& curve : found_.curves) {
+            for (const Crossing& each : curve.crossings)
+                seeds.push_back({curve.kind, {each.orbit, each.place}});
+        }
+        const auto results = deal_(std::ssize(seeds), [&](std::int64_t task) {
+            Numbers numbers;
+            for (const UnstableBranch& branch :
+                 unstable_branches(rig_, seeds[static_cast<std::size_t>(task)], window_)) {
+                pack(branch, numbers);
+            }
+            return numbers;
+        });
+        for (const Numbers& numbers : results) {
+            for (NumberReader reader(numbers); !reader.done();) {
+                const UnstableBranch branch = unpack_branch(reader);
+                const bool is_known = std::ranges::any_of(found_.branches, [&](const UnstableBranch& known) {
+                    return is_same_branch(known, branch);
+                });
+                if (!is_known) found_.branches.push_back(branch);
+            }
+        }
+        std::ranges::stable_sort(found_.branches, {}, [](const UnstableBranch& branch) {
+            return std::tuple(branch.gap, branch.period, branch.impacts, branch.points.front().frequency);
+        });
+    }
+
+    void measure_distances() {
+        const auto line_of = [&](std::int64_t task) {
+            return task < map_.rows() ? LineOfCells{true, task} : LineOfCells{false, task - map_.rows()};
+        };
+        const auto lines = deal_(map_.rows() + map_.columns(), [&](std::int64_t task) {
+            Numbers numbers;
+            for (const EdgeDistance& each : edge_distances(map_, rig_, most_period_, line_of(task))) {
+                numbers.insert(numbers.end(), {each.change, static_cast<double>(each.kind)});
+            }
+            return numbers;
+        });
+        const auto cells = static_cast<std::size_t>(map_.count());
+        found_.along_frequency.resize(cells);
+        found_.along_gap.resize(cells);
+        for (std::int64_t task = 0; task < std::ssize(lines); ++task) {
+            const LineOfCells line = line_of(task);
+            NumberReader reader(lines[static_cast<std::size_t>(task)]);
+            for (std::int64_t i = 0; !reader.done(); ++i) {
+                const std::int64_t cell = cell_of(map_, line, i);
+                EdgeDistance& each =
+                    (line.is_row ? found_.along_frequency : found_.along_gap)[static_cast<std::size_t>(cell)];
+                each.change = reader.number();
+                each.kind = static_cast<EdgeKind>(reader.integer());
+            }
+        }
     }
 
     void put_in_order() {
@@ -202,6 +261,7 @@ class CurveSearch {
     CoarseMap map_;
     std::int64_t most_period_;
     std::vector<double> gaps_;
+    bool wants_distances_;
     Window window_;
     Place cell_;
     std::vector<std::pair<std::int64_t, std::int64_t>> reached_;

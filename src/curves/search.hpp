@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "curves/coarse_map.hpp"
+#include "curves/edge_distance.hpp"
 #include "curves/trace_curve.hpp"
+#include "curves/unstable_branch.hpp"
 #include "scene/scene.hpp"
 
 namespace peterka::curves {
@@ -28,9 +30,13 @@ struct EdgeCount {
 };
 
 struct Findings {
-    std::vector<Site> sites;      // the coarse map, row by row
-    std::vector<Curve> curves;    // in the order of the file
-    std::vector<double> seconds;  // that each took
+    std::vector<Site> sites;  // the coarse map, row by row
+    // and of its cells, where the job asks for them
+    std::vector<EdgeDistance> along_frequency;
+    std::vector<EdgeDistance> along_gap;
+    std::vector<Curve> curves;             // in the order of the file
+    std::vector<double> seconds;           // that each took
+    std::vector<UnstableBranch> branches;  // by gap, period, impacts and frequency
     EdgeCount edges;
     std::int64_t periodic_cells = 0;  // of the coarse map, up to the period
     std::int64_t followed = 0;        // edges across which an orbit was followed

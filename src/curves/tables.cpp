@@ -1,53 +1,18 @@
 #include "curves/tables.hpp"
 
-#include <limits>
-
 #include "cell/labels.hpp"
+#include "curves/branch_tables.hpp"
+#include "curves/columns.hpp"
 
 namespace peterka::curves {
 
 namespace {
 
-using hdf5::Number;
-using hdf5::Variable;
-using map_file::Dimension;
-using map_file::Table;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kind_names[] = {"fold", "period_doubling", "grazing"};
 constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing", "cusp",
                                          "inflection"};
+constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "none", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
-
-// Columns that are filled row by row.
-class Columns {
-  public:
-    Columns(const char* group, const char* dimension, std::int64_t size)
-        : group_(group), name_(dimension), dimension_{dimension, size} {}
-
-    void add(const Variable& variable, const Numbers& values) {
-        tables_.push_back({{group_, variable, {dimension_}}, values});
-    }
-    void add_counter(const char* meaning) {
-        Numbers counts;
-        for (std::int64_t i = 0; i < dimension_.size; ++i) counts.push_back(static_cast<double>(i));
-        add({name_, Number::int64, -1, "1", meaning}, counts);
-    }
-    [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
-
-  private:
-    const char* group_;
-    const char* name_;  // of the dimension; a table keeps no copy of it
-    Dimension dimension_;
-    std::vector<Table> tables_;
-};
-
-template <class Items, class Value>
-Numbers numbers_of(const Items& items, Value&& value) {
-    Numbers numbers;
-    for (const auto& item : items) numbers.push_back(static_cast<double>(value(item)));
-    return numbers;
-}
 
 // The coarse map, as the file of a map has it.
 std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) {
@@ -81,27 +46,48 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
     return tables;
 }
 
-}  // namespace
-
-std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found) {
-    std::vector<CurvePoint> points;
-    std::vector<Special> specials;
-    std::vector<Crossing> crossings;
-    Numbers first;
-    Numbers special_curve;
-    Numbers crossing_curve;
-    for (const Curve& curve : found.curves) {
-        first.push_back(static_cast<double>(points.size()));
-        special_curve.insert(special_curve.end(), curve.specials.size(), static_cast<double>(first.size() - 1));
-        crossing_curve.insert(crossing_curve.end(), curve.crossings.size(),
-                              static_cast<double>(first.size() - 1));
-        crossings.insert(crossings.end(), curve.crossings.begin(), curve.crossings.end());
-        points.insert(points.end(), curve.points.begin(), curve.points.end());
-        specials.insert(specials.end(), curve.specials.begin(), curve.specials.end());
-    }
-    const double force = scene.scales().force_ratio();
-
+// How far each of its cells is from the edges of its own motion.
+std::vector<Table> distances(const scene::Scene& scene, const Findings& found) {
+    std::vector<Table> tables;
+    const auto add = [&](const Variable& variable, const Numbers& values) {
+        tables.push_back(
+            {{"/", variable, {{"gap_ratio", scene.rows()}, {"frequency_ratio", scene.columns()}}}, values});
+    };
+    const auto change = [](const EdgeDistance& each) { return each.change; };
+    const auto kind = [](const EdgeDistance& each) { return static_cast<int>(each.kind); };
+    if (found.along_frequency.empty()) return tables;
     // clang-format off
+    add({"edge_distance_frequency_ratio", Number::float64, nan, "1", "smallest change of the frequency ratio, with its sign, at which the cell's own motion ends or changes"}, numbers_of(found.along_frequency, change));
+    add({"edge_kind_frequency_ratio", Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(found.along_frequency, kind));
+    add({"edge_distance_gap_ratio", Number::float64, nan, "1", "smallest change of the gap ratio, with its sign, at which the cell's own motion ends or changes"}, numbers_of(found.along_gap, change));
+    add({"edge_kind_gap_ratio", Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(found.along_gap, kind));
+    // clang-format on
+    return tables;
+}
+
+// Of all curves, one after the other, and for each of them its curve's number.
+template <class Item>
+struct Together {
+    std::vector<Item> items;
+    Numbers curve;
+
+    Together(const Findings& found, std::vector<Item> Curve::*part) {
+        for (std::size_t i = 0; i < found.curves.size(); ++i) {
+            const std::vector<Item>& of_curve = found.curves[i].*part;
+            items.insert(items.end(), of_curve.begin(), of_curve.end());
+            curve.insert(curve.end(), of_curve.size(), static_cast<double>(i));
+        }
+    }
+};
+
+// clang-format off
+Columns columns_of_curves(const Findings& found) {
+    Numbers first;
+    double points = 0;
+    for (const Curve& curve : found.curves) {
+        first.push_back(points);
+        points += static_cast<double>(curve.points.size());
+    }
     Columns curves("/", "curve", std::ssize(found.curves));
     curves.add_counter("number of the curve");
     curves.add({"curve_kind", Number::int8, -128, "", "what happens to the orbit there", kind_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.kind); }));
@@ -111,7 +97,11 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     curves.add({"curve_points", Number::int64, -1, "1", "points of the curve, in their order along it"}, numbers_of(found.curves, [](const Curve& c) { return c.points.size(); }));
     curves.add({"curve_begin", Number::int8, -128, "", "why the curve has no point before its first", end_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.begins); }));
     curves.add({"curve_end", Number::int8, -128, "", "why the curve has no point after its last", end_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.ends); }));
+    return curves;
+}
 
+Columns columns_of_points(const Findings& found, double force) {
+    const std::vector<CurvePoint> points = Together(found, &Curve::points).items;
     Columns of_points("/", "point", std::ssize(points));
     of_points.add_counter("number of the point");
     of_points.add({"point_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(points, [](const CurvePoint& p) { return p.place.frequency; }));
@@ -119,43 +109,73 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
     of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return force * p.peak_force; }));
     of_points.add({"point_residual", Number::float64, nan, "1", "largest error of the defining equations, relative to the hammer's velocity"}, numbers_of(points, [](const CurvePoint& p) { return p.residual; }));
+    return of_points;
+}
 
+Columns columns_of_specials(const Findings& found) {
+    const auto [specials, curve] = Together(found, &Curve::specials);
     Columns of_specials("/", "special", std::ssize(specials));
     of_specials.add_counter("number of the special point");
     of_specials.add({"special_kind", Number::int8, -128, "", "what meets at the point", special_names}, numbers_of(specials, [](const Special& s) { return static_cast<int>(s.kind); }));
     of_specials.add({"special_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(specials, [](const Special& s) { return s.place.frequency; }));
     of_specials.add({"special_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(specials, [](const Special& s) { return s.place.gap; }));
-    of_specials.add({"special_curve", Number::int32, -1, "1", "number of the curve on which it was found"}, special_curve);
+    of_specials.add({"special_curve", Number::int32, -1, "1", "number of the curve on which it was found"}, curve);
+    return of_specials;
+}
 
+Columns columns_of_crossings(const Findings& found, double force) {
+    const auto [crossings, curve] = Together(found, &Curve::crossings);
     Columns of_crossings("/", "crossing", std::ssize(crossings));
     of_crossings.add_counter("number of the crossing");
-    of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of curves.gap_ratio there"}, crossing_curve);
+    of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of curves.gap_ratio there"}, curve);
     of_crossings.add({"crossing_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(crossings, [](const Crossing& c) { return c.place.frequency; }));
     of_crossings.add({"crossing_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(crossings, [](const Crossing& c) { return c.place.gap; }));
     of_crossings.add({"crossing_multiplier", Number::float64, nan, "1", "as point_multiplier"}, numbers_of(crossings, [](const Crossing& c) { return c.multiplier; }));
     of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return force * c.peak_force; }));
+    return of_crossings;
+}
 
+Columns columns_of_run(const Findings& found) {
     Columns live("/run", "curve", std::ssize(found.curves));
     live.add_counter("number of the curve");
     live.add({"curve_seconds", Number::float64, nan, "s", "time that tracing the curve took"}, found.seconds);
-    // clang-format on
+    return live;
+}
+// clang-format on
 
-    std::vector<Table> tables = coarse_map(scene, found);
-    const auto append = [&](const Columns& columns) {
-        if (columns.tables().front().values.empty()) return;  // a dimension has a size
-        tables.insert(tables.end(), columns.tables().begin(), columns.tables().end());
-    };
-    for (const Columns* each : {&curves, &of_points, &of_specials, &of_crossings}) append(*each);
+std::vector<Table> counts_of_edges(const EdgeCount& edges) {
+    std::vector<Table> tables;
     const auto scalar = [&](const char* name, const char* meaning, std::int64_t value) {
         tables.push_back(
             {{"/edges", Variable{name, Number::int64, -1, "1", meaning}, {}}, {static_cast<double>(value)}});
     };
     scalar("count", "edges of the coarse map between orbits up to the period, or one and no impact",
-           found.edges.edges);
-    scalar("on_curve", "of these, within one cell of a curve", found.edges.on_curve);
+           edges.edges);
+    scalar("on_curve", "of these, within one cell of a curve", edges.on_curve);
     scalar("basin", "of these, where the motion of one side lives on the other, too, so that the start decides",
-           found.edges.basin);
-    append(live);  // the group to which the facts of the run are added
+           edges.basin);
+    return tables;
+}
+
+}  // namespace
+
+std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found) {
+    const double force = scene.scales().force_ratio();
+    std::vector<Table> tables = coarse_map(scene, found);
+    const auto append = [&](const std::vector<Table>& more) {
+        tables.insert(tables.end(), more.begin(), more.end());
+    };
+    const auto append_if_any = [&](const Columns& columns) {  // a dimension has a size
+        if (!columns.tables().front().values.empty()) append(columns.tables());
+    };
+    append(distances(scene, found));
+    append_if_any(columns_of_curves(found));
+    append_if_any(columns_of_points(found, force));
+    append_if_any(columns_of_specials(found));
+    append_if_any(columns_of_crossings(found, force));
+    append(branch_tables(scene, found.branches));
+    append(counts_of_edges(found.edges));
+    append_if_any(columns_of_run(found));  // the group to which the facts of the run are added
     return tables;
 }
 

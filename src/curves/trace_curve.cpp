@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "curves/branch_event.hpp"
 #include "curves/inflection.hpp"
 #include "curves/reshape.hpp"
 
@@ -78,7 +79,7 @@ class HalfCurve {
                                           Condition::on_line({0, gap}, {0, 1}));
             if (!found) continue;
             const CurvePoint at = curve_point(rig_, *found, kind_);
-            crossings.push_back({at.place, at.multiplier, at.peak_force});
+            crossings.push_back({at.place, at.multiplier, at.peak_force, found->orbit});
         }
     }
 
@@ -143,7 +144,8 @@ class HalfCurve {
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
         if (leaves || breaks) return Step::ends;
-        return fault.kind != Fault::Kind::pattern || change_events(there) ? Step::goes_on : Step::unclear;
+        return fault.kind != Fault::Kind::pattern || change_events(stepper_, there) ? Step::goes_on
+                                                                                    : Step::unclear;
     }
 
     std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {
@@ -240,19 +242,6 @@ class HalfCurve {
         const Eigen::VectorXd now = along(there);
         return before.dot(seed.tangent) < 0 && now.dot(seed.tangent) >= 0 &&
                now.norm() < (now - before).norm() * 1.5;
-    }
-
-    bool change_events(Stepper::Here& here) {
-        const Place ahead = Stepper::along(here.tangent);
-        const auto changed = with_true_events(rig_, here.point);
-        if (changed && is_same_motion(changed->orbit, here.point.orbit))
-            return true;  // by less than rounding tells
-        const auto settled =
-            changed ? solve(rig_, *changed, window_.size(), stepper_.conditions()) : std::nullopt;
-        if (!settled) return false;
-        here = stepper_.at(*settled);
-        if (dot(Stepper::along(here.tangent), ahead) < 0) here.tangent = -here.tangent;
-        return true;
     }
 
     const Rig& rig_;

@@ -38,6 +38,7 @@ struct Crossing {
     Place place;
     double multiplier = 0;  // as those of a CurvePoint
     double peak_force = 0;
+    Orbit orbit;
 };
 
 enum class CurveEnd : std::int8_t { border = 0, special = 1, closed = 2, lost = 3 };

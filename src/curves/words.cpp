@@ -65,6 +65,23 @@ std::string edges_text(const EdgeCount& edges) {
         readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
 }
 
+std::string distances_text(const Findings& found) {
+    if (found.along_frequency.empty()) return "";
+    const auto share = [](const std::vector<EdgeDistance>& all, auto&& is_one) {
+        const auto cells = std::ranges::count_if(
+            all, [](const EdgeDistance& each) { return each.kind != EdgeKind::no_orbit; });
+        return readable_share(std::ranges::count_if(all, is_one), cells);
+    };
+    const auto is_known = [](const EdgeDistance& each) { return std::isfinite(each.change); };
+    const auto is_unknown = [](const EdgeDistance& each) { return each.kind == EdgeKind::unknown; };
+    return fmt::format(
+        "Edge of a cell's own motion within the window, of cells with one that curves are about:\n"
+        "  {:>8} along the frequency, {} along the gap\n"
+        "  {:>8} could not be followed along the frequency, {} along the gap\n",
+        share(found.along_frequency, is_known), share(found.along_gap, is_known),
+        share(found.along_frequency, is_unknown), share(found.along_gap, is_unknown));
+}
+
 }  // namespace
 
 std::string in_words(const scene::Scene& scene, const Findings& found) {
@@ -83,10 +100,10 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         points += curve.points.size();
         for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
     }
-    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}{}", title,
+    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}{}{}", title,
                        found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
                        table_of_curves(found), specials_text(found), edges_text(found.edges),
-                       borders_in_words(scene, found));
+                       distances_text(found), borders_in_words(scene, found));
 }
 
 std::string speed_in_words(const Findings& found) {

@@ -186,6 +186,7 @@ struct Sweep {
 struct Curves {
     std::int64_t max_period = 4;    // of orbits [forcing cycles]
     std::vector<double> gap_ratio;  // at which borders are told
+    bool edge_distance = false;     // of each cell of the coarse map
     friend bool operator==(const Curves&, const Curves&) = default;
 };
 
@@ -251,7 +252,7 @@ struct Job {
     Study study;     // study only
     Trace trace;     // trace only
     CellOfMap cell;  // trace and basin
-    Curves curves;   // curves only
+    Curves curves;   // curves, and the borders of a map
     Limits limits;
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;

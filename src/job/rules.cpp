@@ -234,6 +234,16 @@ std::string rule_of_window(const Job& job) {
     return {};
 }
 
+std::string rule_of_borders(const Job& job) {
+    if (job.curves.gap_ratio.empty()) return {};
+    if (!job.columns.over.empty() || !job.rows.over.empty()) {
+        return "curves.gap_ratio asks for borders, which are traced in the plane of axes.frequency_ratio and "
+               "axes.gap_ratio, in this order; this map has other axes; remove it";
+    }
+    const std::string window = rule_of_window(job);
+    return window.empty() ? rule_of_curves(job) : window;
+}
+
 std::string rule_of_title(std::string_view title) {
     constexpr std::size_t longest = 1000;  // [bytes]
     if (title.size() > longest) {

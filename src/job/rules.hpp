@@ -38,6 +38,8 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_trace(const Job& job);
 // Of the cell of a map file that [trace] or [basin] names.
 [[nodiscard]] std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table);
+// Of a map that asks for borders: the same as those of curves.
+[[nodiscard]] std::string rule_of_borders(const Job& job);
 // Of curves: the stops and springs whose orbits have a closed form.
 [[nodiscard]] std::string rule_of_curves(const Job& job);
 // What lies in their window.

@@ -109,8 +109,9 @@ void describe(Walker& file, Job& job) {
             "basin",
             "belongs to kind = \"basin\"; it names a map whose rig and place a basin has; remove this table");
     }
-    if (kind_is_known && job.kind != Kind::curves) {
-        file.refuse("curves", "belongs to kind = \"curves\"; this job traces none; remove this table");
+    if (kind_is_known && job.kind == Kind::map) describe_borders(file, job);
+    if (kind_is_known && job.kind != Kind::curves && job.kind != Kind::map) {
+        file.refuse("curves", "belongs to maps and kind = \"curves\"; this job traces none; remove this table");
     }
 }
 

@@ -8,6 +8,7 @@
 #include "job/schema_map.hpp"
 #include "job/schema_plane.hpp"
 #include "job/schema_settings.hpp"
+#include "job/schema_starts.hpp"
 
 namespace peterka::job {
 
@@ -20,18 +21,38 @@ void describe(Walker& table, Curves& curves) {
         curves.gap_ratio, gap_ratio.range);
 }
 
+// Of a map, whose cells they don't change.
+template <typename Walker>
+void describe_borders(Walker& file, Job& job) {
+    file.table({.name = "curves",
+                .meaning = "curves whose places the summary tells, where it names a gap",
+                .is_identity = false},
+               [&](auto& table) {
+                   describe(table, job.curves);
+                   table.refuse("edge_distance",
+                                "is for curves, whose file has it of each cell of their coarse "
+                                "map; remove this key");
+               });
+    file.rule({"curves", "axes", "contact", "hammer", "solver"}, [&] { return rule_of_borders(job); });
+}
+
 template <typename Walker>
 void describe_curves(Walker& file, Job& job) {
     describe_plane(file, job);
-    file.table({"curves", "which curves are traced"}, [&](auto& table) { describe(table, job.curves); });
+    file.table({"curves", "which curves are traced"}, [&](auto& table) {
+        describe(table, job.curves);
+        table.flag({"edge_distance",
+                    "true: each cell of the coarse map is told how far along each axis its own motion ends or "
+                    "changes"},
+                   job.curves.edge_distance);
+    });
     file.rule({"curves", "axes"}, [&] { return rule_of_window(job); });
     describe_solver(file, job);
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
     file.refuse("operating_point",
                 "belongs to a basin; curves cross the plane of their axes; remove this table");
-    file.refuse("starts",
-                "is for maps; curves belong to orbits, whatever starts lead there; remove this table");
+    describe_starts(file, job);
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; curves compare nothing; remove this table");

@@ -15,6 +15,7 @@
 #include "report/omitted.hpp"
 #include "report/summary.hpp"
 #include "run/audit_map.hpp"
+#include "run/map_borders.hpp"
 #include "run/solve_missing.hpp"
 #include "run/words.hpp"
 #include "scene/scene.hpp"
@@ -130,6 +131,8 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
             words =
                 summary(session, plan, scene,
                         {statistics, file.audit_report(), omitted, find_in_sweep(session, plan, file)}, wall);
+            const std::string borders = map_borders(session, plan, stop);
+            if (!words.empty()) words += borders;
             code = judge(session, plan, statistics);
         } catch (const Stopped&) {  // all ranks come here together
             if (solve_seconds == 0) solve_seconds = solving.seconds();

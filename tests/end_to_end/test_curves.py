@@ -163,3 +163,53 @@ def test_rigs_that_have_few_orbits_come_to_an_end(tmp_path):
     undamped.mkdir()
     compute(undamped, jobs.small_curves(points=6), "--set", "hammer.damping_ns_per_m=0", "--set",
             "steady_state.max_cycles=200", "--set", "contact.damping_ns_per_m=0")
+
+
+def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
+    """The same as curves do, of a file that is the same as without, and again when it is complete."""
+    plain = compute(tmp_path, jobs.small_map())[0].rename(tmp_path / "plain.h5")
+    path, first = compute(tmp_path, jobs.small_map() + "\n[curves]\ngap_ratio = [0.0, 1.0, 1.5]\n", ranks=2)
+    again = launch.run("run", "job.toml", cwd=tmp_path)
+    for finished in (first, again):
+        told = {number for line in finished.stdout.splitlines() if line.startswith("  1/1  ")
+                for number in line.replace(",", " ").split() if "." in number}
+        for _, _, frequency in BORDERS:
+            assert any(abs(float(number) - 4.5 * frequency) < 6e-8 for number in told)
+    assert "is complete: nothing is computed" in again.stdout
+    one, other = map_contents.datasets(path), map_contents.datasets(plain)
+    assert one.keys() == other.keys()  # the stored text of the job, and with it the seal, tells what was asked for
+    assert {name for name in one if one[name] != other[name]} <= {"summary/checksum", "summary/frame"}
+    assert "Borders" not in launch.run("run", "job.toml", "--quiet", cwd=tmp_path).stdout
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"[axes.frequency_ratio]": "[axes.frequency_hz]"}, "this map has other axes"),
+    ({"[curves]": "[curves]\nedge_distance = true"}, "remove this key"),
+    ({"1.0, 1.5]": "1.0, 9.5]"}, "widen the window")])
+def test_borders_that_a_map_cannot_tell_are_refused(tmp_path, change, words):
+    text = jobs.small_map() + "\n[curves]\ngap_ratio = [0.0, 1.0, 1.5]\n"
+    for old, new in change.items():
+        assert old in text
+        text = text.replace(old, new)
+    jobs.write(tmp_path, text)
+    refused = launch.run("run", "job.toml", cwd=tmp_path)
+    assert refused.returncode == 2 and words in refused.stderr
+
+
+# From rest hardly anything impacts there; 1/2 lives beside it.
+HIDDEN = jobs.RIG.format(kind="curves", title="hidden") + jobs.axis("frequency_ratio", 3.0, 4.4, 12) + jobs.axis("gap_ratio", 1.5, 3.0, 12)
+
+
+def test_motions_that_only_other_starts_reach_have_curves_too(tmp_path):
+    of_1_2 = {}
+    for count in (0, 24):
+        path, _ = compute(tmp_path, HIDDEN + f"\n[starts]\ncount = {count}\n", "--fresh", ranks=2 if count else None)
+        of_1_2[count] = [line for kind in range(3) for line in lines(path, kind, 1, 2)] if "curve" in h5py.File(path) else []
+    assert len(of_1_2[24]) > len(of_1_2[0])
+
+
+def test_springs_that_keep_their_cubic_part_are_refused(tmp_path):
+    jobs.write(tmp_path, jobs.small_curves(points=8))
+    refused = launch.run("run", "job.toml", "--set", "hammer.cubic_stiffness_n_per_m3=1e5", "--set", "solver.omit_tolerance=0",
+                         cwd=tmp_path)
+    assert refused.returncode == 2 and "curves leave the cubic part of the springs out" in refused.stderr

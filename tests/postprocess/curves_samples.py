@@ -13,7 +13,8 @@ SPECIALS = [(0, 2.5, 2.5), (3, 1.5, 0.5)]
 CROSSINGS = [(0, 1.75, 1.0), (1, 3.2, 1.0)]  # number of the line, frequency_ratio, gap_ratio
 
 
-def write_curves(path, lines=None, specials=None, crossings=(), **attributes):
+def write_curves(path, lines=None, specials=None, crossings=(), branches=(), **attributes):
+    """`branches`: gap, p, q, points (frequency_ratio, force, x at phase 0 ...), each point of one length."""
     lines, specials = LINES if lines is None else lines, SPECIALS if specials is None else specials
     write_map(path, PLAIN, **attributes)
     with SealedFile(path, "r+") as file:
@@ -34,6 +35,22 @@ def write_curves(path, lines=None, specials=None, crossings=(), **attributes):
             "crossing_curve": np.array([crossing[0] for crossing in crossings], dtype="i4"),
             "crossing_frequency_ratio": np.array([crossing[1] for crossing in crossings], dtype="f8"),
             "crossing_gap_ratio": np.array([crossing[2] for crossing in crossings], dtype="f8")})
+        rows = [row for *_, points in branches for row in points]
+        samples = max((len(row) - 2 for row in rows), default=0)
+        _table(file, "branch_sample", samples, {})
+        _table(file, "branch", len(branches), {
+            "branch_gap_ratio": np.array([gap for gap, *_ in branches], dtype="f8"),
+            "branch_impacts": np.array([p for _, p, *_ in branches], dtype="i4"),
+            "branch_period": np.array([q for _, _, q, _ in branches], dtype="i4"),
+            "branch_first": np.cumsum([0, *(len(points) for *_, points in branches)])[:-1].astype("i8"),
+            "branch_points": np.array([len(points) for *_, points in branches], dtype="i8")})
+        displacements = np.array([[*row[2:], *[np.nan] * (samples - len(row) + 2)] for row in rows], dtype="f8")
+        _table(file, "branch_point", len(rows), {
+            "branch_frequency_ratio": np.array([row[0] for row in rows], dtype="f8"),
+            "branch_peak_force_ratio": np.array([row[1] for row in rows], dtype="f8"),
+            "branch_stroboscopic_displacement": displacements, "branch_impact_displacement": displacements})
+        for name in ("stroboscopic", "impact") if rows else ():
+            file[f"branch_{name}_displacement"].dims[1].attach_scale(file["branch_sample"])
     return path
 
 

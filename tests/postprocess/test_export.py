@@ -112,7 +112,7 @@ def test_what_the_file_doesnt_tell_stays_a_ratio(tmp_path, run_program):
 
 def test_what_cannot_be_exported_gets_words(tmp_path, sample, run_program):
     code, _, err = run_program("export", write_sweep(tmp_path / "s.h5"), sample)
-    assert code == 2 and "is a sweep; maps and basins are exported" in err and err.count("\n") == 1
+    assert code == 2 and "is a sweep; the cells of maps, basins and curves are exported" in err and err.count("\n") == 1
     assert (tmp_path / "a.csv").exists()  # the others are
     assert run_program("export", sample, "--as", "xls")[0] == 2
     (tmp_path / "file").write_text("")

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 from curves_samples import LINES, write_curves
+from peterka.export.formats import export
 from peterka.files.opened import NotDrawable
 from peterka.look import axes, style
-from peterka.maps import curves_map
+from peterka.maps import curves_map, edge_distance_map
 from peterka.maps.curves_file import CurvesFile
 from peterka.pictures import open_file, pictures_of
+from sealing import SealedFile
 
 
 def drawn(path, picture, tmp_path):
@@ -67,3 +69,48 @@ def test_the_program_of_pictures_knows_the_kind(tmp_path):
 def test_a_curve_that_cannot_be_is_refused(tmp_path, line):
     with pytest.raises(NotDrawable):
         CurvesFile(write_curves(tmp_path / "c.h5", [*LINES, line]))
+
+
+def write_distances(path):
+    """Cells at 0.1 from an edge, but two that have none in the window and one that could not be followed."""
+    write_curves(path, cart_amplitude_m=1e-3, natural_frequency_hz=4.0)
+    with SealedFile(path, "r+") as file:
+        shape = file["regime"].shape
+        kinds = np.zeros(shape, dtype="i1")
+        kinds[0, :2], kinds[1, 0], kinds[-1] = 3, 4, -128
+        distances = np.where(kinds == 0, -0.1, np.nan)
+        for side in ("frequency_ratio", "gap_ratio"):
+            for name, values in ((f"edge_distance_{side}", distances), (f"edge_kind_{side}", kinds)):
+                data = file.create_dataset(name, data=values)
+                for scale, dimension in zip(("gap_ratio", "frequency_ratio"), data.dims):
+                    dimension.attach_scale(file[scale])
+    return path, kinds
+
+
+@pytest.mark.parametrize("side, unit, drift", [("frequency_ratio", "Hz", 0.4), ("gap_ratio", "mm", 0.1)])
+def test_distances_to_the_edge_are_drawn_in_units(tmp_path, side, unit, drift):
+    path, kinds = write_distances(tmp_path / "c.h5")
+    figure = drawn(path, lambda file: edge_distance_map.draw(file, side=side), tmp_path)
+    values = figure.axes[0].collections[-1].get_array().reshape(kinds.shape)
+    assert np.allclose(values[kinds == 0], drift) and np.ma.getmaskarray(values)[kinds != 0].all()
+    assert unit in figure.axes[1].get_xlabel()
+    assert legend_words(figure) == ["no edge within the window", "could not be followed to one",
+                                    "no motion that curves are about"]
+
+
+def test_distances_have_pictures_where_the_file_has_them(tmp_path):
+    with open_file(write_distances(tmp_path / "c.h5")[0]) as file:
+        assert {"edge_distance_frequency", "edge_distance_gap"} <= set(pictures_of(file))
+    with open_file(write_curves(tmp_path / "d.h5")) as file:
+        assert not any("edge_distance" in name for name in pictures_of(file))
+
+
+def test_distances_are_exported_in_hertz_and_millimetres(tmp_path):
+    path, kinds = write_distances(tmp_path / "c.h5")
+    with open_file(path) as file:
+        table = next(iter(export(file, tmp_path, ["csv"]))).read_text(encoding="utf-8").splitlines()
+    rows = [dict(zip(table[0].split(","), row.split(","))) for row in table[1:]]
+    known = [row for row in rows if row["edge_kind_gap_ratio"] == "0"]
+    assert len(known) == (kinds == 0).sum()
+    assert {row["edge_distance_frequency_hz"] for row in known} == {"-0.4"}
+    assert {row["edge_distance_gap_mm"] for row in known} == {"-0.1"}

@@ -6,7 +6,7 @@ from curves_samples import write_curves
 from peterka.files.opened import NotDrawable
 from peterka.look.figures import figure_of
 from peterka.maps.curves_map import COLOURS
-from peterka.sweeps import bifurcation, borders, response
+from peterka.sweeps import bifurcation, borders, response, unstable
 from peterka.sweeps.sweep_file import SweepFile
 from sweep_samples import write_sweep
 
@@ -69,3 +69,28 @@ def test_a_map_has_no_borders(files):
         kind, axis_name, path = "map", "frequency_ratio", "a.h5"
     with pytest.raises(NotDrawable, match="no sweep"):
         borders.read_borders(files[1], Map)
+
+
+BRANCHES = [(1.5, 1, 1, [(1.7612345678, 5.0, 0.5), (1.65, 4.0, 0.3), (1.6, 3.0, 0.2)]),
+            (1.5, 2, 2, [(1.6, 3.0, 0.9, 0.2), (1.62, 2.5, 0.1, 0.8)]),  # goes on from the one before
+            (1.5, 1, 1, [(2.3, 5.0, 0.5), (2.2, 4.0, 0.4)]),  # from a fold of no motion of the sweep
+            (1.0, 1, 1, [(1.75, 5.0, 0.5), (1.7, 4.0, 0.4)])]  # at another gap
+
+
+def thin_lines(ax):
+    return {tuple(zip(line.get_xdata(), line.get_ydata())) for line in ax.lines if line.get_color() == unstable.LOOK["color"]}
+
+
+def test_unstable_orbits_join_the_borders_that_a_sweep_meets(tmp_path, files):
+    path = write_curves(tmp_path / "with_branches.h5", LINES, [], CROSSINGS, BRANCHES, job=JOB)
+    with SweepFile(files[0]) as sweep:
+        found = unstable.read_unstable(path, sweep, borders.read_borders(path, sweep))
+        forces, heights, bare = (figure_of(draw(sweep, unstable=some)) for draw, some in (
+            (response.draw, found), (bifurcation.draw, found), (response.draw, [])))
+    assert [branch.period for branch in found] == [1, 2]
+    assert thin_lines(bare.axes[1]) == set() == thin_lines(forces.axes[0])
+    assert thin_lines(forces.axes[1]) == {((1.7612345678, 5.0), (1.65, 4.0), (1.6, 3.0)), ((1.6, 3.0), (1.62, 2.5))}
+    assert thin_lines(heights.axes[1]) == {((1.7612345678, 0.5), (1.65, 0.3), (1.6, 0.2)), ((1.6, 0.2), (1.62, 0.1)),
+                                           ((1.6, 0.9), (1.62, 0.8))}
+    words = [text.get_text() for ax in forces.axes if ax.get_legend() for text in ax.get_legend().get_texts()]
+    assert "unstable" in words

@@ -40,6 +40,9 @@ class Side:
 def fields_of(file: PeterkaFile) -> list[Field]:
     """The Fields of a map or basin, the label first."""
     first = ["regime", "impacts", "period", "peak_force_ratio"]
+    edges = {f"edge_distance_{side}": (word, factor) for side, word, factor in (
+        ("frequency_ratio", "edge_distance_frequency_hz", file.positive("natural_frequency_hz")),
+        ("gap_ratio", "edge_distance_gap_mm", 1e3 * (file.positive("cart_amplitude_m") or 0))) if factor}
     found = []
     for name in [*first, *(name for name in file.data.names() if name not in first)]:
         try:
@@ -48,6 +51,8 @@ def fields_of(file: PeterkaFile) -> list[Field]:
             continue
         if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
             found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))
+        elif name in edges:
+            found.append(Field(name, *edges[name], False))
         else:
             suffix = SUFFIXES.get(name)
             found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER))

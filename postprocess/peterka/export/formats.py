@@ -78,9 +78,10 @@ def read_formats(text: str) -> list[str]:
 
 
 def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[Path]:
-    """Writes an open map or basin in each format into a folder, made where it is missing; the paths written, one by one."""
-    if not isinstance(file, PeterkaFile) or file.kind not in ("map", "basin"):
-        raise file.refusal(f"is a {file.kind}; maps and basins are exported, others are read by xarray")
+    """Writes an open map, basin or coarse map of curves in each format into a folder, made where it is missing; the paths
+    written, one by one."""
+    if not isinstance(file, PeterkaFile):
+        raise file.refusal(f"is a {file.kind}; the cells of maps, basins and curves are exported, others are read by xarray")
     folder.mkdir(parents=True, exist_ok=True)
     for name in formats:
         path = folder / f"{file.path.stem}.{name}"

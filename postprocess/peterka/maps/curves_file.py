@@ -11,7 +11,10 @@ from .map_file import PeterkaFile
 
 KINDS = ("fold", "period_doubling", "grazing")
 SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
+EDGE_KINDS = (*KINDS, "none", "unknown")  # of edge_kind_*; -128 where a cell has no such orbit
+EDGE_SIDES = ("frequency_ratio", "gap_ratio")
 MAX_POINTS = 10_000_000
+MAX_SAMPLES = 4096  # of an orbit
 WORDS = {kind: kind.replace("_", " ") for kind in KINDS}
 SAME_GAP = 1e-6  # A0: a gap that a curve was asked for, and one of a sweep or a map's row
 RIG = ("hammer", "cart", "contact")  # the tables of a job that a file's curves must share with what they are held against
@@ -46,8 +49,23 @@ class Crossing:
     gap_ratio: float
 
 
+@dataclass(frozen=True)
+class UnstableBranch:
+    """Unstable orbits p/q along the frequency at one gap, every array (points,): where, their largest force F/(m g), and
+    (points, samples), NaN where there are fewer, x/A0 at forcing phase 0 and at first touch."""
+
+    gap_ratio: float
+    impacts: int
+    period: int
+    frequency_ratio: np.ndarray
+    force: np.ndarray
+    stroboscopic_displacement: np.ndarray
+    impact_displacement: np.ndarray
+
+
 class CurvesFile(PeterkaFile):
-    """A checked, open file of curves: besides the coarse map `curves`, `specials` and `crossings`."""
+    """A checked, open file of curves: besides the coarse map `curves`, `specials`, `crossings`, `unstable_branches`, and
+    has_edge_distance."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
@@ -57,6 +75,11 @@ class CurvesFile(PeterkaFile):
         self.curves = self._curves() if self.data.has("curve_kind") else []
         self.specials = self._specials() if self.data.has("special_kind") else []
         self.crossings = self._crossings() if self.data.has("crossing_curve") else []
+        self.unstable_branches = self._unstable_branches() if self.data.has("branch_first") else []
+        self.has_edge_distance = self.data.has(f"edge_distance_{EDGE_SIDES[0]}")
+        for side in EDGE_SIDES if self.has_edge_distance else ():
+            self.data.dataset(f"edge_distance_{side}", self.shape, REAL)
+            self.data.dataset(f"edge_kind_{side}", self.shape, INTEGER)
 
     def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
@@ -93,6 +116,28 @@ class CurvesFile(PeterkaFile):
                 and np.isfinite(gaps).all()):
             raise self.refusal("has a crossing of no curve or place")
         return [Crossing(self.curves[number], float(x), float(y)) for number, x, y in zip(numbers, frequencies, gaps)]
+
+    def _unstable_branches(self):
+        gaps = self._column("branch_gap_ratio", REAL)
+        impacts, periods, firsts, counts = (self._column(f"branch_{name}", INTEGER, gaps.shape)
+                                            for name in ("impacts", "period", "first", "points"))
+        frequencies = self._column("branch_frequency_ratio", REAL)
+        forces = self._column("branch_peak_force_ratio", REAL, frequencies.shape)
+        if not ((firsts >= 0).all() and (counts >= 0).all() and (firsts <= len(frequencies) - counts).all()
+                and np.isfinite(frequencies).all() and np.isfinite(gaps).all()):
+            raise self.refusal("has a branch of no place, or with points that the file does not have")
+        displacements = [self._samples(f"branch_{name}_displacement", len(frequencies))
+                         for name in ("stroboscopic", "impact")]
+        parts = [slice(first, first + count) for first, count in zip(firsts, counts)]
+        return [UnstableBranch(float(gap), int(p), int(q), frequencies[part], forces[part],
+                               *(samples[part] for samples in displacements))
+                for gap, p, q, part in zip(gaps, impacts, periods, parts)]
+
+    def _samples(self, name, points):
+        found = self.data.dataset(name, None, REAL).shape
+        if len(found) != 2 or found[0] != points or not 1 <= found[1] <= MAX_SAMPLES or points * found[1] > MAX_POINTS:
+            raise self.refusal(f"has {name} of shape {found}")
+        return self.data.values(name, slice(None))
 
     def _column(self, name, numbers, shape=None):
         found = self.data.dataset(name, shape, numbers).shape

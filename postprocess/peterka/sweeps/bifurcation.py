@@ -7,12 +7,16 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look.picture import picture
+from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
+from .unstable import NO_UNSTABLE, draw_unstable
+from .unstable import at_gap as unstable_at_gap
+from .unstable import handles as unstable_handles
 
 WHERE = {
     "stroboscopic_displacement": ("$x/A_0$ at phase 0", "x at phase 0 (mm)"),
@@ -25,7 +29,7 @@ DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 
 
 @picture(SweepFile)
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
-         borders: Sequence[Border] = NO_BORDERS,
+         borders: Sequence[Border] = NO_BORDERS, unstable: Sequence[UnstableBranch] = NO_UNSTABLE,
          name: str = "stroboscopic_displacement") -> list[Axes] | None:
     """The diagram of one of WHERE as a list of Axes, one for each gap; None where nothing is sampled."""
     samples = {branch.row: file.samples(name, branch) for branch in file.branches}
@@ -34,7 +38,8 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     label, second_label = WHERE[name]
     metres = file.positive("cart_amplitude_m")
     second = (second_label, 1000 * metres) if metres else None
-    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "displacement")]
+    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
+               *sweep_panels.measured_handles(measured, "displacement")]
     panels = sweep_panels.panels(file, handles, label, second, ax)
     size = max(1.0, min(2.5, (500 / len(file.values)) ** 0.5))
     for gap, ax in panels.items():
@@ -46,6 +51,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
         draw_borders(ax, at_gap(borders, gap))
+        draw_unstable(ax, unstable_at_gap(unstable, gap), name)
         sweep_panels.draw_measured(ax, measured, gap, "displacement")
     return list(panels.values())
 

@@ -12,12 +12,16 @@ from matplotlib.lines import Line2D
 
 from ..look import style, units
 from ..look.picture import picture
+from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
 from .sweep_panels import LOOKS
+from .unstable import NO_UNSTABLE, draw_unstable
+from .unstable import at_gap as unstable_at_gap
+from .unstable import handles as unstable_handles
 
 MOST_LABELLED = 3  # jumps of a branch
 CLOSE = 0.004  # of the panel's width: marks of both branches that are closer than this are one
@@ -27,12 +31,13 @@ CUT_OFF = RESONANCE | {"marker": "s", "markersize": 5}
 
 @picture(SweepFile)
 def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED,
-         borders: Sequence[Border] = NO_BORDERS) -> list[Axes] | None:
+         borders: Sequence[Border] = NO_BORDERS, unstable: Sequence[UnstableBranch] = NO_UNSTABLE) -> list[Axes] | None:
     """The response as a list of Axes, one for each gap; None where no point has a force."""
     if not _largest(file) > 0:
         return None
     second = _second_scale(file)
-    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *sweep_panels.measured_handles(measured, "force")]
+    handles = [*_handles(file), *every_attractor.handles(file), *border_handles(borders), *unstable_handles(unstable),
+               *sweep_panels.measured_handles(measured, "force")]
     panels = sweep_panels.panels(file, handles, r"peak force $F/(m\,g)$", second, ax, log=style.current().log)
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
@@ -46,6 +51,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
         notes = [*_jump_notes(file, gap), *_mark_strongest(ax, file, gap)]
         sweep_panels.head_notes(ax, [note for note in notes if bottom <= note[1] <= top], top, bottom)
         draw_borders(ax, at_gap(borders, gap))
+        draw_unstable(ax, unstable_at_gap(unstable, gap), "force")
         sweep_panels.draw_measured(ax, measured, gap, "force")
     return list(panels.values())
 

@@ -1,0 +1,61 @@
+"""How far each cell of a curves file is from where its own motion ends or changes, along one axis of the plane.
+
+The size of the drift, whichever way it goes; the file has its sign. A block of a reduced map shows its smallest one.
+"""
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..look import axes, style
+from ..look.picture import picture
+from .curves_file import EDGE_KINDS, CurvesFile
+from .field_map import scale_colours
+from .reduce import LIMIT, block_size, class_picture, with_edges
+
+WIDTH = 3.7  # in
+TOP = 99.5  # percentile at which the scale ends
+# Of each axis: its name in words, and from its ratio to Hz or mm.
+SIDES = {
+    "frequency_ratio": ("frequency", r"\Omega/\omega", "Hz", lambda file: file.positive("natural_frequency_hz")),
+    "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
+}
+CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window", "#CDE7C9"),
+           ("could not be followed to one", "#F7C6D0"), ("no motion that curves are about", "#F2F2F2")]
+
+
+@picture(CurvesFile)
+def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
+    """The picture of one of SIDES; None where no cell has an edge."""
+    reduced = _smallest(file, f"edge_distance_{side}")
+    if not np.isfinite(reduced.image).any():
+        return None
+    word, ratio, unit, factor_of = SIDES[side]
+    factor = factor_of(file) if style.current().units != "ratio" else None
+    classes, counts = class_picture(file, ["regime", f"edge_kind_{side}"], lambda _, kind: _class_of(kind), len(CLASSES))
+    handles = [axes.legend_patch(text, colour) for (text, colour), count in list(zip(CLASSES, counts))[1:] if count]
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
+    axes.show_classes(ax, classes, [colour for _, colour in CLASSES], len(CLASSES))
+    shown = np.ma.masked_invalid(reduced.image) * (factor or 1)
+    mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, shown, cmap=scale_colours(), vmin=0,
+                         vmax=float(np.percentile(shown.compressed(), TOP)) or 1, rasterized=True)
+    bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max")
+    bar.outline.set_linewidth(0.6)
+    bar.set_label(f"drift of the {word} to the nearest edge ({unit})" if factor else f"drift of ${ratio}$ to the nearest edge",
+                  fontsize=8)
+    axes.label_axes(ax, file)
+    axes.write_title(figure, file, "distance to the edge of its own motion", ax=ax)
+    return ax
+
+
+def _class_of(kind):
+    """Numbers of CLASSES."""
+    return np.select([(kind >= 0) & (kind < EDGE_KINDS.index("none")), kind == EDGE_KINDS.index("none"),
+                      kind == EDGE_KINDS.index("unknown")], [0, 1, 2], 3)
+
+
+def _smallest(file, name):
+    block, pieces = block_size(file.shape, LIMIT), []
+    for _, band in file.bands(["regime", name], block):
+        rows, columns = (np.arange(0, size, block) for size in band[name].shape)
+        pieces.append(np.fmin.reduceat(np.fmin.reduceat(np.abs(band[name]), rows, axis=0), columns, axis=1))
+    return with_edges(file, np.concatenate(pieces), block)

@@ -1,0 +1,67 @@
+"""Unstable orbits between the folds, period doublings and grazings of a sweep, so that a loop of hysteresis closes.
+
+A file of curves has them at the gaps of its curves.gap_ratio. Those are drawn that begin or end at a border which the
+sweep meets, and those that go on from them.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+
+from ..maps.curves_file import SAME_GAP, CurvesFile, UnstableBranch
+from .borders import Border
+from .sweep_file import SweepFile
+
+NO_UNSTABLE: Sequence[UnstableBranch] = ()
+LOOK = {"color": "#666666", "linewidth": 0.6, "linestyle": "-"}
+SAME_PLACE = 1e-9  # of the frequency: borders and ends of branches are solved for
+
+
+def read_unstable(path: Path, sweep: SweepFile, borders: Sequence[Border]) -> list[UnstableBranch]:
+    """The branches that a file of curves has at the sweep's gaps and that hang together with one of its borders."""
+    with CurvesFile(path) as file:
+        branches = file.unstable_branches
+    found = []
+    for gap in sweep.gaps:
+        if gap is not None:
+            waiting = [each for each in branches if abs(each.gap_ratio - gap) < SAME_GAP]
+            found += _connected(waiting, [border.frequency_ratio for border in borders if border.gap == gap])
+    return found
+
+
+def at_gap(branches: Sequence[UnstableBranch], gap: float | None) -> list[UnstableBranch]:
+    """Those of one of the sweep's gaps."""
+    return [each for each in branches if gap is not None and abs(each.gap_ratio - gap) < SAME_GAP]
+
+
+def handles(branches: Sequence[UnstableBranch]) -> list[Line2D]:
+    """Entries of the legend."""
+    return [Line2D([], [], label="unstable", **LOOK)] if branches else []
+
+
+def draw_unstable(ax: Axes, branches: Sequence[UnstableBranch], name: str) -> None:
+    """Thin lines in a panel, whose limits stay. `name` is that of the heights: force, or a displacement with a line for each of an orbit's samples."""
+    low, high = ax.get_ylim()
+    for branch in branches:
+        heights = getattr(branch, name)
+        lines = heights[:, None] if heights.ndim == 1 else np.sort(heights, axis=1)
+        for line in lines.T:
+            if np.isfinite(line).any():
+                ax.plot(branch.frequency_ratio, line, zorder=1.4, scaley=False, **LOOK)
+    ax.set_ylim(low, high)
+
+
+def _connected(branches, places):
+    """Those that reach one of the places, or an end of one that does."""
+    found, waiting = [], list(branches)
+    while True:
+        reached = [each for each in waiting if any(
+            abs(end - place) < SAME_PLACE * place for end in each.frequency_ratio[[0, -1]] for place in places)]
+        if not reached:
+            return found
+        found += reached
+        waiting = [each for each in waiting if not any(each is other for other in reached)]
+        places = [*places, *(end for each in reached for end in each.frequency_ratio[[0, -1]])]

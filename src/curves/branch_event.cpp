@@ -1,0 +1,117 @@
+#include "curves/branch_event.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "curves/reshape.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+double bifurcation_of(const Stepper& stepper, const OrbitPoint& point, int sign) {
+    return monodromy(stepper.rig(), point.orbit, point.place, Side::without_impact).bifurcation(sign);
+}
+
+std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const OrbitPoint& from,
+                                                 const OrbitPoint& to, int sign) {
+    const double before = bifurcation_of(stepper, from, sign);
+    const double after = bifurcation_of(stepper, to, sign);
+    return solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
+                 stepper.conditions_and(Condition::at_multiplier(sign)));
+}
+
+std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
+                                          const Fault& fault) {
+    const auto settle = [&](const OrbitPoint& guess) {
+        return solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
+    };
+    if (fault.kind == Fault::Kind::pierces) return settle(with_grazing(to, fault));
+    const double before = from.orbit.events[fault.event].velocity;
+    const double after = to.orbit.events[fault.event].velocity;
+    const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
+    const auto slow = solve(stepper.rig(), between(from, to, share), stepper.window(),
+                            stepper.conditions_and(Condition::at_rest(fault.event)));
+    if (!slow) return std::nullopt;
+    const auto reshaped = grazing_in_place_of(stepper.rig(), *slow, fault.event);
+    return reshaped ? settle(*reshaped) : std::nullopt;
+}
+
+// An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one
+// that repeats itself where it grazes does so in each of its parts.
+std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
+    Seed result = seed;
+    const OrbitPoint shortest = with_smallest_period(seed.point, 1e-4);
+    const bool is_fold = seed.kind == CurveKind::fold;
+    if (seed.kind != CurveKind::period_doubling && shortest.orbit.period < seed.point.orbit.period) {
+        const auto found =
+            solve(stepper.rig(), shortest, stepper.window(),
+                  is_fold ? stepper.conditions_and(Condition::at_multiplier(-1)) : stepper.conditions());
+        if (!found) return std::nullopt;
+        result = {is_fold ? CurveKind::period_doubling : CurveKind::grazing, *found};
+    }
+    const Fault::Kind fault = find_fault(stepper.rig(), result.point).kind;
+    if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow) return std::nullopt;
+    return result;
+}
+
+}  // namespace
+
+BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const Fault& fault,
+                  bool by_multipliers) {
+    BranchEvent judged;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const std::optional<OrbitPoint>& point, CurveKind kind) {
+        if (!point) {
+            judged.lost = true;
+            return;
+        }
+        const double distance =
+            std::hypot((point->place.frequency - from.place.frequency) / stepper.window().frequency,
+                       (point->place.gap - from.place.gap) / stepper.window().gap);
+        if (distance >= nearest) return;
+        nearest = distance;
+        judged.seed = Seed{kind, *point};
+    };
+    for (const int sign : {1, -1}) {
+        const bool crosses =
+            (bifurcation_of(stepper, from, sign) > 0) != (bifurcation_of(stepper, to, sign) > 0);
+        if (!by_multipliers || !crosses) continue;
+        offer(crossing_of_multiplier(stepper, from, to, sign),
+              sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
+    }
+    if (fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow) {
+        offer(grazing_between(stepper, from, to, fault), CurveKind::grazing);
+    }
+    if (judged.lost) judged.seed.reset();
+    if (judged.seed) {
+        judged.seed = sound(stepper, *judged.seed);
+        judged.lost = !judged.seed;
+    }
+    return judged;
+}
+
+bool change_events(const Stepper& stepper, Stepper::Here& here) {
+    const Place ahead = Stepper::along(here.tangent);
+    const auto changed = with_true_events(stepper.rig(), here.point);
+    if (changed && is_same_motion(changed->orbit, here.point.orbit))
+        return true;  // by less than rounding tells
+    const auto settled =
+        changed ? solve(stepper.rig(), *changed, stepper.window(), stepper.conditions()) : std::nullopt;
+    // an impact more or less comes by a grazing, which so long a step has passed over
+    if (!settled || settled->orbit.impacts() != here.point.orbit.impacts()) return false;
+    for (const int sign :
+         {1, -1}) {  // and so do multipliers pass 1 or -1, but for rounding on a curve of these
+        constexpr double rounding = 1e-6;
+        const double before = bifurcation_of(stepper, here.point, sign);
+        const double after = bifurcation_of(stepper, *settled, sign);
+        if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
+    }
+    here = stepper.at(*settled);
+    const Place now = Stepper::along(here.tangent);
+    if (now.frequency * ahead.frequency + now.gap * ahead.gap < 0) here.tangent = -here.tangent;
+    return true;
+}
+
+}  // namespace peterka::curves

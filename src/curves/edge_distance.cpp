@@ -1,0 +1,176 @@
+#include "curves/edge_distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+#include "curves/orbit_check.hpp"
+#include "curves/reshape.hpp"
+#include "curves/stroboscopic.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+// Where a motion that is followed one way ends, and why.
+struct End {
+    double at = 0;  // coordinate
+    EdgeKind kind = EdgeKind::none;
+};
+
+// Nothing is known of what lies beyond where an orbit was lost.
+EdgeDistance nearest(double coordinate, std::initializer_list<End> ends) {
+    EdgeDistance result;
+    result.kind = EdgeKind::none;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const End& end : ends) {
+        if (end.kind == EdgeKind::none || std::abs(end.at - coordinate) >= distance) continue;
+        distance = std::abs(end.at - coordinate);
+        result = {end.at - coordinate, end.kind};
+    }
+    if (result.kind == EdgeKind::unknown) result.change = std::numeric_limits<double>::quiet_NaN();
+    return result;
+}
+
+class Line {
+  public:
+    Line(const CoarseMap& map, const Rig& rig, std::int64_t most_period, const LineOfCells& line)
+        : map_(map),
+          rig_(rig),
+          most_period_(most_period),
+          line_(line),
+          found_(static_cast<std::size_t>(line.is_row ? map.columns() : map.rows())) {
+        const Place low = map.place(0);
+        const Place high = map.place(map.count() - 1);
+        window_ = {high.frequency - low.frequency, high.gap - low.gap};
+    }
+
+    std::vector<EdgeDistance> run() {
+        for (std::int64_t i = 0; i < count(); ++i) {
+            const Site& site = map_.site(cell(i));
+            if (found(i).kind != EdgeKind::no_orbit) continue;
+            if (site.regime == regime::Regime::no_impact) found(i) = of_free_motion(map_.place(cell(i)));
+            if (site.is_periodic(most_period_)) follow_orbit_of(i);
+        }
+        return found_;
+    }
+
+  private:
+    [[nodiscard]] std::int64_t count() const { return std::ssize(found_); }
+    [[nodiscard]] EdgeDistance& found(std::int64_t i) { return found_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] std::int64_t cell(std::int64_t i) const { return cell_of(map_, line_, i); }
+    [[nodiscard]] double along(const Place& place) const { return line_.is_row ? place.frequency : place.gap; }
+    [[nodiscard]] double coordinate(std::int64_t i) const { return along(map_.place(cell(i))); }
+    [[nodiscard]] bool holds(double coordinate_of_edge) const {
+        return coordinate_of_edge >= coordinate(0) && coordinate_of_edge <= coordinate(count() - 1);
+    }
+
+    // The cells whose motion it is, and where it ends on either side.
+    void follow_orbit_of(std::int64_t first) {
+        const auto orbit = map_.orbit(rig_, cell(first), window_);
+        if (!orbit) {
+            found(first) = {found(first).change, EdgeKind::unknown};
+            return;
+        }
+        std::vector<std::int64_t> members{first};
+        const End up = follow_to(*orbit, first, count() - 1, members);
+        const End down = follow_to(*orbit, first, 0, members);
+        for (const std::int64_t i : members) found(i) = nearest(coordinate(i), {down, up});
+    }
+
+    End follow_to(const OrbitPoint& orbit, std::int64_t first, std::int64_t last,
+                  std::vector<std::int64_t>& members) {
+        if (last == first) return {coordinate(last), EdgeKind::none};
+        std::int64_t next = first;  // the last cell that was passed
+        const std::int64_t way = last > first ? 1 : -1;
+        const auto look = [&](const OrbitPoint& here, const OrbitPoint& there, const Place& until) {
+            std::vector<std::int64_t> passed;
+            std::int64_t i = next;
+            while (i != last && static_cast<double>(way) * (along(until) - coordinate(i + way)) >= 0) {
+                i += way;
+                const Passing passing = pass(here, there, i);
+                if (passing == Passing::no_motion) return false;
+                if (passing == Passing::of_the_cell) passed.push_back(i);
+            }
+            next = i;
+            members.insert(members.end(), passed.begin(), passed.end());
+            return true;
+        };
+        const Followed followed = follow(rig_, orbit, map_.place(cell(last)), window_, look);
+        if (followed.seed) {
+            const double edge = along(followed.seed->point.place);
+            return {edge, holds(edge) ? static_cast<EdgeKind>(followed.seed->kind) : EdgeKind::none};
+        }
+        return {along(followed.last), followed.reached ? EdgeKind::none : EdgeKind::unknown};
+    }
+
+    // What the followed orbit is to a cell that a step passes: its own motion, or another one that can live
+    // there, too; else the step was too long and has missed something.
+    enum class Passing : std::uint8_t { of_the_cell, of_another, no_motion };
+
+    [[nodiscard]] Passing pass(const OrbitPoint& here, const OrbitPoint& there, std::int64_t i) const {
+        const Place place = map_.place(cell(i));
+        const double whole = along(there.place) - along(here.place);
+        const double share = std::clamp((coordinate(i) - along(here.place)) / whole, 0.0, 1.0);
+        const bool same_events = has_same_events(here.orbit, there.orbit);
+        const OrbitPoint guess = same_events ? between(here, there, share) : (share < 0.5 ? here : there);
+        const auto at =
+            solve(rig_, guess, window_, {Condition::on_line(place, {1, 0}), Condition::on_line(place, {0, 1})});
+        if (!at) return Passing::no_motion;
+        if (is_motion_of(*at, map_.site(cell(i)))) return Passing::of_the_cell;
+        const Fault::Kind fault = find_fault(rig_, *at).kind;
+        const bool lives = fault != Fault::Kind::pierces && fault != Fault::Kind::slow &&
+                           monodromy(rig_, at->orbit, at->place, {}).is_stable();
+        return lives ? Passing::of_another : Passing::no_motion;
+    }
+
+    [[nodiscard]] bool is_motion_of(const OrbitPoint& point, const Site& site) const {
+        constexpr double near = 1e-6;  // both are solved to 1e-11
+        if (!site.is_periodic(most_period_) || site.period != point.orbit.period) return false;
+        const double size = 1 + point.orbit.largest_speed();
+        return std::ranges::any_of(stroboscopic_states(rig_, point), [&](const Stroboscopic& at) {
+            return (at.state - site.orbit).lpNorm<Eigen::Infinity>() < near * size;
+        });
+    }
+
+    // Without impacts the hammer swings by P = eta^2/|1 - eta^2 + 2 i zeta eta|, and grazes where that is the
+    // gap: s^2 (1 - g^2) + s g^2 (2 - 4 zeta^2) - g^2 = 0 with s = eta^2.
+    [[nodiscard]] EdgeDistance of_free_motion(const Place& place) const {
+        const double damping = rig_.damping_ratio();
+        const double square = place.frequency * place.frequency;
+        if (!line_.is_row) {
+            const double swing = square / std::hypot(1 - square, 2 * damping * place.frequency);
+            return nearest(place.gap, {{swing, holds(swing) ? EdgeKind::grazing : EdgeKind::none}});
+        }
+        const double g2 = place.gap * place.gap;
+        const double b = g2 * (1 - 2 * damping * damping);     // half the middle coefficient
+        const double root = std::sqrt(b * b + (1 - g2) * g2);  // NaN where the swing reaches nowhere so far
+        // as quotients of the constant term, for the usual ones cancel where g is near 1
+        const auto end = [&](double s) {
+            const double edge = std::sqrt(s);
+            return End{edge, s > 0 && holds(edge) ? EdgeKind::grazing : EdgeKind::none};
+        };
+        return nearest(place.frequency, {end(g2 / (b + root)), end(g2 / (b - root))});
+    }
+
+    const CoarseMap& map_;
+    const Rig& rig_;
+    std::int64_t most_period_;
+    LineOfCells line_;
+    Place window_;  // its sizes
+    std::vector<EdgeDistance> found_;
+};
+
+}  // namespace
+
+std::int64_t cell_of(const CoarseMap& map, const LineOfCells& line, std::int64_t i) {
+    return line.is_row ? line.number * map.columns() + i : i * map.columns() + line.number;
+}
+
+std::vector<EdgeDistance> edge_distances(const CoarseMap& map, const Rig& rig, std::int64_t most_period,
+                                         const LineOfCells& line) {
+    return Line(map, rig, most_period, line).run();
+}
+
+}  // namespace peterka::curves

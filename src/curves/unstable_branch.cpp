@@ -1,0 +1,173 @@
+#include "curves/unstable_branch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "curves/branch_event.hpp"
+#include "curves/reshape.hpp"
+#include "curves/stroboscopic.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+constexpr double first_step = 1e-4;
+
+BranchPoint branch_point(const Rig& rig, const OrbitPoint& point) {
+    const CurvePoint numbers = curve_point(rig, point, CurveKind::grazing);  // no more than its orbit is asked
+    BranchPoint result{point.place.frequency, numbers.multiplier, numbers.peak_force, numbers.residual, {}, {}};
+    for (const Stroboscopic& at : stroboscopic_states(rig, point)) result.at_phase_0.push_back(at.state);
+    for (const Event& event : point.orbit.events) {
+        if (event.kind == EventKind::touch) result.impact_times.push_back(event.time);
+    }
+    return result;
+}
+
+BranchEnd end_at(CurveKind kind) {
+    if (kind == CurveKind::fold) return BranchEnd::fold;
+    return kind == CurveKind::period_doubling ? BranchEnd::period_doubling : BranchEnd::grazing;
+}
+
+// All branches that follow each other from one point of a curve, in one direction.
+class BranchWalk {
+  public:
+    BranchWalk(const Rig& rig, const Window& window, const Seed& seed)
+        : rig_(rig),
+          window_(window),
+          seed_(seed),
+          stepper_(rig, window.size(), {Condition::on_line({0, seed.point.place.gap}, {0, 1})}) {}
+
+    std::vector<UnstableBranch> run() {
+        if (seed_.kind == CurveKind::grazing) {
+            for (const bool gains : {true, false}) begin_beyond(seed_.point, gains);
+            return found_;
+        }
+        Stepper::Here here = stepper_.at(seed_.point);
+        for (int way = 0; way < 2; ++way) {
+            begin(here, seed_);
+            here.tangent = -here.tangent;
+        }
+        return found_;
+    }
+
+  private:
+    // From where an orbit parts from a stable one, if it is unstable that way.
+    void begin(const Stepper::Here& from, const Seed& at) {
+        constexpr std::size_t most_branches = 32;
+        if (found_.size() >= most_branches) return;
+        stepper_.set_step(first_step);
+        const auto first = stepper_.next(from, first_step);
+        if (!first || !window_.holds(first->point.place)) return;
+        const Fault::Kind fault = find_fault(rig_, first->point).kind;
+        if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow || is_stable(first->point)) return;
+        UnstableBranch branch;
+        branch.gap = at.point.place.gap;
+        branch.impacts = first->point.orbit.impacts();
+        branch.period = first->point.orbit.period;
+        branch.begins = end_at(at.kind);
+        branch.points = {branch_point(rig_, at.point), branch_point(rig_, first->point)};
+        const std::optional<Seed> last = go_on(*first, branch);
+        found_.push_back(branch);
+        if (last && last->kind == CurveKind::grazing && last->point.orbit.period == branch.period) {
+            const bool gains = last->point.orbit.impacts() == branch.impacts;
+            begin_beyond(last->point, gains);
+        }
+    }
+
+    // The orbit with an impact more than one that grazes, or with none in place of the grazing.
+    void begin_beyond(const OrbitPoint& grazing, bool gains) {
+        const std::size_t event = grazing.orbit.grazing();
+        OrbitPoint beyond = grazing;
+        std::vector<Event>& events = beyond.orbit.events;
+        if (events[event].presses) return;  // a contact that goes on, and no impact
+        const auto place = events.begin() + static_cast<std::ptrdiff_t>(event);
+        if (gains) {
+            *place = {EventKind::touch, !rig_.is_rigid(), place->time, 0};
+            if (!rig_.is_rigid()) events.insert(place + 1, {EventKind::release, false, place->time, 0});
+        } else {
+            events.erase(place);
+            if (events.empty()) return;  // the motion without impacts, which is stable
+        }
+        Stepper::Here here = stepper_.at(beyond);
+        if (gains && here.tangent[Unknowns(beyond.orbit).velocity(event)] < 0) here.tangent = -here.tangent;
+        const Seed at{CurveKind::grazing, grazing};
+        begin(here, at);
+        here.tangent = -here.tangent;
+        if (!gains) begin(here, at);  // the flight stays clear of the stop on one side
+    }
+
+    [[nodiscard]] bool is_stable(const OrbitPoint& point) const {
+        return monodromy(rig_, point.orbit, point.place, Side::without_impact).is_stable();
+    }
+
+    // The point of a curve at which it ends, if it does.
+    std::optional<Seed> go_on(Stepper::Here here, UnstableBranch& branch) {
+        constexpr int most_points = 2000;
+        for (int count = 0; count < most_points; ++count) {
+            const Place along = Stepper::along(here.tangent);
+            const auto next =
+                stepper_.next(here, std::min(0.1, 0.01 / std::max(std::abs(along.frequency), 1e-3)));
+            if (!next) return std::nullopt;
+            Stepper::Here there = *next;
+            const Fault fault = find_fault(rig_, there.point);
+            const BranchEvent event = judge(stepper_, here.point, there.point, fault);
+            const bool leaves = !window_.holds(there.point.place);
+            if (event.seed && (!leaves || window_.holds(event.seed->point.place))) {
+                branch.points.push_back(branch_point(rig_, event.seed->point));
+                branch.ends = end_at(event.seed->kind);
+                return event.seed;
+            }
+            if (leaves) {
+                end_at_border(here.point, there.point, branch);
+                return std::nullopt;
+            }
+            if (event.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, there))) {
+                if (stepper_.step() < 1e-6) return std::nullopt;
+                stepper_.set_step(stepper_.step() / 8);
+                continue;
+            }
+            branch.points.push_back(branch_point(rig_, there.point));
+            here = there;
+        }
+        return std::nullopt;
+    }
+
+    void end_at_border(const OrbitPoint& here, const OrbitPoint& there, UnstableBranch& branch) {
+        const bool rises = there.place.frequency > here.place.frequency;
+        const Place corner = rises ? window_.high : window_.low;
+        if (!has_same_events(here.orbit, there.orbit)) return;
+        const double share =
+            (corner.frequency - here.place.frequency) / (there.place.frequency - here.place.frequency);
+        const auto last = solve(rig_, between(here, there, share), window_.size(),
+                                stepper_.conditions_and(Condition::on_line(corner, {1, 0})));
+        if (!last) return;
+        branch.points.push_back(branch_point(rig_, *last));
+        branch.ends = BranchEnd::border;
+    }
+
+    const Rig& rig_;
+    const Window& window_;
+    Seed seed_;
+    Stepper stepper_;
+    std::vector<UnstableBranch> found_;
+};
+
+}  // namespace
+
+std::vector<UnstableBranch> unstable_branches(const Rig& rig, const Seed& seed, const Window& window) {
+    return BranchWalk(rig, window, seed).run();
+}
+
+bool is_same_branch(const UnstableBranch& a, const UnstableBranch& b) {
+    constexpr double near = 1e-7;
+    if (a.gap != b.gap || a.impacts != b.impacts || a.period != b.period) return false;
+    const auto meet = [&](const BranchPoint& p, const BranchPoint& q) {
+        return std::abs(p.frequency - q.frequency) < near * p.frequency &&
+               std::abs(p.multiplier - q.multiplier) < 1e-3 * (1 + std::abs(p.multiplier));
+    };
+    return (meet(a.points.front(), b.points.back()) && meet(a.points.back(), b.points.front())) ||
+           (meet(a.points.front(), b.points.front()) && meet(a.points.back(), b.points.back()));
+}
+
+}  // namespace peterka::curves

@@ -1,0 +1,120 @@
+"""How far a cell is from the edge of its own motion: the motion, dragged along in many small steps by the search of a
+sweep, keeps its label up to a hair before the edge and loses it a hair behind."""
+
+import h5py
+import jobs
+import launch
+import map_contents
+import numpy as np
+import pytest
+import xarray
+
+POINTS = 40
+STEPS = 200  # of a sweep; the edge lies between its last two points
+HAIR = 1 / (2 * (STEPS - 1) - 1)  # of the distance
+WINDOW = jobs.axis("frequency_ratio", 0.5, 4.5, POINTS) + jobs.axis("gap_ratio", 0.0, 5.0, POINTS)
+FOLD, DOUBLING, GRAZING, NONE, UNKNOWN = range(5)
+
+
+def run(folder, text, *arguments, **options):
+    folder.mkdir(exist_ok=True)
+    jobs.write(folder, text)
+    finished = launch.run("run", "job.toml", *arguments, cwd=folder, **options)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5"
+
+
+def distances_job(points=POINTS):
+    return jobs.small_curves(points=points) + "\n[curves]\nedge_distance = true\n"
+
+
+@pytest.fixture(scope="module")
+def distances(tmp_path_factory):
+    return run(tmp_path_factory.mktemp("distances"), distances_job())
+
+
+@pytest.fixture(scope="module")
+def orbits(tmp_path_factory):
+    """(x - y, x' - y') of each cell's orbit at forcing phase 0, from a map."""
+    text = jobs.RIG.format(kind="map", title="orbits") + WINDOW
+    path = run(tmp_path_factory.mktemp("orbits"), text + '\n[output]\nfields = ["orbit"]\n')
+    with h5py.File(path) as file:
+        return file["orbit_displacement"][()], file["orbit_velocity"][()]
+
+
+def sweep_to(side, place, change, state):
+    """A sweep that drags a motion from a place across its edge."""
+    other = "gap_ratio" if side == "frequency_ratio" else "frequency_ratio"
+    low, high = sorted([place[side], place[side] + change * (1 + HAIR)])
+    direction = "up" if change > 0 else "down"
+    rest = (f"[sweep]\ngap_ratio = [{place[other]!r}]\ndirection = \"{direction}\"\n" if other == "gap_ratio" else
+            f"[operating_point]\nfrequency_ratio = {place[other]!r}\n[sweep]\ndirection = \"{direction}\"\n")
+    return (jobs.RIG.format(kind="sweep", title="dragged") + jobs.axis(side, repr(low), repr(high), STEPS) + rest
+            + f"[start]\ndisplacement_ratio = {state[0]!r}\nvelocity_ratio = {state[1] + place['frequency_ratio']!r}\n"
+            + "[steady_state]\nmax_cycles = 20000\n")
+
+
+def labels_along(path, change):
+    with h5py.File(path) as file:
+        labels = list(zip(*(file[name][0] for name in ("regime", "impacts", "period"))))
+    return labels if change > 0 else labels[::-1]
+
+
+def dragged_cells(path, orbits, side, count, seed=5):
+    with h5py.File(path) as file:
+        axes = {name: file[name][()] for name in ("frequency_ratio", "gap_ratio")}
+        known = np.argwhere((file["regime"][()] == 1) & (file[f"edge_kind_{side}"][()] < NONE)
+                            & (file[f"edge_kind_{side}"][()] >= FOLD))
+        for row, column in np.random.default_rng(seed).permutation(known)[:count]:
+            place = {"frequency_ratio": float(axes["frequency_ratio"][column]), "gap_ratio": float(axes["gap_ratio"][row])}
+            label = tuple(file[name][row, column] for name in ("regime", "impacts", "period"))
+            yield (place, float(file[f"edge_distance_{side}"][row, column]), label,
+                   tuple(float(field[row, column]) for field in orbits))
+
+
+@pytest.mark.parametrize("side", ["frequency_ratio", "gap_ratio"])
+def test_a_motion_keeps_its_label_up_to_its_edge_and_no_further(tmp_path, distances, orbits, side):
+    for place, change, label, state in dragged_cells(distances, orbits, side, 10):
+        along = labels_along(run(tmp_path, sweep_to(side, place, change, state), "--quiet", "--fresh"), change)
+        assert along[:-1] == [label] * (STEPS - 1), (place, change)
+        assert along[-1] != label, (place, change)
+
+
+def test_nearly_all_cells_know_their_edge(distances):
+    with xarray.open_dataset(distances) as data:
+        periodic = (data.regime == 1) & (data.period <= 4)
+        for side in ("frequency_ratio", "gap_ratio"):
+            kinds, changes = data[f"edge_kind_{side}"], data[f"edge_distance_{side}"]
+            assert kinds.dims == ("gap_ratio", "frequency_ratio")
+            assert int((kinds == UNKNOWN).sum()) <= 0.01 * int(periodic.sum())
+            assert (kinds.where(periodic) >= FOLD).sum() == periodic.sum()
+            assert (kinds.where(data.regime == 2, -128) == -128).all()  # chaos has no edge of its own
+            assert (np.isfinite(changes) == ((kinds >= FOLD) & (kinds < NONE))).all()
+
+
+def test_without_impacts_the_edge_is_where_the_free_motion_reaches_the_stop(distances):
+    damping = 0.06 / (2 * 0.298 * 2 * np.pi * 4.5)
+    def reach(eta):
+        return eta**2 / np.hypot(1 - eta**2, 2 * damping * eta)
+    with xarray.open_dataset(distances) as data:
+        free = (data.regime == 0).values
+        eta, gap = np.meshgrid(data.frequency_ratio, data.gap_ratio)
+        up, along = data.edge_distance_gap_ratio.values, data.edge_distance_frequency_ratio.values
+    inside = free & (reach(eta) >= 0)
+    assert np.allclose(up[inside], reach(eta[inside]) - gap[inside], atol=1e-9)
+    known = free & np.isfinite(along)
+    assert known.sum() > 100
+    assert np.allclose(reach(eta[known] + along[known]), gap[known], rtol=1e-9)
+    nearer = eta[known][:, None] + 0.999 * along[known][:, None] * np.linspace(-1, 1, 101)
+    assert (reach(np.clip(nearer, 0.5, 4.5)) < gap[known][:, None]).all()
+
+
+@pytest.mark.parametrize("ranks", [2, 3])
+def test_distances_are_the_same_at_any_number_of_ranks(tmp_path, distances, ranks):
+    map_contents.assert_same_map(run(tmp_path, distances_job(), "--quiet", ranks=ranks), distances)
+
+
+def test_the_summary_tells_how_many_are_known(tmp_path):
+    jobs.write(tmp_path, distances_job(points=12))
+    finished = launch.run("run", "job.toml", cwd=tmp_path)
+    assert finished.returncode == 0 and "Edge of a cell's own motion within the window" in finished.stdout
