@@ -37,12 +37,6 @@ void do_without_shared_file_pointers() {
     ::setenv("OMPI_MCA_sharedfp", "^sm,lockedfile", 0);
 }
 
-// Started without mpirun, Open MPI starts a daemon that could start more ranks, which takes a quarter of the
-// time of a short run, and now and then fails. Nobody asks for more ranks here.
-void do_without_daemon() {
-    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-}
-
 constexpr int speaking_tag = 3;
 constexpr int most_ranks_told = 100;
 
@@ -114,7 +108,6 @@ Session::Session(int& argc, char**& argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a limit of file sizes (ulimit -f) fails, and is told
     std::signal(SIGPIPE, SIG_IGN);  // so does one to a pipe that nobody reads
     do_without_shared_file_pointers();
-    do_without_daemon();
     checked("MPI_Init_thread", MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided));
     checked("MPI_Comm_set_errhandler", MPI_Comm_set_errhandler(communicator(), MPI_ERRORS_RETURN));
     checked("MPI_Comm_rank", MPI_Comm_rank(communicator(), &rank_));

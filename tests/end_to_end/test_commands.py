@@ -7,7 +7,6 @@ import re
 import struct
 import subprocess
 import termios
-from pathlib import Path
 
 import pytest
 
@@ -27,18 +26,6 @@ def test_help_and_version_are_printed_once(tmp_path, ranks):
     begun_by = [line.split()[0] for line in version.stdout.splitlines()]
     assert begun_by == ["peterka", "HDF5", "MPI", "SUNDIALS", "Eigen", "fmt", "arithmetic"]
     assert "commit " in version.stdout
-
-
-def test_a_run_of_one_rank_starts_no_other_process(tmp_path):
-    jobs.write(tmp_path, jobs.larger_map())
-    run, started = launch.start("run", "job.toml", "--quiet", cwd=tmp_path), set()
-    while run.poll() is None:
-        try:
-            started |= set(Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split())
-        except (FileNotFoundError, ProcessLookupError):
-            pass  # it has ended meanwhile
-    assert run.returncode == 0, run.communicate()
-    assert not started
 
 
 def test_the_installed_program_runs(tmp_path):
