@@ -51,10 +51,10 @@ std::string borders_of(const Label& label, const Findings& found, double gap, do
         }
     }
     std::ranges::sort(borders);
-    const auto once = std::ranges::unique(borders, [](const auto& a, const auto& b) {  // curves that meet there
+    const auto meet = [](const auto& a, const auto& b) {
         return a.second == b.second && std::abs(a.first - b.first) < 1e-9 * a.first;
-    });
-    borders.erase(once.begin(), once.end());
+    };
+    borders.erase(std::unique(borders.begin(), borders.end(), meet), borders.end());
     std::string text;
     for (const auto& [frequency, kind] : borders) {
         text += fmt::format("{}{:#.9g} {}", text.empty() ? "" : ", ", frequency,

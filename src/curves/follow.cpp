@@ -34,7 +34,7 @@ class Follower {
         if (progress_along(here) < 0) here.tangent = -here.tangent;
         for (int step = 0; step < most_steps; ++step) {
             const auto next = stepper_.next(here, look ? longest_along(here) : std::max(0.02, length() / 2));
-            const Followed lost{false, {}, here.point.place};
+            Followed lost{false, {}, here.point.place};
             if (!next) return lost;
             Stepper::Here there = *next;
             const Fault fault = find_fault(stepper_.rig(), there.point);

@@ -132,7 +132,7 @@ def test_a_map_larger_than_the_disk(tmp_path, ranks):
 
 
 def test_a_map_larger_than_any_disk(tmp_path):
-    jobs.write(tmp_path, jobs.small_map(columns=10**9, rows=10**9))
+    jobs.write(tmp_path, jobs.small_map(columns=10**6, rows=10**6))
     refused(tmp_path, "job.toml", code=3, saying=["job.h5"])
 
 

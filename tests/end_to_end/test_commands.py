@@ -60,7 +60,7 @@ def test_a_run_takes_the_memory_that_check_tells(tmp_path, scene):
     with launch.start("run", "job.toml", cwd=tmp_path) as process:
         taken = launch.largest_resident_megabytes(process)
     assert process.returncode == 0
-    assert 0.6 < taken / told < 1.2, (taken, told)  # small refined maps don't fill their regions
+    assert 0.5 < taken / told < 1.2, (taken, told)  # small refined maps don't fill their regions
 
 
 def test_what_check_prints_is_the_same_job(tmp_path, small_map_file):

@@ -43,15 +43,13 @@ def handles(branches: Sequence[UnstableBranch]) -> list[Line2D]:
 
 
 def draw_unstable(ax: Axes, branches: Sequence[UnstableBranch], name: str) -> None:
-    """Thin lines in a panel, whose limits stay. `name` is that of the heights: force, or a displacement with a line for each of an orbit's samples."""
-    low, high = ax.get_ylim()
+    """Thin lines in a panel, whose limits don't ask for them. `name` is that of the heights: force, or a displacement with a line for each of an orbit's samples."""
     for branch in branches:
         heights = getattr(branch, name)
         lines = heights[:, None] if heights.ndim == 1 else np.sort(heights, axis=1)
         for line in lines.T:
             if np.isfinite(line).any():
-                ax.plot(branch.frequency_ratio, line, zorder=1.4, scaley=False, **LOOK)
-    ax.set_ylim(low, high)
+                ax.add_artist(Line2D(branch.frequency_ratio, line, zorder=1.4, **LOOK))
 
 
 def _connected(branches, places):
