@@ -123,7 +123,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V
     push(cells.index, all(0), time, m, real_ & ~is_short & which, queues_.contacts);
 }
 
-// Those of the touches that are over soon, or but for the next kick would be, and what follows.
+// Those of the touches that are over soon, or but for the next kick would be, and what follows. Long in one
+// piece: each part of it would be handed the contact, its release and what the others narrowed the lanes to.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moment& m,
                                                                    Mask which, Gathered& track) {

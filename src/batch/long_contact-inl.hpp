@@ -20,6 +20,7 @@ struct Sought {
     Mask found;
     Mask unsure;
 };
+// Long for one loop, whose parts would each be handed nearly all values of its step.
 HWY_INLINE Sought seek(const auto& cells, const auto& contact, int order, V sign, V from,
                        const ContactPoint& start, V end, Mask which) {
     const V zero = all(0);

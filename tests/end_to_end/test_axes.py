@@ -1,5 +1,5 @@
-"""Maps over any two numbers that a cell may have for itself and sweeps along any one: each cell is that of a job with
-these numbers in its tables, at any number of ranks; resuming, refining, auditing, comparing and drawing know the axes."""
+"""Maps over any two numbers that a cell may have for itself: each cell is that of a job with these numbers in its tables,
+at any number of ranks; resuming, refining, auditing, tracing, comparing and drawing know the axes."""
 
 import random
 import re
@@ -12,21 +12,10 @@ import jobs
 import launch
 import numpy as np
 import pytest
+from any_axes import LABEL, PLACE, SWEEPS, axis, map_over
 from map_contents import assert_same_map
 
 ROOT = Path(__file__).resolve().parents[2]
-PLACE = "[operating_point]\nfrequency_hz = {hertz}\ngap_m = {gap}\n"
-LABEL = ("regime", "impacts", "period")
-
-
-def axis(key, first, last, points, scale="linear"):
-    return f'\n[axes.{key}]\nfrom = {first}\nto = {last}\npoints = {points}\nscale = "{scale}"\n'
-
-
-def map_over(*axes, more=""):
-    return jobs.RIG.format(kind="map", title="any axes") + more + "".join(axes)
-
-
 STOPS = map_over(axis("contact.stiffness_n_per_m", 1e5, 1e8, 20, "log"), axis("contact.damping_ns_per_m", 10, 1e4, 18, "log"),
                  more=PLACE.format(hertz=9.0, gap=0.0))
 LENGTHS = map_over(axis("gap_m", 0.0, 2e-3, 9), axis("cart.amplitude_m", 0.5e-3, 1.5e-3, 8),
@@ -220,70 +209,6 @@ def test_a_cell_that_such_a_map_has_not_is_refused(computed, tmp_path, name, set
     jobs.write(tmp_path, jobs.trace_of(computed / f"{name}.h5", settings))
     refused = launch.run("run", "job.toml", cwd=tmp_path)
     assert refused.returncode == 2 and message in " ".join(refused.stderr.split()), refused.stderr
-
-
-SWEEPS = {
-    "amplitudes": (axis("cart.amplitude_m", 0.7e-3, 1.3e-3, 7), PLACE.format(hertz=8.1, gap=1.4e-3)),
-    "masses": (axis("hammer.mass_kg", 0.25, 0.35, 6), PLACE.format(hertz=8.1, gap=1.3e-3)),
-    "gaps": (axis("gap_ratio", 1.2, 2.0, 9), "[operating_point]\nfrequency_ratio = 1.8\n"),
-}
-
-
-@pytest.mark.parametrize("direction", ["up", "down"])
-@pytest.mark.parametrize("name", SWEEPS)
-def test_each_point_of_a_sweep_starts_where_the_one_before_ended(tmp_path, name, direction):
-    """Position and velocity in metres and seconds carry over: a job of the next point alone, started there, ends alike."""
-    along, place = SWEEPS[name]
-    key = re.search(r"\[axes\.(.*)\]", along)[1]
-    coordinate = key.replace(".", "_")
-    text = (jobs.RIG.format(kind="sweep", title=name) + place + f'[sweep]\ndirection = "{direction}"\nsamples = 64\n'
-            + "[start]\nvelocity_ratio = 2.5\n" + along)
-    jobs.write(tmp_path, text)
-    finished = launch.run("run", "job.toml", cwd=tmp_path)
-    assert finished.returncode == 0, finished.stderr
-    with h5py.File(tmp_path / "job.h5") as file:
-        values, labels = file[coordinate][()], np.array([file[field][0] for field in LABEL]).T
-        force = file["peak_force_ratio"][0]
-        x, v = file["stroboscopic_displacement"][0], file["stroboscopic_velocity"][0]
-        assert "gap_ratio" not in file or coordinate == "gap_ratio"
-    assert (labels[:, 0] == 1).any()
-    order = range(len(values)) if direction == "up" else range(len(values) - 1, -1, -1)
-    scales = [units_at(place, key, value) for value in values]
-    checked, before = 0, None
-    for point in order:
-        if before is not None and labels[before][2] == 1:  # one stroboscopic point: where it ended
-            length, rate, eta, gap = scales[point]
-            old_length, old_rate, old_eta, _ = scales[before]
-            start = x[before, 0] * old_length / length
-            speed = (v[before, 0] + old_eta) * old_length * old_rate / (length * rate)
-            if start < gap:  # no stop is in the way
-                assert settles_in(tmp_path, text, key, values[point], start, speed) == (
-                    tuple(labels[point]), pytest.approx(force[point], rel=1e-7, nan_ok=True)), point
-                checked += 1
-        before = point
-    assert checked > 1
-
-
-def units_at(place, key, value):
-    """A0 [m], omega [rad/s], eta and gap/A0."""
-    length = value if key == "cart.amplitude_m" else 0.89e-3
-    omega = 2 * np.pi * 4.5
-    hertz = re.search(r"frequency_hz = (\S+)", place)
-    eta = float(hertz[1]) * 2 * np.pi / omega if hertz else 1.8
-    gap = value if key == "gap_ratio" else float(re.search(r"gap_m = (\S+)", place)[1]) / length
-    return length, omega, eta, gap
-
-
-def settles_in(folder, text, key, value, start, speed):
-    text = re.sub(r"\[sweep\]\n.*\n.*\n", "", text).replace('kind = "sweep"', 'kind = "map"')
-    text = text.replace("velocity_ratio = 2.5", f"velocity_ratio = {speed!r}\ndisplacement_ratio = {start!r}")
-    text = re.sub(r"\[axes[^\[]*", axis(key, repr(float(value)), repr(float(value)), 1), text)
-    other = "[axes.hammer.damping_ns_per_m]\nfrom = 0.06\nto = 0.06\npoints = 1\n"
-    jobs.write(folder, text + other, "point.toml")
-    finished = launch.run("run", "point.toml", "--fresh", "--quiet", cwd=folder)
-    assert finished.returncode == 0, finished.stderr
-    with h5py.File(folder / "point.h5") as file:
-        return tuple(file[field][0, 0] for field in LABEL), file["peak_force_ratio"][0, 0]
 
 
 def drawn(folder, *arguments):

@@ -6,9 +6,11 @@
 #include <random>
 #include <utility>
 
+#include "integrator_settings.hpp"
 #include "integrators/integrated_cycle_map.hpp"
 #include "regime/steady_state.hpp"
 #include "rig.hpp"
+#include "rigid_rig.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 #include "trajectory/recorder.hpp"
 #include "trajectory/split_cycle_map.hpp"
@@ -19,23 +21,11 @@ namespace {
 using integrators::IntegratedCycleMap;
 using integrators::Integrator;
 
+using testing::every_integrator;
+using testing::every_tolerance;
+using testing::label;
+using testing::rigid;
 using Outcome = Cycle<double>::Outcome;
-
-constexpr std::array every_integrator{Integrator::cvode_adams, Integrator::cvode_bdf,
-                                      Integrator::arkode_explicit, Integrator::arkode_implicit};
-constexpr std::array every_tolerance{1e-4, 1e-6, 1e-9};
-
-::testing::Message label(Integrator integrator, double tolerance) {
-    constexpr std::array names{"cvode_adams", "cvode_bdf", "arkode_explicit", "arkode_implicit"};
-    return ::testing::Message() << names[static_cast<std::size_t>(integrator)] << " at " << tolerance;
-}
-
-Oscillator<double> rigid(double restitution, double frequency, double gap, double zeta = 0.02) {
-    return {.damping_ratio = zeta,
-            .contact = scene::Restitution<double>{restitution},
-            .frequency = frequency,
-            .gap = gap};
-}
 
 // Plain impacts, chatters that end in rest, and hops that don't; r from plastic to elastic.
 TEST(IntegratedRigidStop, AgreesWithTheClosedFormFromRandomStarts) {

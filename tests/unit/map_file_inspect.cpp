@@ -2,86 +2,17 @@
 #include "map_file/inspect.hpp"
 
 #include <gtest/gtest.h>
-#include <hdf5_hl.h>
 #include <sys/stat.h>
 
-#include <functional>
+#include <cstdint>
 #include <string>
-#include <vector>
 
-#include "hdf5/attributes.hpp"
-#include "hdf5/block.hpp"
-#include "hdf5/hdf5.hpp"
-#include "map_examples.hpp"
-#include "map_file/layout.hpp"
-#include "map_file/make_file.hpp"
-#include "map_file/make_layout.hpp"
-#include "map_file/seal.hpp"
-#include "map_file/tile_store.hpp"
-#include "support/errors.hpp"
+#include "inspected_map.hpp"
 
 namespace peterka::map_file {
 namespace {
 
-using examples::Folder;
-
-class OutputInspect : public testing::Test {
-  protected:
-    void make() { make_file(path_, job_, examples::made_by()); }
-
-    void change(const std::function<void(const hdf5::Checked&, hid_t)>& task) {
-        const hdf5::Checked check(path_);
-        const hdf5::FileId file(
-            check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, file_access(check).id()), "H5Fopen"));
-        task(check, file.id());
-    }
-
-    void write_all_tiles() {
-        change([&](const hdf5::Checked& check, hid_t file) {
-            const hdf5::DiskFile disk(path_);
-            TileStore store({check, file, disk}, job_);
-            for (std::int64_t i = 0; i < store.tiling().count(); ++i) {
-                const parallel::Tile tile = store.tiling().tile(i);
-                store.write(tile, examples::made_up_stored_cells(tile), {});
-            }
-        });
-    }
-
-    void finish() {
-        change([&](const hdf5::Checked& check, hid_t file) {
-            const hdf5::DiskFile disk(path_);
-            const std::uint64_t sum = seal_of(check, file, &disk);
-            hdf5::Stored({check, file, disk}, path::sum_of_file, hdf5::Number::uint64)
-                .write(hdf5::Block(0, 1), &sum);
-            hdf5::write_number(check, file, path::finished, 1);
-        });
-    }
-
-    void expect_refused(const std::string& reason) {
-        try {
-            (void)inspect(path_, job_);
-            ADD_FAILURE() << "was not refused: " << reason;
-        } catch (const Failure& failure) {
-            const std::string text = failure.what();
-            EXPECT_EQ(failure.code(), ExitCode::output);
-            EXPECT_NE(text.find(path_.string()), std::string::npos) << text;
-            EXPECT_NE(text.find(reason), std::string::npos) << text;
-        }
-    }
-
-    void replace_dataset(const char* name, hid_t type, const std::vector<hsize_t>& sizes) {
-        change([&](const hdf5::Checked& check, hid_t file) {
-            check(H5Ldelete(file, name, H5P_DEFAULT), "H5Ldelete");
-            check(H5LTmake_dataset(file, name, static_cast<int>(sizes.size()), sizes.data(), type,
-                                   std::vector<double>(4000).data()),
-                  "H5LTmake_dataset");
-        });
-    }
-
-    Folder folder_;
-    std::filesystem::path path_ = folder_ / "map.h5";
-    job::Job job_ = examples::small_map(20, 20);
-};
+class OutputInspect : public examples::InspectedMap {};
 
 TEST_F(OutputInspect, NothingThere) {
     EXPECT_EQ(inspect(path_, job_), Existing::absent);
@@ -240,75 +171,6 @@ TEST_F(OutputInspect, GroupInPlaceOfADataset) {
             check(H5Gcreate2(file, "/cycles", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2"));
     });
     expect_refused("dataset /cycles is missing or not of its kind");
-}
-
-// Whatever a stranger puts in the place of a dataset, a run would write through it.
-class OutputStrangersMap : public OutputInspect {
-  protected:
-    void replace(const std::function<void(const hdf5::Checked&, hid_t)>& put) {
-        make();
-        change([&](const hdf5::Checked& check, hid_t file) {
-            check(H5Ldelete(file, path::checksum, H5P_DEFAULT), "H5Ldelete");
-            put(check, file);
-        });
-        expect_refused("dataset /tiles/checksum is missing or not of its kind");
-    }
-
-    static void create(const hdf5::Checked& check, hid_t file, hid_t properties) {
-        constexpr hsize_t size = 4;
-        const hdf5::SpaceId space(check(H5Screate_simple(1, &size, nullptr), "H5Screate_simple"));
-        const hdf5::DatasetId made(check(
-            H5Dcreate2(file, path::checksum, H5T_STD_U64LE, space.id(), H5P_DEFAULT, properties, H5P_DEFAULT),
-            "H5Dcreate2"));
-    }
-};
-
-TEST_F(OutputStrangersMap, LinkToAnotherFile) {
-    replace([](const hdf5::Checked& check, hid_t file) {
-        check(H5Lcreate_external("victim.h5", "/sums", file, path::checksum, H5P_DEFAULT, H5P_DEFAULT), "link");
-    });
-}
-
-TEST_F(OutputStrangersMap, SoftLink) {
-    replace([](const hdf5::Checked& check, hid_t file) {
-        check(H5Lcreate_soft("/tiles/tile", file, path::checksum, H5P_DEFAULT, H5P_DEFAULT), "link");
-    });
-}
-
-TEST_F(OutputStrangersMap, StorageInAnotherFile) {
-    replace([&](const hdf5::Checked& check, hid_t file) {
-        const hdf5::PropertiesId properties(check(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate"));
-        check(H5Pset_external(properties.id(), (folder_ / "victim").c_str(), 0, 32), "H5Pset_external");
-        create(check, file, properties.id());
-    });
-}
-
-TEST_F(OutputStrangersMap, VirtualDataset) {
-    replace([&](const hdf5::Checked& check, hid_t file) {
-        constexpr hsize_t size = 4;
-        const hdf5::SpaceId space(check(H5Screate_simple(1, &size, nullptr), "H5Screate_simple"));
-        const hdf5::PropertiesId properties(check(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate"));
-        check(H5Pset_virtual(properties.id(), space.id(), "victim.h5", "/sums", space.id()), "H5Pset_virtual");
-        create(check, file, properties.id());
-    });
-}
-
-TEST_F(OutputStrangersMap, OneObjectUnderTwoNames) {
-    make();
-    change([](const hdf5::Checked& check, hid_t file) {
-        check(H5Ldelete(file, "/period", H5P_DEFAULT), "H5Ldelete");
-        check(H5Lcreate_hard(file, "/impacts", file, "/period", H5P_DEFAULT, H5P_DEFAULT), "H5Lcreate_hard");
-    });
-    expect_refused("dataset /period is missing or not of its kind");
-}
-
-TEST_F(OutputStrangersMap, GroupBehindALink) {
-    make();
-    change([](const hdf5::Checked& check, hid_t file) {
-        check(H5Lmove(file, "/tiles", file, "/elsewhere", H5P_DEFAULT, H5P_DEFAULT), "H5Lmove");
-        check(H5Lcreate_soft("/elsewhere", file, "/tiles", H5P_DEFAULT, H5P_DEFAULT), "link");
-    });
-    expect_refused("group /tiles is missing or not its own");
 }
 
 TEST_F(OutputInspect, AnythingChangedAfterTheSealIsFound) {

@@ -7,20 +7,15 @@
 #include "regime/growth.hpp"
 #include "regime/steady_state.hpp"
 #include "rig.hpp"
+#include "rigid_rig.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::regime {
 namespace {
 
+using testing::rigid;
 using testing::start_at;
 using trajectory::Detail;
-
-scene::Oscillator<double> rigid(double restitution, double frequency, double gap, double zeta = 0.02) {
-    return {.damping_ratio = zeta,
-            .contact = scene::Restitution<double>{restitution},
-            .frequency = frequency,
-            .gap = gap};
-}
 
 CellResult solved(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                   const job::SteadyState& budget = {}) {
