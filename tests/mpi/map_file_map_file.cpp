@@ -4,103 +4,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hdf5/block.hpp"
 #include "map_file/layout.hpp"
 #include "parallel/collective.hpp"
-#include "shared_folder.hpp"
+#include "shared_map.hpp"
 
 namespace peterka::map_file {
 namespace {
 
-using examples::SharedFolder;
+using examples::omitted;
 
-constexpr scene::Scales same_scales{.force_n = 16, .weight_n = 2};
-scene::Scales scales(std::int64_t, std::int64_t) {
-    return same_scales;
-}
-const std::vector<std::string> omitted{"the cubic term: its effect is small"};
-
-class OutputMapFile : public testing::TestWithParam<job::Kind> {
-  protected:
-    [[nodiscard]] MapFile create(const char* name, MPI_Comm communicator = MPI_COMM_WORLD) const {
-        return MapFile::create(folder_ / name, job_, examples::made_by(), scales, communicator);
-    }
-    [[nodiscard]] MapFile open(const char* name, Access access = Access::write) const {
-        return MapFile::open(folder_ / name, job_, scales, MPI_COMM_WORLD, access);
-    }
-
-    // Every rank writes its tiles of `tiles`, from the last to the first.
-    void write(MapFile& map, const std::vector<std::int64_t>& tiles) const {
-        for (auto i = std::ssize(tiles) - 1; i >= 0; --i) {
-            if (i % ranks_ != rank_) continue;
-            const parallel::Tile tile = tiling_.tile(tiles[static_cast<std::size_t>(i)]);
-            map.write_tile(tile, examples::solved(examples::made_up_cells(tile, orbits_)), 0.5);
-        }
-    }
-
-    void write(MapFile& map, const parallel::TileSet& set) const {
-        std::vector<std::int64_t> tiles;
-        for (std::int64_t tile = 0; tile < set.tiles(); ++tile) {
-            if (set.has(tile)) tiles.push_back(tile);
-        }
-        write(map, tiles);
-    }
-
-    // The same map by one rank alone, tile after tile.
-    void write_alone(const char* name) const {
-        if (rank_ != 0) return;
-        MapFile map = create(name, MPI_COMM_SELF);
-        for (std::int64_t i = 0; i < tiling_.count(); ++i) {
-            const parallel::Tile tile = tiling_.tile(i);
-            map.write_tile(tile, examples::solved(examples::made_up_cells(tile, orbits_)), 7.0);
-        }
-        map.finish(map.statistics(), omitted, {});
-        map.close();
-    }
-
-    // All datasets outside /run, on rank 0; all ranks have closed the file.
-    [[nodiscard]] std::map<std::string, std::string> content(const char* name) const {
-        MPI_Barrier(MPI_COMM_WORLD);
-        std::map<std::string, std::string> all;
-        if (rank_ != 0) return all;
-        const hdf5::Checked check(folder_ / name);
-        const hdf5::FileId file(
-            check(H5Fopen((folder_ / name).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
-        for (const DatasetPlan& plan : layout(job_)) {
-            if (plan.group == "/run") continue;
-            const hdf5::DatasetId dataset(
-                check(H5Dopen2(file.id(), plan.path().c_str(), H5P_DEFAULT), "H5Dopen2"));
-            const hdf5::TypeId type(check(H5Dget_type(dataset.id()), "H5Dget_type"));
-            std::string& bytes = all[plan.path()];
-            bytes.resize(static_cast<std::size_t>(plan.bytes()));
-            check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "H5Dread");
-        }
-        return all;
-    }
-
-    template <class Value>
-    [[nodiscard]] std::vector<Value> read(const char* name, const char* path, hdf5::Number number,
-                                          const hdf5::Block& block, std::size_t count) const {
-        const hdf5::Checked check(folder_ / name);
-        const hdf5::FileId file(
-            check(H5Fopen((folder_ / name).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
-        const hdf5::DatasetId dataset(check(H5Dopen2(file.id(), path, H5P_DEFAULT), "H5Dopen2"));
-        std::vector<Value> values(count);
-        hdf5::read_block(check, dataset.id(), number, block, values.data());
-        return values;
-    }
-
-    SharedFolder folder_;
-    job::Job job_ = GetParam() == job::Kind::map ? examples::small_map(50, 70) : examples::small_basin(50, 70);
-    parallel::Tiling tiling_ = tiling(job_);
-    int orbits_ = 3;
-    int rank_ = parallel::rank_in(MPI_COMM_WORLD);
-    int ranks_ = static_cast<int>(parallel::gather<int>(std::vector{0}, MPI_COMM_WORLD).size());
-};
+class OutputMapFile : public examples::SharedMap {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, OutputMapFile, testing::Values(job::Kind::map, job::Kind::basin),
                          [](const auto& kind) { return kind.param == job::Kind::map ? "map" : "basin"; });
@@ -183,7 +103,7 @@ TEST_P(OutputMapFile, StatisticsAreThoseOfAllCells) {
     for (std::int64_t i = 0; i < tiling_.count(); ++i) {
         std::vector<quantities::StoredCell> cells;
         for (const auto& cell : examples::made_up_cells(tiling_.tile(i))) {
-            cells.push_back(quantities::in_file_units(cell, same_scales));
+            cells.push_back(quantities::in_file_units(cell, examples::same_scales));
         }
         findings::add_tile(expected, tiling_.tile(i), cells);
     }
@@ -276,60 +196,6 @@ TEST_P(OutputMapFile, FailureToOpenIsThrownOnAllRanks) {
     }
     EXPECT_NE(text.find("absent.h5: H5Fopen failed: "), std::string::npos) << text;
     EXPECT_EQ(text.find("no reason given"), std::string::npos) << text;
-}
-
-class OutputBasinFile : public OutputMapFile {};
-INSTANTIATE_TEST_SUITE_P(Basins, OutputBasinFile, testing::Values(job::Kind::basin));
-
-TEST_P(OutputBasinFile, EveryCellFindsItsRow) {
-    orbits_ = 5;
-    MapFile map = create("basin.h5");
-    write(map, map.remaining_tiles().tiles);
-    map.finish(map.statistics(), omitted, {});
-    map.close();
-    // no_impact, five orbits (z = 1/1 before 2/1), chaotic, sustained_contact.
-    const hdf5::Block rows(0, 8);
-    EXPECT_EQ(read<std::int8_t>("basin.h5", "/attractors/regime", hdf5::Number::int8, rows, 8),
-              (std::vector<std::int8_t>{0, 1, 1, 1, 1, 1, 2, 3}));
-    EXPECT_EQ(read<std::int32_t>("basin.h5", "/attractors/impacts", hdf5::Number::int32, rows, 8),
-              (std::vector<std::int32_t>{0, 1, 1, 1, 2, 2, 0, 0}));
-    const auto orbit =
-        read<double>("basin.h5", "/attractors/orbit_displacement", hdf5::Number::float64, rows, 8);
-    const auto row = read<std::int32_t>("basin.h5", path::attractor, hdf5::Number::int32,
-                                        hdf5::Block(parallel::Tile{0, 0, 0, {50, 70}}), 50 * 70);
-    std::vector<std::int64_t> cells(8);
-    for (std::int64_t i = 0; i < 50 * 70; ++i) {
-        const regime::CellResult cell = examples::made_up_cell(i / 70, i % 70, orbits_);
-        const std::int32_t found = row[static_cast<std::size_t>(i)];
-        if (cell.regime == regime::Regime::unresolved || cell.regime == regime::Regime::failed) {
-            EXPECT_EQ(found, -1);
-            continue;
-        }
-        ASSERT_GE(found, 0);
-        ASSERT_LT(found, 8);
-        ++cells[static_cast<std::size_t>(found)];
-        if (cell.regime == regime::Regime::periodic) {
-            EXPECT_EQ(orbit[static_cast<std::size_t>(found)], cell.orbit_displacement);
-        }
-    }
-    EXPECT_EQ(read<std::int64_t>("basin.h5", path::attractor_cells, hdf5::Number::int64, rows, 8), cells);
-}
-
-TEST_P(OutputBasinFile, MoreAttractorsThanTheTableHolds) {
-    orbits_ = 400;  // of which one periodic cell in every six of 3500 cells sees most
-    MapFile map = create("basin.h5");
-    write(map, map.remaining_tiles().tiles);
-    map.finish(map.statistics(), omitted, {});
-    map.close();
-    write_alone("alone.h5");
-    const auto all = content("basin.h5");
-    EXPECT_EQ(all, content("alone.h5"));
-    if (rank_ != 0) return;
-    EXPECT_NE(all.at(path::failures).find(" cells lead to attractors beyond the 256 that the table holds"),
-              std::string::npos);
-    EXPECT_EQ((read<std::int64_t>("basin.h5", path::attractor_cells, hdf5::Number::int64, hdf5::Block(255, 1),
-                                  1)[0] > 0),
-              true);
 }
 
 }  // namespace

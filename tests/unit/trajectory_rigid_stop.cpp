@@ -7,17 +7,14 @@
 #include <numbers>
 #include <random>
 
+#include "rigid_rig.hpp"
+
 namespace peterka::trajectory {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using testing::rigid;
 
-scene::Oscillator<double> rigid(double restitution, double frequency, double gap, double zeta = 0.02) {
-    return {.damping_ratio = zeta,
-            .contact = scene::Restitution<double>{restitution},
-            .frequency = frequency,
-            .gap = gap};
-}
+constexpr double pi = std::numbers::pi;
 
 TEST(RigidStop, PressesWhereTheCartBeatsTheSpring) {
     const auto oscillator = rigid(0.6, 2.0, 1.0);  // 4 sin(theta) > 1

@@ -3,80 +3,27 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
-#include <set>
 
-#include "observed.hpp"
-#include "rig.hpp"
-#include "taylor_oracle.hpp"
+#include "split_orbits.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 #include "trajectory/lasting_contact.hpp"
-#include "trajectory/split_error.hpp"
 
 namespace peterka::trajectory {
 namespace {
 
 using job::CubicForm;
-using testing::beam_170mm;
+using testing::cubic_rig;
 using testing::observed;
-using testing::paper_rig;
+using testing::paper_cubic;
+using testing::Place;
+using testing::regular_cells;
+using testing::settle;
+using testing::settled_oracle;
 using testing::TaylorOracle;
-
-constexpr double paper_cubic = 7.921e-7;  // A0^2 k3/k for k3 = k * 1 m^-2
-
-struct Place {
-    double frequency;
-    double gap;
-};
-// one stable orbit each, of period 1 or 2
-constexpr std::array<Place, 8> regular_cells{
-    {{2.0, 0.0}, {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3}, {2.75, 0.0}, {0.8, 0.2}, {3.1, 0.0}, {4.2, 0.5}}};
-
-Oscillator<double> rig(const Place& place, double cubic, CubicForm form = CubicForm::relative) {
-    auto oscillator = paper_rig(beam_170mm, place.frequency, place.gap);
-    oscillator.cubic = cubic;
-    oscillator.cubic_form = form;
-    return oscillator;
-}
-
-struct Orbit {
-    State<double> point;
-    double peak_force = 0;
-    double largest_displacement = 0;
-    int impacts = 0;
-};
-
-// Where a start has settled; force and impacts over four cycles.
-template <class Map>
-Orbit settle(const Map& map, const State<double>& start) {
-    Orbit orbit{start};
-    for (int n = 0; n < 1500; ++n) orbit.point = map(orbit.point).end;
-    State<double> x = orbit.point;
-    for (int n = 0; n < 4; ++n) {
-        const auto cycle = observed(map, x);
-        x = cycle.end;
-        orbit.impacts += cycle.impacts;
-        orbit.peak_force = std::max(orbit.peak_force, cycle.peak_force);
-        orbit.largest_displacement = std::max(orbit.largest_displacement, cycle.largest_displacement);
-    }
-    return orbit;
-}
-
-template <class Map>
-Orbit settle(const Map& map) {
-    return settle(map, testing::start_at(map.oscillator()));
-}
-
-// The stable orbit near a point, by the oracle, over four cycles.
-TaylorOracle settled_oracle(const Oscillator<double>& oscillator, const State<double>& near,
-                            int settling = 60) {
-    TaylorOracle oracle(oscillator, near);
-    oracle.advance(settling);
-    oracle.advance(4);
-    return oracle;
-}
 
 TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
     std::mt19937 random(3);
@@ -86,7 +33,7 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
     int impacts = 0;
     for (int n = 0; n < 200; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
-        const auto oscillator = rig({frequency(random), gap(random)}, 0, form);
+        const auto oscillator = cubic_rig({frequency(random), gap(random)}, 0, form);
         const State<double> x(state(random), state(random));
         const auto exact = observed(ExactCycleMap<double>(oscillator), x);
         const auto one_step = observed(SplitCycleMap<double>(oscillator, 1), x);
@@ -108,7 +55,7 @@ TEST(SplitCycleMap, WithoutCubicIsTheExactMap) {
 TEST(SplitCycleMap, IsSecondOrderInTheStep) {
     for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
         for (const Place& place : {Place{2.0, 0.0}, Place{2.75, 0.0}, Place{4.2, 0.5}}) {
-            const auto oscillator = rig(place, 1e3 * paper_cubic, form);
+            const auto oscillator = cubic_rig(place, 1e3 * paper_cubic, form);
             const auto near = settle(SplitCycleMap<double>(oscillator, 256)).point;
             TaylorOracle oracle(oscillator, near);
             oracle.advance(100);
@@ -139,7 +86,7 @@ TEST(SplitCycleMap, CyclesAgreeWithTaylorIntegrationFromRandomStarts) {
     int impacts = 0;
     for (int n = 0; n < 60; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
-        auto oscillator = rig({frequency(random), gap(random)}, 0.02, form);
+        auto oscillator = cubic_rig({frequency(random), gap(random)}, 0.02, form);
         if (n % 4 == 1) oscillator.kelvin_voigt().damping *= 12;   // an overdamped stop
         if (n % 4 == 2) oscillator.kelvin_voigt().stiffness = 50;  // a soft one
         if (n % 4 == 3) oscillator.cubic = -0.004;                 // a softening spring
@@ -169,7 +116,7 @@ TEST(SplitCycleMap, JacobianIsTheDerivative) {
     int compared = 0;
     for (int n = 0; n < 300; ++n) {
         const auto form = n % 2 == 0 ? CubicForm::relative : CubicForm::absolute;
-        const SplitCycleMap<double> map(rig({frequency(random), gap(random)}, 0.03, form), 12);
+        const SplitCycleMap<double> map(cubic_rig({frequency(random), gap(random)}, 0.03, form), 12);
         const State<double> x(state(random), state(random));
         const auto cycle = map(x);
         Jacobian<double> expected;
@@ -192,8 +139,8 @@ TEST(SplitCycleMap, JacobianIsTheDerivative) {
 
 TEST(SplitCycleMap, ThePapersCubicShiftsPeakForceAsTaylorIntegrationSays) {
     for (const Place& place : regular_cells) {
-        const auto linear = settle(ExactCycleMap<double>(rig(place, 0)));
-        const auto oscillator = rig(place, paper_cubic);
+        const auto linear = settle(ExactCycleMap<double>(cubic_rig(place, 0)));
+        const auto oscillator = cubic_rig(place, paper_cubic);
         const auto orbit = settle(SplitCycleMap<double>(oscillator, 64));
         const auto expected = settled_oracle(oscillator, orbit.point);
         const auto force = static_cast<double>(expected.peak_force());
@@ -208,7 +155,7 @@ TEST(SplitCycleMap, ThePapersCubicShiftsPeakForceAsTaylorIntegrationSays) {
 TEST(SplitCycleMap, KeepsThreeImpactsInTwoCycles) {
     for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
         for (const int steps : {4, 14, 21, 33, 100}) {
-            const auto orbit = settle(SplitCycleMap<double>(rig({3.1, 0.0}, paper_cubic, form), steps));
+            const auto orbit = settle(SplitCycleMap<double>(cubic_rig({3.1, 0.0}, paper_cubic, form), steps));
             EXPECT_EQ(orbit.impacts, 6) << steps;
         }
     }
@@ -216,7 +163,7 @@ TEST(SplitCycleMap, KeepsThreeImpactsInTwoCycles) {
 
 TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
     // a spring that presses the hammer on the stop; the cubic adds cubic * |gap|^3 to the load
-    auto oscillator = rig({0.5, -3.0}, 0.01);
+    auto oscillator = cubic_rig({0.5, -3.0}, 0.01);
     auto linear = oscillator;
     linear.cubic = 0;
     const LinearContact<double> exact(linear);
@@ -226,75 +173,6 @@ TEST(SplitCycleMap, SustainedContactCarriesTheStaticLoadOfTheCubic) {
     const auto force = static_cast<double>(expected.peak_force());
     EXPECT_NEAR(pressed.peak_force / force, 1, 1e-6);
     EXPECT_NEAR(pressed.peak_force - exact.steady_force(), 0.01 * 27, 1e-3);
-}
-
-TEST(SplitSteps, KeepTheErrorOfPeakForceBelowTheTolerance) {
-    int fit = 0;
-    for (const auto form : {CubicForm::relative, CubicForm::absolute}) {
-        for (const double stronger : {1.0, 1e3, 1e5}) {
-            for (const Place& place : regular_cells) {
-                const auto oscillator = rig(place, stronger * paper_cubic, form);
-                // strong cubics have several stable orbits: all start near the same one
-                const auto guess = settle(SplitCycleMap<double>(oscillator, 128));
-                if (guess.impacts == 0) continue;
-                const auto expected = settled_oracle(oscillator, guess.point);
-                const auto force = static_cast<double>(expected.peak_force());
-                for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
-                    const int steps = split_steps(oscillator, guess.largest_displacement, tolerance);
-                    if (steps == 0) continue;
-                    ++fit;
-                    const auto orbit = settle(SplitCycleMap<double>(oscillator, steps), guess.point);
-                    EXPECT_LT(std::abs(orbit.peak_force / force - 1), tolerance)
-                        << place.frequency << " " << stronger << " " << steps;
-                }
-            }
-        }
-    }
-    EXPECT_GT(fit, 40);
-}
-
-TEST(SplitSteps, GrowWithTheCubicAndEndWhereSplittingIsNotFit) {
-    auto oscillator = rig({2.0, 0.5}, 0);
-    EXPECT_EQ(split_steps(oscillator, 7, 1e-9), 1);
-    oscillator.cubic = paper_cubic;
-    const int weak = split_steps(oscillator, 7, 1e-9);
-    EXPECT_GT(weak, 8);
-    EXPECT_LT(weak, 128);
-    EXPECT_GT(split_steps(oscillator, 14, 1e-9), weak);
-    EXPECT_LT(split_steps(oscillator, 7, 1e-6), weak);
-    oscillator.cubic = 1e5 * paper_cubic;
-    EXPECT_EQ(split_steps(oscillator, 7, 1e-9), 0);
-    oscillator.cubic = -0.01;  // gives way at |u| = 10
-    EXPECT_EQ(split_steps(oscillator, 7, 1e-2), 0);
-    EXPECT_EQ(SplitCycleMap<double>(oscillator, 0)({-1, 0}).outcome, Cycle<double>::Outcome::solver_failed);
-}
-
-TEST(SplitSteps, AreFewDifferentNumbers) {
-    std::set<int> numbers;
-    for (int steps = 1; steps <= most_split_steps; ++steps) {
-        const int rounded = rounded_split_steps(steps);
-        numbers.insert(rounded);
-        EXPECT_GE(rounded, steps);
-        EXPECT_LE(rounded, steps <= 64 ? steps + 15 : steps * 3 / 2);
-        EXPECT_EQ(rounded_split_steps(rounded), rounded);
-    }
-    EXPECT_EQ(numbers.size(), 10U);
-    EXPECT_EQ(*numbers.begin(), 16);
-    EXPECT_EQ(*numbers.rbegin(), most_split_steps);
-}
-
-TEST(SplitError, TellsTheErrorByHalvingTheStep) {
-    for (const Place& place : {Place{3.1, 0.0}, Place{4.2, 0.5}, Place{3.5, 0.3}}) {
-        const auto oscillator = rig(place, 1e3 * paper_cubic);
-        const SplitCycleMap<double> map(oscillator, 32);
-        const auto orbit = settle(map);
-        const auto expected = settled_oracle(oscillator, orbit.point, 100);
-        const double error = std::abs(orbit.peak_force / static_cast<double>(expected.peak_force()) - 1);
-        const auto told = split_error(map, orbit.point, 4, 400);
-        ASSERT_TRUE(told.comparable);
-        EXPECT_NEAR(told.peak_force / error, 1, 0.15) << place.frequency;
-        EXPECT_GT(told.end.norm(), 0);
-    }
 }
 
 }  // namespace

@@ -1,0 +1,143 @@
+// Periodic orbits of a hammer that hits a rigid stop: against the formulas of one impact in n cycles.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "rigid_rig.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+
+namespace peterka::trajectory {
+namespace {
+
+using testing::rigid;
+using Outcome = Cycle<double>::Outcome;
+
+// One impact in n cycles, by formula: A = [[0, 1], [-1, -2 zeta]], E = exp(A T).
+struct SingleImpactOrbit {
+    double speed;                // before the impact
+    double phase;                // of the forcing at the impact
+    State<double> at_phase_0;    // (delta, delta')
+    Jacobian<double> monodromy;  // from just before an impact to just before the next
+    double fold;                 // the gap up to which it exists
+
+    SingleImpactOrbit(double r, double eta, double gap, int n, double zeta = 0.02) {
+        const double period = 2 * std::numbers::pi * n / eta;
+        const double rate = std::sqrt(1 - zeta * zeta);
+        const auto flow = [&](double t) {
+            const double decay = std::exp(-zeta * t);
+            const double s = decay * std::sin(rate * t) / rate;
+            const double c = decay * std::cos(rate * t);
+            return Jacobian<double>{{c + zeta * s, s}, {-s, c - zeta * s}};
+        };
+        const Jacobian<double> e = flow(period);
+        const Jacobian<double> inverse = (e - Jacobian<double>::Identity()).inverse();
+        const double alpha = (1 + r) * inverse(0, 1);
+        const double beta = (1 + r) * inverse(1, 1);
+        const double drive = eta * eta;
+        const double p = drive / std::hypot(1 - drive, 2 * zeta * eta);
+        const double a = alpha * alpha + (r + beta) * (r + beta) / drive;
+        const double b = -alpha * gap;
+        speed = (-b + std::sqrt(b * b - a * (gap * gap - p * p))) / a;
+        fold = p * std::sqrt(1 + alpha * alpha * drive / ((r + beta) * (r + beta)));
+        const double theta = std::atan2((gap - alpha * speed) / p, -(r + beta) * speed / (p * eta));
+        const double lag = std::atan2(2 * zeta * eta, 1 - drive);
+        phase = std::fmod(theta + lag + 4 * std::numbers::pi, 2 * std::numbers::pi);
+        Jacobian<double> saltation;
+        saltation << -r, 0, (1 + r) * (drive * std::sin(phase) - gap) / speed, -r;
+        monodromy = e * saltation;
+        // on to the next phase 0
+        const double time = (2 * std::numbers::pi - phase) / eta;
+        const auto steady = [&](double angle) {
+            return State<double>(p * std::sin(angle), p * eta * std::cos(angle));
+        };
+        const State<double> after(gap, -r * speed);
+        at_phase_0 = flow(time) * (after - steady(theta)) + steady(theta + eta * time) - State<double>(gap, 0);
+    }
+};
+
+TEST(RigidOrbit, OneImpactInNCyclesIsThatOfTheFormula) {
+    struct Case {
+        double eta, gap;
+        int n;
+        double speed;
+    };
+    for (const auto& [eta, gap, n, speed] : {Case{2, 0, 1, 11.841323894932}, Case{2, 0.5, 1, 10.966655235621},
+                                             Case{4, 0, 2, 18.951633786639}, Case{2.4, -0.3, 1, 0}}) {
+        const SingleImpactOrbit orbit(0.6, eta, gap, n);
+        if (speed > 0) {
+            EXPECT_NEAR(orbit.speed, speed, 1e-11 * speed);
+        }
+        const RigidExactMap<double> map(rigid(0.6, eta, gap));
+        State<double> x = orbit.at_phase_0;
+        Jacobian<double> jacobian = Jacobian<double>::Identity();
+        Recorder<double> recorder(Detail::energy);
+        for (int cycle = 0; cycle < n; ++cycle) {
+            const auto passed = map(x, &recorder);
+            ASSERT_EQ(passed.outcome, Outcome::done);
+            x = passed.end;
+            jacobian = (passed.jacobian * jacobian).eval();
+        }
+        EXPECT_LT((x - orbit.at_phase_0).norm(), 1e-12);
+        EXPECT_NEAR(jacobian.trace(), orbit.monodromy.trace(), 1e-12);
+        EXPECT_NEAR(jacobian.determinant(), orbit.monodromy.determinant(), 1e-12);
+        EXPECT_NEAR(jacobian.determinant(), 0.36 * std::exp(-2 * 0.02 * 2 * std::numbers::pi * n / eta), 1e-13);
+
+        const auto& totals = recorder.totals();
+        EXPECT_EQ(totals.impacts, 1);
+        EXPECT_FALSE(totals.chatter);
+        EXPECT_TRUE(std::isnan(totals.peak_force()));
+        EXPECT_NEAR(totals.impact_speed, orbit.speed, 1e-12 * orbit.speed);
+        EXPECT_NEAR(totals.impulse, 1.6 * orbit.speed, 1e-11 * orbit.speed);
+        EXPECT_EQ(totals.contact_time, 0);
+        EXPECT_NEAR(totals.contact_work, 0.32 * orbit.speed * orbit.speed, 1e-11 * totals.contact_work);
+        EXPECT_NEAR(totals.drive_work, totals.damper_work + totals.contact_work, 2e-12 * totals.drive_work);
+    }
+}
+
+// Newton's method on (orbit closes, multiplier is exactly so), derivatives by differences.
+double critical(double multiplier, Eigen::Vector3d y,
+                const std::function<scene::Oscillator<double>(double)>& oscillator) {
+    const auto residual = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+        const auto cycle = RigidExactMap<double>(oscillator(at[2]))(State<double>(at[0], at[1]));
+        const auto& j = cycle.jacobian;
+        return {cycle.end[0] - at[0], cycle.end[1] - at[1],
+                multiplier * multiplier - multiplier * j.trace() + j.determinant()};
+    };
+    for (int step = 0; step < 20; ++step) {
+        Eigen::Matrix3d slope;
+        for (int i = 0; i < 3; ++i) {
+            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+            shift[i] = 1e-6;
+            slope.col(i) = (residual(y + shift) - residual(y - shift)) / 2e-6;
+        }
+        const Eigen::Vector3d correction = slope.partialPivLu().solve(-residual(y));
+        y += correction;
+        if (correction.norm() < 1e-13) break;
+    }
+    return y[2];
+}
+
+TEST(RigidOrbit, DoublesItsPeriodWhereTheFormulaSays) {
+    for (const auto& [gap, frequency] : {std::pair{0.0, 2.6609482425529}, std::pair{0.5, 2.494678798104}}) {
+        const SingleImpactOrbit nearby(0.6, frequency - 1e-3, gap, 1);
+        const double found = critical(-1, {nearby.at_phase_0[0], nearby.at_phase_0[1], frequency - 1e-3},
+                                      [gap = gap](double eta) { return rigid(0.6, eta, gap); });
+        EXPECT_NEAR(found, frequency, 1e-11);
+    }
+}
+
+TEST(RigidOrbit, FoldsWhereTheFormulaSays) {
+    const double eta = 1.7;
+    const double fold = SingleImpactOrbit(0.6, eta, 0, 1).fold;
+    const SingleImpactOrbit nearby(0.6, eta, fold * (1 - 1e-4), 1);
+    const double found = critical(1, {nearby.at_phase_0[0], nearby.at_phase_0[1], fold * (1 - 1e-4)},
+                                  [eta](double gap) { return rigid(0.6, eta, gap); });
+    EXPECT_NEAR(found, fold, 1e-9);
+}
+
+}  // namespace
+}  // namespace peterka::trajectory
