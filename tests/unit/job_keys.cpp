@@ -100,6 +100,7 @@ const std::map<std::string, std::string> other_values{
     {"starts.velocity_ratio", "[-3.5, 3.5]"},
     {"starts.attractors", "10"},
     {"limits.failed_cells", "8"},
+    {"curves.max_period", "5"},
     {"sweep.gap_ratio", "[2.5]"},
     {"sweep.direction", "\"independent\""},
     {"sweep.samples", "49"},
@@ -121,7 +122,7 @@ const std::set<std::string> fixed{"schema",    "kind",      "contact.law",  "stu
                                   "trace.map", "trace.row", "trace.column", "trace.duration_s"};
 
 // Two jobs that differ here are the same.
-const std::set<std::string> same_job{"title", "limits.failed_cells", "output.anonymous"};
+const std::set<std::string> same_job{"title", "limits.failed_cells", "output.anonymous", "curves.max_period"};
 
 std::string other_value(const std::string& key, const std::string& value) {
     if (value == "true" || value == "false") return value == "true" ? "false" : "true";
