@@ -49,12 +49,13 @@ Seed unpack_seed(NumberReader& from) {
 
 void pack(const Curve& curve, Numbers& to) {
     to.insert(to.end(), {as_number(curve.kind), as_number(curve.impacts), as_number(curve.period),
-                         as_number(curve.begins), as_number(curve.ends), as_number(curve.points.size()),
-                         as_number(curve.specials.size()), as_number(curve.crossings.size())});
+                         as_number(curve.begins), as_number(curve.ends), as_number(curve.edge),
+                         as_number(curve.points.size()), as_number(curve.specials.size()),
+                         as_number(curve.crossings.size())});
     for (const CurvePoint& point : curve.points) {
         pack(point.place, to);
-        to.insert(to.end(),
-                  {point.multiplier, point.peak_force, point.residual, point.trace, point.total_speed});
+        to.insert(to.end(), {point.multiplier, point.peak_force, point.residual, point.trace, point.total_speed,
+                             as_number(point.edge)});
     }
     for (const Special& special : curve.specials) {
         to.push_back(as_number(special.kind));
@@ -73,6 +74,7 @@ Curve unpack_curve(NumberReader& from) {
     curve.period = from.integer();
     curve.begins = static_cast<CurveEnd>(from.integer());
     curve.ends = static_cast<CurveEnd>(from.integer());
+    curve.edge = static_cast<LabelEdge>(from.integer());
     curve.points.resize(static_cast<std::size_t>(from.integer()));
     curve.specials.resize(static_cast<std::size_t>(from.integer()));
     curve.crossings.resize(static_cast<std::size_t>(from.integer()));
@@ -83,6 +85,7 @@ Curve unpack_curve(NumberReader& from) {
         point.residual = from.number();
         point.trace = from.number();
         point.total_speed = from.number();
+        point.edge = static_cast<LabelEdge>(from.integer());
     }
     for (Special& special : curve.specials) {
         special.kind = static_cast<SpecialKind>(from.integer());

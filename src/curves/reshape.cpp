@@ -91,6 +91,24 @@ std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& 
     return result;
 }
 
+OrbitPoint beyond_grazing(const Rig& rig, const OrbitPoint& grazing, bool gains) {
+    OrbitPoint beyond = grazing;
+    std::vector<Event>& events = beyond.orbit.events;
+    const std::size_t event = grazing.orbit.grazing();
+    if (events[event].presses) {
+        events[event].kind = gains ? EventKind::touch : EventKind::resume;
+        return beyond;
+    }
+    const auto place = events.begin() + static_cast<std::ptrdiff_t>(event);
+    if (gains) {
+        *place = {EventKind::touch, !rig.is_rigid(), place->time, 0};
+        if (!rig.is_rigid()) events.insert(place + 1, {EventKind::release, false, place->time, 0});
+    } else {
+        events.erase(place);
+    }
+    return beyond;
+}
+
 std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point) {
     const Stroboscopic start = stroboscopic_states(rig, point).front();
     auto orbit = orbit_from(rig, point.place, start.state, point.orbit.period);

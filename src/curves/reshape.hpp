@@ -23,6 +23,10 @@ namespace peterka::curves {
 [[nodiscard]] std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& point,
                                                             std::size_t event);
 
+// Of an orbit that grazes, the one next to it with an impact more, or with none in place of the grazing. Where
+// the stop goes on to press, the impact before takes its contact.
+[[nodiscard]] OrbitPoint beyond_grazing(const Rig& rig, const OrbitPoint& grazing, bool gains);
+
 // With the events of the true motion; the same point where these are no others, and none where it has no orbit.
 [[nodiscard]] std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point);
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "curves/known_curves.hpp"
+#include "curves/label_edges.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka::curves {
@@ -136,8 +137,10 @@ class CurveSearch {
             const auto results = deal_(std::ssize(chosen), [&](std::int64_t task) {
                 const Stopwatch stopwatch;
                 Numbers numbers(1);
-                pack(trace_curve(rig_, chosen[static_cast<std::size_t>(task)], window_), numbers);
+                Curve curve = trace_curve(rig_, chosen[static_cast<std::size_t>(task)], window_);
                 numbers[0] = stopwatch.seconds();
+                tell_edges(rig_, map_, curve);
+                pack(curve, numbers);
                 return numbers;
             });
             for (const Numbers& numbers : results) {

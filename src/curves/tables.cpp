@@ -12,6 +12,7 @@ constexpr const char* kind_names[] = {"fold", "period_doubling", "grazing"};
 constexpr const char* special_names[] = {"fold_grazing", "flip_grazing", "double_grazing", "cusp",
                                          "inflection"};
 constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "none", "unknown"};
+constexpr const char* label_edge_names[] = {"edge", "same_label", "other_start", "narrow", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
 
 // The coarse map, as the file of a map has it.
@@ -97,6 +98,7 @@ Columns columns_of_curves(const Findings& found) {
     curves.add({"curve_points", Number::int64, -1, "1", "points of the curve, in their order along it"}, numbers_of(found.curves, [](const Curve& c) { return c.points.size(); }));
     curves.add({"curve_begin", Number::int8, -128, "", "why the curve has no point before its first", end_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.begins); }));
     curves.add({"curve_end", Number::int8, -128, "", "why the curve has no point after its last", end_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.ends); }));
+    curves.add({"curve_edge", Number::int8, -128, "", "whether labels of the coarse map change along the curve, or why not", label_edge_names}, numbers_of(found.curves, [](const Curve& c) { return static_cast<int>(c.edge); }));
     return curves;
 }
 
@@ -109,6 +111,7 @@ Columns columns_of_points(const Findings& found, double force) {
     of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
     of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return force * p.peak_force; }));
     of_points.add({"point_residual", Number::float64, nan, "1", "largest error of the defining equations, relative to the hammer's velocity"}, numbers_of(points, [](const CurvePoint& p) { return p.residual; }));
+    of_points.add({"point_edge", Number::int8, -128, "", "whether labels of the coarse map change there, or why not", label_edge_names}, numbers_of(points, [](const CurvePoint& p) { return static_cast<int>(p.edge); }));
     return of_points;
 }
 

@@ -18,11 +18,24 @@ enum class SpecialKind : std::int8_t {
                          // surface becomes one from the other
 };
 
+// Whether labels of the coarse map change at a point of a curve, and, where they don't, why. Stored as int8;
+// the numbers are part of the file format.
+enum class LabelEdge : std::int8_t {
+    edge = 0,         // within a cell they do, from or to that of a motion that ends or changes there
+    same_label = 1,   // cells beside it have such a label, but on both sides
+    other_start = 2,  // such a motion lives a cell's breadth away, too, but [start] ends elsewhere there
+    narrow = 3,       // no such motion lives that far from the curve
+    unknown = 4,      // none of them could be followed
+};
+
+inline constexpr std::size_t label_edge_kinds = 5;
+
 struct CurvePoint {
     Place place;
     double multiplier = 0;  // of the orbit without the grazing impact; largest in size, with its sign
     double peak_force = 0;  // F/(k A0)
     double residual = 0;
+    LabelEdge edge = LabelEdge::unknown;
     // to tell curves apart
     double trace = 0;        // of the orbit's monodromy matrix
     double total_speed = 0;  // of all impacts
@@ -48,8 +61,10 @@ struct Curve {
     std::int64_t impacts = 0;  // of the orbit that is stable next to the curve
     std::int64_t period = 1;
     std::vector<CurvePoint> points;
+    std::vector<Orbit> orbits;  // of the points; not for the way between ranks
     std::vector<Special> specials;
     std::vector<Crossing> crossings;
+    LabelEdge edge = LabelEdge::unknown;  // of all points; an edge is one across which a motion was followed
     CurveEnd begins = CurveEnd::lost;
     CurveEnd ends = CurveEnd::lost;
 };

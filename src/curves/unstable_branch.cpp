@@ -78,17 +78,9 @@ class BranchWalk {
     // The orbit with an impact more than one that grazes, or with none in place of the grazing.
     void begin_beyond(const OrbitPoint& grazing, bool gains) {
         const std::size_t event = grazing.orbit.grazing();
-        OrbitPoint beyond = grazing;
-        std::vector<Event>& events = beyond.orbit.events;
-        if (events[event].presses) return;  // a contact that goes on, and no impact
-        const auto place = events.begin() + static_cast<std::ptrdiff_t>(event);
-        if (gains) {
-            *place = {EventKind::touch, !rig_.is_rigid(), place->time, 0};
-            if (!rig_.is_rigid()) events.insert(place + 1, {EventKind::release, false, place->time, 0});
-        } else {
-            events.erase(place);
-            if (events.empty()) return;  // the motion without impacts, which is stable
-        }
+        if (grazing.orbit.events[event].presses) return;  // a contact that goes on, and no impact
+        const OrbitPoint beyond = beyond_grazing(rig_, grazing, gains);
+        if (beyond.orbit.events.empty()) return;  // the motion without impacts, which is stable
         Stepper::Here here = stepper_.at(beyond);
         if (gains && here.tangent[Unknowns(beyond.orbit).velocity(event)] < 0) here.tangent = -here.tangent;
         const Seed at{CurveKind::grazing, grazing};

@@ -65,6 +65,46 @@ std::string edges_text(const EdgeCount& edges) {
         readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
 }
 
+// What share of the curves' length, in cells, is of a kind.
+std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const Place& cell) {
+    std::array<double, label_edge_kinds> lengths{};
+    for (const Curve& curve : found.curves) {
+        for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+            const CurvePoint& a = curve.points[i];
+            const CurvePoint& b = curve.points[i + 1];
+            const double half = std::hypot((b.place.frequency - a.place.frequency) / cell.frequency,
+                                           (b.place.gap - a.place.gap) / cell.gap) /
+                                2;
+            for (const LabelEdge edge : {a.edge, b.edge}) lengths[static_cast<std::size_t>(edge)] += half;
+        }
+    }
+    return lengths;
+}
+
+std::string label_edges_text(const scene::Scene& scene, const Findings& found) {
+    static constexpr std::array words{
+        "where labels of the coarse map change within a cell",
+        "where cells have the label of a motion that ends or changes, but on both sides",
+        "where it lives a cell's breadth from the curve, but [start] ends elsewhere",
+        "where it lives in a strip narrower than a cell", "where it could not be followed"};
+    const auto corner = scene.cell(scene.rows() - 1, scene.columns() - 1).oscillator;
+    const auto origin = scene.cell(0, 0).oscillator;
+    const auto lengths = lengths_by_edge(found, {corner.frequency - origin.frequency, corner.gap - origin.gap});
+    const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    std::array<int, label_edge_kinds> curves{};
+    for (const Curve& curve : found.curves) ++curves[static_cast<std::size_t>(curve.edge)];
+    std::string text = fmt::format(
+        "Motions followed across edges between labels of the coarse map end on {} of the {} curves\n",
+        curves[0], found.curves.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (lengths[i] == 0 && curves[i] == 0) continue;
+        text += fmt::format("  {:>6.1f} % of their length {}", 100 * lengths[i] / whole, words[i]);
+        text += i > 0 && curves[i] > 0 ? fmt::format("; that is why {} curves have no such edge\n", curves[i])
+                                       : "\n";
+    }
+    return text;
+}
+
 std::string distances_text(const Findings& found) {
     if (found.along_frequency.empty()) return "";
     const auto share = [](const std::vector<EdgeDistance>& all, auto&& is_one) {
@@ -100,10 +140,10 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         points += curve.points.size();
         for (const CurvePoint& point : curve.points) largest = std::max(largest, point.residual);
     }
-    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}{}{}", title,
+    return fmt::format("\n{}\n{} curves, {} points, residual {:.1e} at most\n{}{}{}{}{}{}", title,
                        found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
                        table_of_curves(found), specials_text(found), edges_text(found.edges),
-                       distances_text(found), borders_in_words(scene, found));
+                       label_edges_text(scene, found), distances_text(found), borders_in_words(scene, found));
 }
 
 std::string speed_in_words(const Findings& found) {

@@ -1,0 +1,251 @@
+#include "curves/label_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "curves/branch_step.hpp"
+#include "curves/known_curves.hpp"
+#include "curves/orbit_check.hpp"
+#include "curves/reshape.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+using Label = std::pair<std::int64_t, std::int64_t>;  // p, q; 0, 1 without impacts
+
+// Cells next to a place, and the size of those around it.
+struct Cells {
+    std::int64_t first_column = 0;
+    std::int64_t first_row = 0;
+    std::int64_t columns = 0;
+    std::int64_t rows = 0;
+    Place size;
+};
+
+class EdgeTeller {
+  public:
+    EdgeTeller(const Rig& rig, const CoarseMap& map, Curve& curve) : rig_(rig), map_(map), curve_(curve) {
+        const Place low = map.place(0);
+        const Place high = map.place(map.count() - 1);
+        window_ = {high.frequency - low.frequency, high.gap - low.gap};
+    }
+
+    void run() {
+        for (std::size_t i = 0; i < curve_.points.size(); ++i) curve_.points[i].edge = by_labels(i);
+        find_reasons();
+        curve_.edge = LabelEdge::unknown;
+        for (const CurvePoint& point : curve_.points) {
+            if (point.edge != LabelEdge::edge) curve_.edge = std::min(curve_.edge, point.edge);
+        }
+        if (is_edge_of_a_motion()) curve_.edge = LabelEdge::edge;
+    }
+
+  private:
+    // Of the motions that end or change at a point of the curve.
+    [[nodiscard]] std::vector<Label> labels_at(std::size_t i) const {
+        const std::int64_t p = curve_.orbits[i].impacts();
+        const std::int64_t q = curve_.period;
+        if (curve_.kind == CurveKind::fold) return {{p, q}};
+        if (curve_.kind == CurveKind::period_doubling) return {{p, q}, {2 * p, 2 * q}};
+        return {{p, q}, {p + 1, q}};
+    }
+
+    [[nodiscard]] bool has_one_of(const std::vector<Label>& labels, std::int64_t cell) const {
+        const Site& site = map_.site(cell);
+        if (site.regime == regime::Regime::no_impact) return std::ranges::count(labels, Label{0, 1}) > 0;
+        return site.regime == regime::Regime::periodic &&
+               std::ranges::count(labels, Label{site.impacts, site.period}) > 0;
+    }
+
+    [[nodiscard]] Cells cells_around(const Place& place) const {
+        std::int64_t column = 0;
+        std::int64_t row = 0;
+        const auto gap_of = [&](std::int64_t r) { return map_.place(r * map_.columns()).gap; };
+        while (column + 2 < map_.columns() && map_.place(column + 1).frequency <= place.frequency) ++column;
+        while (row + 2 < map_.rows() && gap_of(row + 1) <= place.gap) ++row;
+        Cells cells;
+        cells.size = {map_.place(column + 1).frequency - map_.place(column).frequency,
+                      gap_of(row + 1) - gap_of(row)};
+        cells.first_column = std::max<std::int64_t>(column - 1, 0);
+        cells.first_row = std::max<std::int64_t>(row - 1, 0);
+        cells.columns = std::min(column + 3, map_.columns()) - cells.first_column;
+        cells.rows = std::min(row + 3, map_.rows()) - cells.first_row;
+        return cells;
+    }
+
+    // Neighbours with different labels, one of which is such a motion's, with a curve's point within a cell.
+    [[nodiscard]] std::vector<Edge> edges_at(std::size_t i) const {
+        const Place& place = curve_.points[i].place;
+        const std::vector<Label> labels = labels_at(i);
+        const Cells cells = cells_around(place);
+        std::vector<Edge> edges;
+        const auto add = [&](std::int64_t a, std::int64_t b) {
+            const Place one = map_.place(a);
+            const Place other = map_.place(b);
+            const double across =
+                ((one.frequency + other.frequency) / 2 - place.frequency) / cells.size.frequency;
+            const double up = ((one.gap + other.gap) / 2 - place.gap) / cells.size.gap;
+            if (same_label(map_.site(a), map_.site(b)) || std::hypot(across, up) > 1) return;
+            if (has_one_of(labels, a)) edges.push_back({a, b});
+            if (has_one_of(labels, b)) edges.push_back({b, a});
+        };
+        for (std::int64_t row = 0; row < cells.rows; ++row) {
+            for (std::int64_t column = 0; column < cells.columns; ++column) {
+                const std::int64_t cell =
+                    (cells.first_row + row) * map_.columns() + cells.first_column + column;
+                if (column + 1 < cells.columns) add(cell, cell + 1);
+                if (row + 1 < cells.rows) add(cell, cell + map_.columns());
+            }
+        }
+        return edges;
+    }
+
+    [[nodiscard]] LabelEdge by_labels(std::size_t i) const {
+        if (!edges_at(i).empty()) return LabelEdge::edge;
+        const Cells cells = cells_around(curve_.points[i].place);
+        const std::vector<Label> labels = labels_at(i);
+        for (std::int64_t row = 0; row < cells.rows; ++row) {
+            for (std::int64_t column = 0; column < cells.columns; ++column) {
+                if (has_one_of(labels, (cells.first_row + row) * map_.columns() + cells.first_column + column))
+                    return LabelEdge::same_label;
+            }
+        }
+        return LabelEdge::unknown;
+    }
+
+    // A point in some between speaks for those next to it.
+    void find_reasons() {
+        constexpr std::size_t between_looks = 4;
+        LabelEdge last = LabelEdge::unknown;
+        std::size_t since = between_looks;
+        for (std::size_t i = 0; i < curve_.points.size(); ++i) {
+            LabelEdge& edge = curve_.points[i].edge;
+            if (edge != LabelEdge::unknown) {
+                since = between_looks;
+                continue;
+            }
+            if (since >= between_looks) {
+                last = how_far_a_motion_lives(i);
+                since = 0;
+            }
+            ++since;
+            edge = last;
+        }
+    }
+
+    // Perpendicular to the curve, in units of its own, a cell's breadth.
+    [[nodiscard]] Place aside(std::size_t i) const {
+        const Place size = cells_around(curve_.points[i].place).size;
+        const Place& before = curve_.points[i > 0 ? i - 1 : i].place;
+        const Place& after = curve_.points[std::min(i + 1, curve_.points.size() - 1)].place;
+        const double across = (after.frequency - before.frequency) / size.frequency;
+        const double up = (after.gap - before.gap) / size.gap;
+        const double length = std::hypot(across, up);
+        if (!(length > 0)) return {0, size.gap};
+        return {-up / length * size.frequency, across / length * size.gap};
+    }
+
+    [[nodiscard]] LabelEdge how_far_a_motion_lives(std::size_t i) const {
+        const OrbitPoint at{curve_.orbits[i], curve_.points[i].place};
+        const Place way = aside(i);
+        const Beside beside = motions_beside(at, way);
+        for (const OrbitPoint& stable : beside.stable) {
+            const double moved = (stable.place.frequency - at.place.frequency) / window_.frequency *
+                                     (way.frequency / window_.frequency) +
+                                 (stable.place.gap - at.place.gap) / window_.gap * (way.gap / window_.gap);
+            const double sign = moved < 0 ? -1 : 1;
+            const Place target{at.place.frequency + sign * way.frequency, at.place.gap + sign * way.gap};
+            const bool lives = stable.orbit.events.empty() ||  // without impacts
+                               follow(rig_, stable, target, window_).reached;
+            if (lives) return LabelEdge::other_start;
+        }
+        return beside.any ? LabelEdge::narrow : LabelEdge::unknown;
+    }
+
+    // Motions that part from the curve's point on a line through it. One that is stable at the curve may lose
+    // that at once: what is left of an impact that has hardly any speed is a jump of its multipliers.
+    struct Beside {
+        bool any = false;
+        std::vector<OrbitPoint> stable;
+    };
+    [[nodiscard]] Beside motions_beside(const OrbitPoint& at, const Place& way) const {
+        constexpr double step = 1e-4;
+        std::vector<OrbitPoint> starts;
+        if (curve_.kind == CurveKind::grazing) {
+            for (const bool gains : {true, false}) {
+                starts.push_back(beyond_grazing(rig_, at, gains));
+            }
+        } else {
+            starts.push_back(at);
+        }
+        Beside beside;
+        for (const OrbitPoint& start : starts) {
+            if (start.orbit.events.empty()) return {true, {start}};
+            Stepper stepper(rig_, window_,
+                            {Condition::on_line(at.place, {way.gap / window_.gap / window_.frequency,
+                                                           -way.frequency / window_.frequency / window_.gap})});
+            Stepper::Here here = stepper.at(start);
+            for (int direction = 0; direction < 2; ++direction) {
+                stepper.set_step(step);
+                const auto next = stepper.next(here, step);
+                if (next && is_motion(next->point)) {
+                    beside.any = true;
+                    if (is_stable(next->point)) beside.stable.push_back(next->point);
+                }
+                here.tangent = -here.tangent;
+            }
+        }
+        return beside;
+    }
+
+    [[nodiscard]] bool is_motion(const OrbitPoint& point) const {
+        const Fault::Kind fault = find_fault(rig_, point).kind;
+        return fault != Fault::Kind::pierces && fault != Fault::Kind::slow;
+    }
+    [[nodiscard]] bool is_stable(const OrbitPoint& point) const {
+        return monodromy(rig_, point.orbit, point.place, {}).is_stable();
+    }
+
+    // Labels alone might change here by chance: a cell's motion is followed to the curve.
+    [[nodiscard]] bool is_edge_of_a_motion() const {
+        int left = 64;
+        for (std::size_t i = 0; i < curve_.points.size(); ++i) {
+            if (curve_.points[i].edge != LabelEdge::edge) continue;
+            for (const Edge& edge : edges_at(i)) {
+                if (--left < 0) return false;
+                if (ends_on_curve(edge)) return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool ends_on_curve(const Edge& edge) const {
+        const Place to = map_.place(edge.to);
+        if (map_.site(edge.from).regime == regime::Regime::no_impact) {
+            const double square = to.frequency * to.frequency;
+            return square > to.gap * std::hypot(1 - square, 2 * rig_.damping_ratio() * to.frequency);
+        }
+        const auto orbit = map_.orbit(rig_, edge.from, window_);
+        if (!orbit) return false;
+        const auto seed = follow(rig_, *orbit, to, window_).seed;
+        return seed && lies_on(curve_, seed->kind, seed->point.orbit.period,
+                               curve_point(rig_, seed->point, seed->kind), window_);
+    }
+
+    const Rig& rig_;
+    const CoarseMap& map_;
+    Curve& curve_;
+    Place window_;  // its sizes
+};
+
+}  // namespace
+
+void tell_edges(const Rig& rig, const CoarseMap& map, Curve& curve) {
+    if (!curve.points.empty()) EdgeTeller(rig, map, curve).run();
+}
+
+}  // namespace peterka::curves
