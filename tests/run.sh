@@ -1,18 +1,26 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests of every commit: C++ units, MPI tests, the program under mpirun, the
-# pictures, the page. Safe to repeat. tests/style.sh has formatting and static analysis.
-#   tests/run.sh                  everything
-#   tests/run.sh -R PATTERN       only the tests whose name matches
-#   tests/run.sh --rerun-failed   only those that failed the last time
+# Installs what is missing, builds, and runs tests: C++ units, MPI tests, the program under mpirun, the pictures.
+#   tests/run.sh                  all but those that go through a whole range of cases, and those in a browser
+#   tests/run.sh --all            all, as .ci/run does at each commit; more than twice as long
+#   tests/run.sh -R PATTERN       of all, those whose name matches
+#   tests/run.sh --rerun-failed   of all, those that failed the last time
+# tests/style.sh has formatting and static analysis.
 set -euo pipefail
 . "$(dirname "$0")/../jobs/arguments.sh"
-read_arguments "-R --rerun-failed" 1 "$@"
+read_arguments "--all -R --rerun-failed" 1 "$@"
 ! has_option -R || [ ${#words[@]} = 1 ] || refuse "-R wants a pattern"
 has_option -R || [ ${#words[@]} = 0 ] || refuse "${words[0]} follows no -R"
+[ ${#options[@]} -lt 2 ] || refuse "one option at a time"
 cd "$(dirname "$0")/.."
 
-# The page of explore.py: what builds its engine, and a browser.
-# shellcheck disable=SC2046
-jobs/prepare.sh $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
+if [ ${#options[@]} = 0 ]; then
+    chosen=(--label-exclude thorough)
+    jobs/prepare.sh
+else
+    has_option --all && chosen=() || chosen=("$@")
+    # The page of explore.py: what builds its engine, and a browser.
+    # shellcheck disable=SC2046
+    jobs/prepare.sh $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
+fi
 . jobs/mpi_environment.sh
-ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "${chosen[@]}"

@@ -82,6 +82,7 @@ def test_a_folder_that_is_none_is_refused(start, script):
     ("jobs/prepare.sh", ["Not_A_Package"], ["Not_A_Package is no name of a package"]),
     ("tests/run.sh", ["job"], ["job follows no -R"]),
     ("tests/run.sh", ["-R"], ["-R wants a pattern"]),
+    ("tests/run.sh", ["--all", "-R", "job"], ["one option at a time"]),
     ("tests/endurance.sh", ["signals", "nowhere"], ["there is no part nowhere"]),
     ("tests/endurance/signals.py", [], ["tests/endurance.sh signals"]),
     ("tests/endurance/hosts.sh", [], ["tests/endurance.sh hosts"]),
