@@ -36,8 +36,7 @@ enum class Field : std::uint8_t {
     contact_rate,
     margin_per_speed,
     // One step of free flight: (delta, delta') -> E (delta, delta') + forced, the latter affine in the
-    // forcing's
-    // sine and cosine at the step's start.
+    // sine and cosine of the forcing's phase at the step's start.
     e00,
     e01,
     e10,

@@ -1,4 +1,4 @@
-// A cycle as a chain of integrated legs, for either integrator of trajectory/sundials_steppers.hpp.
+// A cycle as a chain of integrated legs, for either integrator of integrators/steppers.hpp.
 #pragma once
 
 #include <algorithm>

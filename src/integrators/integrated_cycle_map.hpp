@@ -4,7 +4,7 @@
 // and springs of any cubic stiffness in either form. The Jacobian comes with the state, from the variational
 // equations. Each leg is integrated in its own time, from 0; an event is located to the integrator's accuracy
 // and the next leg starts exactly on the event's surface, from scratch. How events are found:
-// trajectory/sundials_search.hpp. Flights end at a rigid stop in an impact: trajectory/rigid_course.hpp.
+// integrators/search.hpp. Flights end at a rigid stop in an impact: trajectory/rigid_course.hpp.
 //
 // Limits of validity, as measured on eight cells of the paper's 170 mm rig and on random scenes:
 //   - The relative error of a periodic orbit's peak force stays at or below the tolerance asked for, from 1e-4
@@ -15,9 +15,8 @@
 //   - The same for Hunt-Crossley stops with n from 1, K to 1e12 and D to 1e3, where D (v0 + v1) >> 1 again for
 //     the implicit methods. Its restitution tends to 1 at low speed: with n = 1, K = 1e12, D = 1e3 a pressed
 //     hammer hops thousands of times and rings for a million radians, which is more than a cycle's steps.
-//   - A cycle has at most 200,000 steps and 5,000 legs, or 10,000 impacts on a rigid stop. More is
-//   solver_failed
-//     and too_many_events.
+//   - A cycle has at most 200,000 steps (more: solver_failed), and 5,000 legs or 10,000 impacts on a rigid
+//     stop (more: too_many_events).
 #pragma once
 
 #include <memory>

@@ -1,8 +1,8 @@
 // CVODE and ARKODE behind one interface: a leg is started, goes on step by step, and can be looked at anywhere
 // within the step just made, at the integrator's own accuracy.
 //
-// Both are made once and re-initialized for each leg. The SundialsLeg given to the constructor must outlive the
-// stepper and stay where it is. Errors: see trajectory/sundials_objects.hpp.
+// Both are made once and re-initialized for each leg. The leg given to the constructor must outlive the
+// stepper and stay where it is. Errors: see integrators/objects.hpp.
 #pragma once
 
 #include "integrators/leg.hpp"

@@ -1,4 +1,4 @@
-// A dataset with its numbers, for files that are written whole (output/whole_file.hpp).
+// A dataset with its numbers, for files that are written whole (map_file/whole_file.hpp).
 #pragma once
 
 #include <vector>

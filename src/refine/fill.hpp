@@ -1,12 +1,11 @@
 // Whether a cell can be filled from the cells around it instead of being computed, and with what.
 //
-// Around it are the cells of its stencils' rows and columns on the coarser lattice, 16 inside a block. It is
-// filled
-// - with their regime and z where all have the same, and every number it is to be filled with is smooth: of
-// three
+// Around it are the cells of its stencils' rows and columns on the coarser lattice, 16 inside a block. It takes
+// - their regime and z where all have the same, and every number it is to be filled with is smooth: of three
 //   neighbours in a row or column, the one in the middle differs from the mean of the others (or from the line
 //   through them) by at most `smoothness` of the largest number. It takes the bicubically interpolated one.
-// - as chaotic where the cells next to it are, and all but a share of 0.3/stride, where the cells being filled
+// - chaos where the cells next to it are chaotic, and all but a share of 0.3/stride, where the cells being
+// filled
 //   lie `stride` apart. Chaos has no smooth numbers: it takes none. Inside chaos lie many narrow periodic
 //   windows. A cell that is filled on a coarse lattice decides about its whole block, so the rule is stricter
 //   there.

@@ -1,8 +1,8 @@
 // The decision procedure: follow one start until its regime is proved, or the budget ends.
 //
 // - no impact: the decaying rest of the free flight can't reach the stop any more
-// - sustained contact: the decaying rest of the contact can't make the force vanish, or a proved orbit never
-//   separates
+// - sustained contact: the decaying rest of the contact can't make the force vanish, or a proved orbit
+//   has no separation
 // - periodic: a near-recurrence led Newton's method to a stable orbit, and the trajectory contracts to it
 // - chaotic: for long enough (regime/chaos_claim.hpp) the largest Lyapunov exponent is positive by three
 //   standard errors, and a perturbation grew by e^20; never where the hammer came to rest on a rigid stop

@@ -9,8 +9,7 @@
 //     than extended precision tells apart; the hammer then sticks while it is pressed (phase contact). The
 //     impacts of a completed chatter count as one as far as they lie in this cycle.
 //   - Hunt-Crossley: delta^n has no series at delta = 0, so steps shrink towards it, down to a depth below
-//   which
-//     the force changes nothing in extended precision.
+//     which the force changes nothing in extended precision.
 // Limits of validity: time follows the fastest rate of the contact, sqrt(kappa) + chi, so contacts that last
 // for a cycle at a stiff stop run out of steps (solver_failed). Low hops with a restitution next to 1 end in
 // too_many_events. There is no Jacobian (NaN) and no pattern.

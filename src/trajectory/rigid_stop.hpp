@@ -2,14 +2,12 @@
 // there.
 //
 // - The hammer at rest on the stop has the acceleration a(theta) = eta^2 sin(theta) - g - cubic part, a
-// polynomial
-//   in s = sin(theta). Where a > 0 it presses the hammer against the stop, with the force f = a.
+//   polynomial in s = sin(theta). Where a > 0 it presses the hammer against the stop, with the force f = a.
 // - Impact: v > 0 becomes -r v. A small change of the state before becomes, after it (saltation),
 //       [[-r, 0], [(1 + r) a/v, -r]];
 //   the damper's forces before and after the impact cancel in it.
 // - Chatter: while a > 0 and r < 1 impacts follow each other ever faster and end in rest after a finite time.
-// From
-//   a rebound speed w on, with sigma = w/(a (1 - r)) and zeta the damping of the flight,
+//   From a rebound speed w on, with sigma = w/(a (1 - r)) and zeta the damping of the flight,
 //       time to rest = 2 sigma (1 - (2/3) sigma (zeta + a'/a) + O(sigma^2)).
 //   (One flight lasts 2 w/a - (4/3) (zeta a + a') w^2/a^3 and comes back with w + (2/3) (a' - 2 zeta a)
 //   w^2/a^2, a' = da/dtau; the sum over the flights follows order by order.)
