@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Parallel efficiency of a map on any number of ranks, from the seconds per tile that its file stores.
 
-    efficiency.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
+    scaling.py FILE.h5 [--measured FILE.h5 ...] [--cells 1e6,1e8,1e10] [--ranks 100000]
                [--service US] [--latency US] [--look US] [--remedies] [--output-dir DIR] [--formats png,pdf]
 
 Deals the tiles again as the program does, event by event: to 1 up to --ranks ranks, for the map's plane at the
@@ -68,7 +68,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--cells", type=read_cells, default="1e6,1e8,1e10", help="default: 1e6,1e8,1e10")
     parser.add_argument("--ranks", type=whole_number(1, MOST_RANKS), default=100000, help="default: 100000")
     for name, default, what in (("service", 3.0, "rank 0's time for one run"), ("latency", 2.0, "time of a message"),
-                                ("look", 500.0, "between two looks of a computing rank 0 for messages")):
+                                ("look", 500.0, "between two looks for messages of a rank 0 that computes, too")):
         parser.add_argument(f"--{name}", metavar="US", type=microseconds, default=default,
                             help=f"{what} [µs], default: {default:g}")
     parser.add_argument("--remedies", action="store_true", help="compare ways out where rank 0 is too slow")

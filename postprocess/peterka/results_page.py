@@ -47,8 +47,7 @@ def _work_precision(file):
         f"Peak force on the stable orbits of {cells} cells against a reference in extended precision; transients are "
         "left out, and every method does the same work.",
         work_precision_table(file.table),
-        "Errors are of the cells that the method came through; `time for` is the fastest run whose median error is "
-        "that small or smaller.",
+        "Errors are those of cells with a result; `time for` is the fastest run whose median error is that small or smaller.",
         _picture(file),
     ])
 
@@ -89,8 +88,8 @@ def _audit_sentence(audit):
     if audit is None or audit.count == 0:
         return "No cell of this map was audited."
     errors = compared_errors(audit.force_error)
-    text = (f"Audit: an independent engine, which leaves nothing out, solved {audit.count} random cells again. "
-            f"{int(np.sum(audit.agrees))} have the same regime and z = p/q")
+    text = (f"Audit: an independent engine, which leaves nothing out, solved {audit.count} cells again, half of "
+            f"them at random and half where claims are weakest. {int(np.sum(audit.agrees))} have the same regime and z = p/q")
     if not len(errors):
         return text + "; none has a force to compare."
     return (text + f"; the peak forces of the {len(errors)} comparable ones differ by {np.median(errors):.1e} in the "

@@ -274,6 +274,6 @@ def test_the_list_of_scenes_in_which_engines_break(tmp_path):
     with StudyFile(write_stability(tmp_path / "a.h5")) as file:
         lines = study_words.where_engines_break(file.table).splitlines()
         table = study_words.stability_table(file.table).splitlines()
-    assert lines[0] == "- exact: not finite in conservative"
-    assert lines[3] == "- arkode: **wrong** in stiffness 1e15; conservative in conservative"
+    assert lines[0] == "- exact: numbers grew out of range (conservative)"
+    assert lines[3] == "- arkode: **wrong** (stiffness 1e15); nothing dissipates (conservative)"
     assert table[2].startswith("| exact | 5 | 1 | 0 | 1 | ")

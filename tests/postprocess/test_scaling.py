@@ -72,7 +72,7 @@ def test_the_picture_shows_the_replays_and_what_was_measured(tmp_path):
 
 @pytest.fixture
 def run_scaling(run_program):
-    """Calls efficiency.py in tmp_path: (code, stdout, stderr)."""
+    """Calls scaling.py in tmp_path: (code, stdout, stderr)."""
     return lambda *arguments: run_program("scaling", *arguments)
 
 
@@ -120,7 +120,7 @@ def test_a_measured_file_without_its_like_on_one_rank_is_left_out(tmp_path, run_
 
 
 @pytest.mark.parametrize("real, ideal, words", [
-    ((1.0, 0.95, 0.8), (1.0, 0.96, 0.91), "10 ranks, and up to 100 if rank 0 served at once"),
+    ((1.0, 0.95, 0.8), (1.0, 0.96, 0.91), "10 ranks, and up to 100 if rank 0 answered without delay"),
     ((1.0, 0.95, 0.92), (1.0, 0.94, 0.89), "100 ranks; rank 0 is not what limits it"),
     ((1.0, 0.85, 0.8), (1.0, 0.85, 0.8), "1 rank; rank 0 is not what limits it"),
 ])

@@ -15,14 +15,14 @@ DPIS = (50, 2400)
 
 def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     """--width, --dpi, --font, --no-title, --limits, --log, --palette, --units and --zoom."""
-    parser.add_argument("--width", metavar="MM", type=number_within(*WIDTHS), help="of a picture, such as 84: a column")
-    parser.add_argument("--dpi", type=number_within(*DPIS), help="dots an inch; default: as many as the cells need")
+    parser.add_argument("--width", metavar="MM", type=number_within(*WIDTHS), help="width of a picture; 84 fits a column of most journals")
+    parser.add_argument("--dpi", type=number_within(*DPIS), help="dots per inch; default: as many as the cells need")
     parser.add_argument("--font", metavar="NAME", help="a font family of this machine")
-    parser.add_argument("--no-title", dest="title", action="store_false", help="the caption says it")
-    parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="of the scale of values or forces, in the numbers on it")
-    parser.add_argument("--log", action="store_true", help="that scale logarithmic")
-    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey: lightness and hatching")
-    parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="of the scales; default: both")
+    parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
+    parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
+    parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
+    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey tells classes apart by lightness and hatching")
+    parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
                         help="part of the axes, in their units: ratios, or Hz and mm with --units si")
 

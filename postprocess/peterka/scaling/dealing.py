@@ -7,7 +7,7 @@ tiles: it looks for requests every so often, and its own tiles take longer by wh
 time whatever else is under way. Left out are starting up, writing, and the farewell; and what a rank has in hand is
 thought to be done one tile after the other.
 
-Which rank gets the last dear tile, and when, is chance: with few tiles a rank, times scatter by some per cent with a small
+Which rank gets the last costly tile, and when, is chance: with few tiles a rank, times scatter by some per cent with a small
 change of any tile's time, and a quicker rank 0 may end later. So a mean counts, of replays whose tiles take a little more
 or less, as they would if they were measured again; the same ones for all machines that are compared.
 """

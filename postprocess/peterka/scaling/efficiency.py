@@ -91,21 +91,21 @@ def well_used(curve: Curve) -> str:
     """Up to how many ranks, and whether rank 0 is what limits that."""
     real, ideal = most_ranks(curve.replays), most_ranks(curve.ideal)
     ranks = f"{real} rank{'s' * (real > 1)}"
-    return f"{ranks}, and up to {ideal} if rank 0 served at once" if ideal > real else f"{ranks}; rank 0 is not what limits it"
+    return f"{ranks}, and up to {ideal} if rank 0 answered without delay" if ideal > real else f"{ranks}; rank 0 is not what limits it"
 
 
 def text(curves: Sequence[Curve], machine: Machine) -> str:
     """The numbers of the picture, and where rank 0 is too slow."""
-    lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 served at once':>26}"]
+    lines = [f"{'cells':>9}{'ranks':>8}{'time [s]':>11}{'efficiency':>12}{'if rank 0 answered without delay':>34}"]
     for one in curves:
         for real, ideal in zip(one.replays, one.ideal):
             lines.append(f"{one.cells:>9.3g}{real.ranks:>8}{real.seconds:>11.4g}{100 * real.efficiency:>10.1f} %"
-                         f"{100 * ideal.efficiency:>24.1f} %")
+                         f"{100 * ideal.efficiency:>32.1f} %")
     for one in curves:
         lines.append(f"{one.cells:.3g} cells: {100 * WELL_USED:.0f} % efficiency up to {well_used(one)}.")
     scatter = max(real.scatter for one in curves for real in one.replays)
     if scatter > 0:
-        lines.append("Which rank gets the last dear tile is chance: times are means of up to "
+        lines.append("Which rank gets the last costly tile is chance: times are means of up to "
                      f"{MOST_REPLAYS} replays, which scatter by {100 * scatter:.1f} % at most (standard deviation).")
     return "\n".join([*lines, assumptions(machine)])
 

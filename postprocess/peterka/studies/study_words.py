@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..files.regimes import reason
 from .methods import look, methods_in_order
 from .stability import OUTCOMES, fitted_slope, scene_name, status_word
 from .study_file import Labels, Stability, WorkPrecision
@@ -29,7 +30,7 @@ def work_precision_table(table: WorkPrecision) -> str:
         ])
     head = ["method", "smallest error in peak force: median (largest)", f"its time, {unit}"]
     head += [f"time for {_error(goal)}" for goal in GOALS]
-    return _markdown([*head, "cells not come through"], rows)
+    return _markdown([*head, "cells without a result"], rows)
 
 
 def labels_table(table: Labels) -> str:
@@ -68,9 +69,9 @@ def where_engines_break(table: Stability) -> str:
         scenes: dict[str, list[str]] = {}
         for row in np.flatnonzero(np.isin(table.outcome[:, number], ["says_why_not", "wrong"])):
             wrong = table.outcome[row, number] == "wrong"
-            word = "**wrong**" if wrong else status_word(table, row, number) or "no reason given"
+            word = "**wrong**" if wrong else reason(status_word(table, row, number)) or "no reason given"
             scenes.setdefault(word, []).append(scene_name(table.scene[row]))
-        text = "; ".join(f"{word} in {', '.join(names)}" for word, names in sorted(scenes.items()))
+        text = "; ".join(f"{word} ({', '.join(names)})" for word, names in sorted(scenes.items()))
         lines.append(f"- {engine}: {text or 'nowhere'}")
     return "\n".join(lines)
 

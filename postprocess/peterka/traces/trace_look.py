@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, PERIODIC, SUSTAINED_CONTACT, UNRESOLVED
+from ..files.regimes import CHAOTIC, FAILED, NO_IMPACT, PERIODIC, SUSTAINED_CONTACT, UNRESOLVED, reason
 from ..look import axes, style, units
 from .trace_file import TraceFile
 
@@ -80,7 +80,7 @@ def claim(file: TraceFile) -> str:
                   f"{cell['multiplier']:.3g})",
         CHAOTIC: f"chaotic for {cycles} cycles: errors grow (exponent {cell['lyapunov']:.3g} per cycle)",
         SUSTAINED_CONTACT: "sustained contact: what is left of the motion can't separate the hammer",
-        UNRESOLVED: f"unresolved after {cycles} cycles: {cell['status']}",
-        FAILED: f"failed: {cell['status']}",
+        UNRESOLVED: f"unresolved after {cycles} cycles: {reason(cell['status'])}",
+        FAILED: f"failed: {reason(cell['status'])}",
     }
     return proof.get(cell["regime"], "")
