@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 
@@ -12,7 +13,7 @@ import pytest
 from conftest import JOBS, SIZE
 
 sys.path.insert(0, str(pages.ROOT / "postprocess"))
-from peterka.page import layers  # noqa: E402
+from peterka.page import engine, layers  # noqa: E402
 from peterka.page import page as page_module  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
 
@@ -72,6 +73,23 @@ def test_without_a_compiler_the_map_and_its_values_are_shown(browser, map_file, 
     assert "no-such-compiler is not here" in browser.text("missing")
     assert browser.ask("peterka.value(3, 14)")["regime"] in range(6)
     assert "no-such-compiler" in browser.promise("peterka.solve(3, 14)")
+
+
+@pytest.mark.parametrize("changed, is_other", [
+    ("cell/labels.hpp", True), ("integrators/integrated_cycle_map.hpp", True), ("page/build_wasm.sh", True),
+    ("engine_sources.txt", True), ("regime/cell_pool.cpp", False), ("report/summary.cpp", False)])
+def test_the_engine_is_built_anew_where_a_file_that_it_is_made_of_changed(tmp_path, monkeypatch, changed, is_other):
+    source = tmp_path / "src"
+    shutil.copytree(engine.SOURCE, source)
+    monkeypatch.setattr(engine, "SOURCE", source)
+    monkeypatch.setattr(engine, "SCRIPT", source / "page" / "build_wasm.sh")
+    (cache := tmp_path / "cache").mkdir()
+    monkeypatch.setattr(engine, "_build", lambda built: built.write_bytes(b"engine"))
+    engine.module(cache)
+    with open(source / changed, "a") as file:
+        file.write("\n")
+    engine.module(cache)
+    assert len(list(cache.iterdir())) == 1 + is_other
 
 
 def test_the_engine_is_built_once(map_file, tmp_path):

@@ -3,6 +3,7 @@ of a cell in the order in which it takes them (CellNumber in src/page/interface.
 
 import hashlib
 import os
+import re
 import subprocess
 import tomllib
 from pathlib import Path
@@ -12,7 +13,7 @@ from ..files.opened import OpenedFile
 ROOT = Path(__file__).resolve().parents[3]
 SOURCE = ROOT / "src"
 SCRIPT = SOURCE / "page" / "build_wasm.sh"
-FOLDERS = ("support", "job", "scene", "motion", "trajectory", "regime", "trace", "page")
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 LAWS = {
     "kelvin_voigt": ("stiffness_n_per_m", "damping_ns_per_m"),
     "restitution": ("coefficient",),
@@ -54,11 +55,25 @@ def _build(built):
 
 
 def _fingerprint():
-    files = [path for folder in FOLDERS for path in sorted((SOURCE / folder).iterdir()) if path.is_file()]
     digest = hashlib.sha256()
-    for path in [SOURCE / "engine_sources.txt", *files]:
-        digest.update(path.name.encode() + b"\0" + path.read_bytes())
+    for path in sorted(_made_of()):
+        digest.update(str(path.relative_to(SOURCE)).encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def _made_of():
+    """The set of all files of src that the module depends on: its sources, what they include, and how it is built."""
+    patterns = (SOURCE / "engine_sources.txt").read_text(encoding="utf-8").split()
+    waiting = {path for pattern in patterns if not pattern.startswith("!") for path in SOURCE.glob(pattern)}
+    waiting -= {SOURCE / pattern[1:] for pattern in patterns}
+    waiting |= {SOURCE / "engine_sources.txt", *(path for path in SCRIPT.parent.iterdir() if path.is_file())}
+    found = set()
+    while waiting:
+        path = waiting.pop()
+        found.add(path)
+        included = {SOURCE / name for name in INCLUDE.findall(path.read_text(encoding="utf-8"))}
+        waiting |= {other for other in included if other.is_file()} - found
+    return found
 
 
 def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
