@@ -71,6 +71,18 @@ def test_a_curve_that_cannot_be_is_refused(tmp_path, line):
         CurvesFile(write_curves(tmp_path / "c.h5", [*LINES, line]))
 
 
+SOUND = (0.5, 1, 1, [(1.5, 20.0, 0.4), (1.6, 21.0, 0.3)])
+
+
+@pytest.mark.parametrize("branch", [(0.5, 1, 1, []), (np.nan, 1, 1, SOUND[3]), (0.5, 1, 1, [(np.inf, 20.0, 0.4)])],
+                         ids=["no point", "no gap", "no place"])
+def test_unstable_orbits_that_cannot_be_are_refused(tmp_path, branch):
+    with CurvesFile(write_curves(tmp_path / "sound.h5", branches=[SOUND])) as file:
+        assert file.unstable_branches[0].force.tolist() == [20.0, 21.0]
+    with pytest.raises(NotDrawable, match="has a branch of no place"):
+        CurvesFile(write_curves(tmp_path / "c.h5", branches=[SOUND, branch]))
+
+
 def write_distances(path):
     """Cells at 0.1 from an edge, but two that have none in the window and one that could not be followed."""
     write_curves(path, cart_amplitude_m=1e-3, natural_frequency_hz=4.0)

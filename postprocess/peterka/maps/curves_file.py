@@ -123,7 +123,7 @@ class CurvesFile(PeterkaFile):
                                             for name in ("impacts", "period", "first", "points"))
         frequencies = self._column("branch_frequency_ratio", REAL)
         forces = self._column("branch_peak_force_ratio", REAL, frequencies.shape)
-        if not ((firsts >= 0).all() and (counts >= 0).all() and (firsts <= len(frequencies) - counts).all()
+        if not ((firsts >= 0).all() and (counts > 0).all() and (firsts <= len(frequencies) - counts).all()
                 and np.isfinite(frequencies).all() and np.isfinite(gaps).all()):
             raise self.refusal("has a branch of no place, or with points that the file does not have")
         displacements = [self._samples(f"branch_{name}_displacement", len(frequencies))
