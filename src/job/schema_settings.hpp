@@ -103,7 +103,7 @@ void describe_settings(Walker& file, Job& job) {
                     "is for maps and basins; a point of a sweep starts from the one before it; audit a map of "
                     "the same window; remove this table");
     } else {
-        file.table({"audit", "an independent check of a random sample of cells"},
+        file.table({"audit", "an independent check of some cells, half of them where claims are weakest"},
                    [&](auto& table) { describe(table, job.audit); });
     }
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},

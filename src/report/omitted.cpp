@@ -58,7 +58,7 @@ std::vector<std::string> omitted_in_words(const job::Job& job, const findings::S
     }
     sentences.emplace_back("the rest of each trajectory once its regime is proved");
     sentences.emplace_back(
-        "force maxima of transients: force is searched on proved orbits and in chaotic windows only");
+        "peak forces of transients: forces are looked for on proved orbits, and while chaos is observed");
     return sentences;
 }
 

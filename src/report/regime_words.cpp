@@ -41,7 +41,7 @@ const char* in_words(regime::Status status) {
         case Status::solver_failed:
             return "the integrator gave up";
         case Status::rounding:
-            return "rounding decides the label; the last bit of the start turns it";
+            return "rounding decides the label: a start that differs in its last digit ends elsewhere";
         case Status::imprecise:
             return "the peak force may be off by more than solver.tolerance";
         case Status::chaotic_so_far:
@@ -50,13 +50,16 @@ const char* in_words(regime::Status status) {
     return "";
 }
 
-// With the number of such cells.
+// With the number of such cells where they have different ones.
 std::string reasons(std::span<const std::int64_t> cells_by_status) {
+    const auto is_there = [](std::int64_t cells) { return cells > 0; };
+    const bool are_several = std::ranges::count_if(cells_by_status, is_there) > 1;
     std::string text;
     for (std::size_t status = 0; status < cells_by_status.size(); ++status) {
         if (cells_by_status[status] == 0) continue;
-        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", readable_count(cells_by_status[status]),
-                            in_words(static_cast<regime::Status>(status)));
+        if (!text.empty()) text += "; ";
+        if (are_several) text += readable_count(cells_by_status[status]) + ": ";
+        text += in_words(static_cast<regime::Status>(status));
     }
     return text;
 }
@@ -75,7 +78,8 @@ std::string open_ends(const findings::Counts& counts) {
     for (std::size_t status = 1; status < counts.open_by_status.size();
          ++status) {  // but those that are proved
         if (counts.open_by_status[status] == 0) continue;
-        text += fmt::format("  {} of these: {}\n", readable_count(counts.open_by_status[status]),
+        text += fmt::format("  in {} cell{}: {}\n", readable_count(counts.open_by_status[status]),
+                            counts.open_by_status[status] == 1 ? "" : "s",
                             in_words(static_cast<regime::Status>(status)));
     }
     return text;
