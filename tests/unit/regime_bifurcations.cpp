@@ -1,9 +1,9 @@
 // Analytic orbits and the limits of 1/1: known to many digits by other means (continuation, closed formulas).
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "critical_parameter.hpp"
 #include "regime/stroboscopic_map.hpp"
 #include "rig.hpp"
 #include "trajectory/free_flight.hpp"
@@ -12,35 +12,21 @@ namespace peterka::regime {
 namespace {
 
 using testing::beam_170mm;
+using testing::critical_parameter;
 using testing::paper_rig;
 using testing::solve;
 
-// Point and frequency of a 1/1 orbit with a multiplier of exactly `multiplier`: +1 at a fold, -1 at period
-// doubling. Newton's method on (orbit closes, characteristic polynomial vanishes), derivatives by differences.
+// Frequency at which the 1/1 orbit has a multiplier of +1, at a fold, or -1, at a period doubling.
 double critical_frequency(double gap, double multiplier, double guess) {
-    const auto residual = [&](const Eigen::Vector3d& y) -> Eigen::Vector3d {
-        const trajectory::ExactCycleMap<double> map(paper_rig(beam_170mm, y[2], gap));
-        const auto cycle = map({y[0], y[1]});
-        const auto& j = cycle.jacobian;
-        const double characteristic = multiplier * multiplier - multiplier * j.trace() + j.determinant();
-        return {cycle.end[0] - y[0], cycle.end[1] - y[1], characteristic};
-    };
     const CellResult nearby = solve(paper_rig(beam_170mm, guess, gap));
     EXPECT_EQ(nearby.impacts, 1);
     EXPECT_EQ(nearby.period, 1);
-    Eigen::Vector3d y(nearby.orbit_displacement - gap, nearby.orbit_velocity, guess);
-    for (int step = 0; step < 30; ++step) {
-        Eigen::Matrix3d slope;
-        for (int i = 0; i < 3; ++i) {
-            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-            shift[i] = 1e-6;
-            slope.col(i) = (residual(y + shift) - residual(y - shift)) / 2e-6;
-        }
-        const Eigen::Vector3d correction = slope.partialPivLu().solve(-residual(y));
-        y += correction * std::min(1.0, 0.05 / correction.norm());  // stays on the branch of the guess
-        if (correction.norm() < 1e-12) break;
-    }
-    return y[2];
+    const auto map_of = [gap](double frequency) {
+        return trajectory::ExactCycleMap<double>(paper_rig(beam_170mm, frequency, gap));
+    };
+    constexpr double stays_on_the_branch = 0.05;
+    return critical_parameter(map_of, multiplier, {nearby.orbit_displacement - gap, nearby.orbit_velocity},
+                              guess, stays_on_the_branch);
 }
 
 TEST(LimitsOfOneToOne, PeriodDoublingAtGapZero) {

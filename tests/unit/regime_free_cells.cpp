@@ -36,6 +36,13 @@ job::Job any_plane(std::mt19937& random) {
     return job;
 }
 
+job::Job plane(const job::Axis& columns, const job::Axis& rows) {
+    job::Job job = testing::job_170mm(238.2325);
+    job.columns = columns;
+    job.rows = rows;
+    return job;
+}
+
 TEST(FreeCells, AreWhatEachSaysOfItself) {
     std::mt19937 random(22);
     int told = 0;
@@ -58,10 +65,7 @@ TEST(FreeCells, AreWhatEachSaysOfItself) {
 }
 
 TEST(FreeCells, MostAreToldFromAnother) {
-    job::Job job = testing::job_170mm(238.2325);
-    job.columns = {2.5, 4.5, 16};
-    job.rows = {3, 5, 16};
-    const scene::Scene scene(job);
+    const scene::Scene scene(plane({2.5, 4.5, 16}, {3, 5, 16}));
     FreeCells free_cells(scene);
     int told = 0;
     for (std::int64_t i = 0; i < 256; ++i) {
@@ -75,10 +79,7 @@ TEST(FreeCells, MostAreToldFromAnother) {
 }
 
 TEST(FreeCells, NoneIsSoughtWhereTheMotionWithoutAStopReachesIt) {
-    job::Job job = testing::job_170mm(238.2325);
-    job.columns = {1.3, 2.0, 8};
-    job.rows = {0, 1, 8};
-    const scene::Scene scene(job);
+    const scene::Scene scene(plane({1.3, 2.0, 8}, {0, 1, 8}));
     FreeCells free_cells(scene);
     for (std::int64_t i = 0; i < 64; ++i) EXPECT_FALSE(free_cells.find(scene.cell(i / 8, i % 8)));
     EXPECT_EQ(free_cells.computed(), 0);
@@ -109,9 +110,7 @@ TEST(Contacts, NoneLastsWhereTheHammerRestsBeforeTheStop) {
 
 // The way round, by a search for each cell, costs a map without [starts] twice as much where nothing impacts.
 TEST(FreeCells, NoSearchIsBegunForThem) {
-    job::Job job = testing::job_170mm(238.2325);
-    job.columns = {2.5, 4.5, 6};
-    job.rows = {0.5, 5, 6};
+    const job::Job job = plane({2.5, 4.5, 6}, {0.5, 5, 6});
     const scene::Scene scene(job);
     const AttractorTable nothing_known;
     std::int64_t solved = 0;

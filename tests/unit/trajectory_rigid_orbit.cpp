@@ -3,16 +3,17 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <utility>
 
+#include "critical_parameter.hpp"
 #include "rigid_rig.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
 namespace peterka::trajectory {
 namespace {
 
+using testing::critical_parameter;
 using testing::rigid;
 using Outcome = Cycle<double>::Outcome;
 
@@ -98,34 +99,12 @@ TEST(RigidOrbit, OneImpactInNCyclesIsThatOfTheFormula) {
     }
 }
 
-// Newton's method on (orbit closes, multiplier is exactly so), derivatives by differences.
-double critical(double multiplier, Eigen::Vector3d y,
-                const std::function<scene::Oscillator<double>(double)>& oscillator) {
-    const auto residual = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
-        const auto cycle = RigidExactMap<double>(oscillator(at[2]))(State<double>(at[0], at[1]));
-        const auto& j = cycle.jacobian;
-        return {cycle.end[0] - at[0], cycle.end[1] - at[1],
-                multiplier * multiplier - multiplier * j.trace() + j.determinant()};
-    };
-    for (int step = 0; step < 20; ++step) {
-        Eigen::Matrix3d slope;
-        for (int i = 0; i < 3; ++i) {
-            Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-            shift[i] = 1e-6;
-            slope.col(i) = (residual(y + shift) - residual(y - shift)) / 2e-6;
-        }
-        const Eigen::Vector3d correction = slope.partialPivLu().solve(-residual(y));
-        y += correction;
-        if (correction.norm() < 1e-13) break;
-    }
-    return y[2];
-}
-
 TEST(RigidOrbit, DoublesItsPeriodWhereTheFormulaSays) {
     for (const auto& [gap, frequency] : {std::pair{0.0, 2.6609482425529}, std::pair{0.5, 2.494678798104}}) {
         const SingleImpactOrbit nearby(0.6, frequency - 1e-3, gap, 1);
-        const double found = critical(-1, {nearby.at_phase_0[0], nearby.at_phase_0[1], frequency - 1e-3},
-                                      [gap = gap](double eta) { return rigid(0.6, eta, gap); });
+        const double found =
+            critical_parameter([gap = gap](double eta) { return RigidExactMap<double>(rigid(0.6, eta, gap)); },
+                               -1, nearby.at_phase_0, frequency - 1e-3);
         EXPECT_NEAR(found, frequency, 1e-11);
     }
 }
@@ -134,8 +113,9 @@ TEST(RigidOrbit, FoldsWhereTheFormulaSays) {
     const double eta = 1.7;
     const double fold = SingleImpactOrbit(0.6, eta, 0, 1).fold;
     const SingleImpactOrbit nearby(0.6, eta, fold * (1 - 1e-4), 1);
-    const double found = critical(1, {nearby.at_phase_0[0], nearby.at_phase_0[1], fold * (1 - 1e-4)},
-                                  [eta](double gap) { return rigid(0.6, eta, gap); });
+    const double found =
+        critical_parameter([eta](double gap) { return RigidExactMap<double>(rigid(0.6, eta, gap)); }, 1,
+                           nearby.at_phase_0, fold * (1 - 1e-4));
     EXPECT_NEAR(found, fold, 1e-9);
 }
 
