@@ -55,6 +55,22 @@ def test_only_the_picture_over_the_map_has_its_cells(tmp_path):
     assert drawn(path, curves_map.draw_over_map, tmp_path).axes[0].collections
 
 
+def test_the_picture_over_the_map_says_what_its_colours_are(tmp_path):
+    path = write_curves(tmp_path / "c.h5")
+    over, alone = (legend_words(drawn(path, picture, tmp_path)) for picture in (curves_map.draw_over_map, curves_map.draw))
+    assert {word.split(" (")[0] for word in over} - set(alone) >= {"1/1", "no impact", "chaotic"}
+    assert over[-len(alone):] == alone
+
+
+def test_special_points_that_lie_together_have_their_letters_once(tmp_path):
+    crowd = [(0, 3.0, 2.8), (0, 3.0, 2.8), (0, 3.002, 2.8), (3, 3.06, 2.82), (1, 1.9, 0.6)]
+    figure = drawn(write_curves(tmp_path / "c.h5", specials=crowd), curves_map.draw, tmp_path)
+    letters = [text for text in figure.axes[0].texts if "/" not in text.get_text()]
+    assert sorted(text.get_text() for text in letters) == ["FC", "P"]
+    dots = [line for line in figure.axes[0].lines if line.get_marker() == "."]
+    assert len(dots) == 3  # points nearer than a dot is wide share it
+
+
 def test_a_file_without_curves_gives_no_picture(tmp_path):
     assert drawn(write_curves(tmp_path / "c.h5", [], []), curves_map.draw, tmp_path) is None
 

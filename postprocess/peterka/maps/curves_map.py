@@ -1,7 +1,7 @@
 """Where regimes end: the curves of a window, over the coarse map in which they were looked for or alone.
 
-Folds are solid, period doublings dashed, grazings dotted; letters stand at the special points. z = p/q, of the orbit on
-the stable side, is written at the longest curves.
+Folds are solid, period doublings dashed, grazings dotted; letters stand at the special points, once for those that lie
+together. z = p/q, of the orbit on the stable side, is written at the longest curves.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from .curves_file import CurvesFile
-from .peterka_map import WIDTH
+from .peterka_map import WIDTH, legend_entries
 from .reduce import class_picture
 
 LOOKS = {
@@ -27,6 +27,9 @@ LETTERS = {"fold_grazing": ("F", "fold with grazing"), "flip_grazing": ("P", "pe
 COLOURS = {"fold": "#B2182B", "period_doubling": "#2166AC", "grazing": "#1A1A1A"}
 MOST_NAMES = 24
 APART = 0.06  # of the picture, between two names or letters
+SAME_DOT = 0.012  # of the picture: dots nearer than that would lie over each other
+TOGETHER = 0.05  # of the picture: special points that share their letters
+ASIDE = 0.028  # of the picture, from a point to its letters
 
 
 def draw(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
@@ -40,13 +43,17 @@ def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
 
 
 def _draw(file, ax, over_map):
-    reduced, _ = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
     kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in file.curves)]
     curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
     specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]
     letters = [Line2D([], [], linestyle="none", marker=f"${LETTERS[kind][0]}$", markersize=5, color="black",
                       label=LETTERS[kind][1]) for kind in specials]
-    figure, ax, _ = axes.stack(WIDTH, reduced.image, [(curves, 1, None), (letters, 2, None)], ax=ax)
+    legends = [(curves, 1, None), (letters, 2, None)]
+    if over_map:
+        orbits, regimes = legend_entries(counts, file.observed_chaos)
+        legends = [(orbits, 3, "$z = p/q$ (share of the coarse map)"), (regimes, 2, None), *legends]
+    figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     if over_map:
         axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
@@ -69,7 +76,7 @@ def _in_picture(ax, x, y):
 
 def _has_room(place, taken):
     inside = np.all((place > 0.02) & (place < 0.98))
-    return inside and all(np.hypot(*(place - other)) > APART for other in taken)
+    return inside and not _is_near(place, taken, APART)
 
 
 def _write_names(ax, file):
@@ -90,12 +97,31 @@ def _write_names(ax, file):
 
 
 def _write_letters(ax, file, taken):
-    """Letters at special points; where they crowd, a dot stands for the others."""
-    for special in file.specials:
-        place = _in_picture(ax, special.frequency_ratio, special.gap_ratio)
-        ax.plot(special.frequency_ratio, special.gap_ratio, marker=".", markersize=2.5, color="black",
-                linestyle="none")
-        if _has_room(place + 0.02, taken):
-            taken.append(place + 0.02)
-            ax.text(*(place + 0.018), LETTERS[special.kind][0], transform=ax.transAxes, fontsize=6, weight="bold",
-                    ha="center", va="center", path_effects=axes.outline(1.6))
+    """A dot at each special point, and letters, once where several lie together, on the side with the fewest lines."""
+    lines = np.concatenate([np.stack([_in_picture(ax, *point) for point in zip(curve.frequency_ratio, curve.gap_ratio)])
+                            for curve in file.curves])
+    places = [_in_picture(ax, special.frequency_ratio, special.gap_ratio) for special in file.specials]
+    dots, groups = [], []  # of a group: its place, and the kinds of its points
+    for special, place in zip(file.specials, places):
+        if not _is_near(place, dots, SAME_DOT):
+            dots.append(place)
+            ax.plot(*place, marker=".", markersize=3, color="black", markeredgecolor="white", markeredgewidth=0.3,
+                    linestyle="none", transform=ax.transAxes)
+        group = next((kinds for middle, kinds in groups if np.hypot(*(place - middle)) < TOGETHER), None)
+        if group is None:
+            groups.append((place, {special.kind}))
+        else:
+            group.add(special.kind)
+    for place, kinds in groups:
+        word = "".join(letter for kind, (letter, _) in LETTERS.items() if kind in kinds)
+        sides = [place + ASIDE * np.array(side) * [1 + 0.3 * len(word), 1] for side in ((1, 1), (-1, 1), (1, -1), (-1, -1))]
+        free = [side for side in sides if _has_room(side, taken)]
+        if free:
+            at = max(free, key=lambda side: np.min(np.hypot(*(lines - side).T)))
+            taken.append(at)
+            ax.text(*at, word, transform=ax.transAxes, fontsize=6, weight="bold", ha="center", va="center",
+                    path_effects=axes.outline(1.6))
+
+
+def _is_near(place, others, distance):
+    return any(np.hypot(*(place - other)) < distance for other in others)

@@ -33,7 +33,7 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes:
     """The map of a map file with the share of each class in its legend, and points that were measured."""
     reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
-    orbits, regimes = _legend_entries(counts, file.observed_chaos)
+    orbits, regimes = legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
     others = regimes + chatter_entry + _edge_entry(file) + marks.handles(measured.points)
     legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
@@ -65,7 +65,7 @@ def _names_to_write(counts):
     return named
 
 
-def _legend_entries(counts, observed_chaos):
+def legend_entries(counts, observed_chaos):
     """Legend entries of the classes that occur: those of an orbit p/q, and the others; chaos speaks of the cycles for
     which it was observed, (fewest, most) or None."""
     orbits, regimes = [], []
