@@ -92,13 +92,49 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
     return judged;
 }
 
-bool change_events(const Stepper& stepper, Stepper::Here& here) {
+namespace {
+
+// The tangent at a point of a branch that goes on that way in the plane.
+Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const Place& ahead) {
+    Stepper::Here here = stepper.at(point);
+    const Place now = Stepper::along(here.tangent);
+    if (now.frequency * ahead.frequency + now.gap * ahead.gap < 0) here.tangent = -here.tangent;
+    return here;
+}
+
+// Where a pair of events is born the equations turn back, with the pair in reverse order: the branch goes on
+// without it.
+bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here, std::size_t pair) {
+    const double length =
+        from.point.orbit.length_of_leg(pair, duration_of(from.point.orbit.period, from.point.place));
+    const double reversed =
+        here.point.orbit.length_of_leg(pair, duration_of(here.point.orbit.period, here.point.place));
+    if (!(length > 0)) return false;
+    const OrbitPoint guess = without_pair(between(from.point, here.point, length / (length - reversed)), pair);
+    const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
+    if (!settled) return false;
+    here = ahead_from(stepper, *settled, Stepper::along(from.tangent));
+    return true;
+}
+
+}  // namespace
+
+bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here) {
     const Place ahead = Stepper::along(here.tangent);
+    const auto pair = reversed_pair(here.point);
+    if (pair && has_same_events(from.point.orbit, here.point.orbit))
+        return leave_pair(stepper, from, here, *pair);
     const auto changed = with_true_events(stepper.rig(), here.point);
     if (changed && is_same_motion(changed->orbit, here.point.orbit))
         return true;  // by less than rounding tells
-    const auto settled =
+    auto settled =
         changed ? solve(stepper.rig(), *changed, stepper.window(), stepper.conditions()) : std::nullopt;
+    const auto mirrored = settled ? reversed_pair(*settled) : std::nullopt;
+    if (mirrored) {
+        settled =
+            solve(stepper.rig(), with_pair_turned(*settled, *mirrored), stepper.window(), stepper.conditions());
+        if (settled && reversed_pair(*settled)) return false;
+    }
     // an impact more or less comes by a grazing, which so long a step has passed over
     if (!settled || settled->orbit.impacts() != here.point.orbit.impacts()) return false;
     for (const int sign :
@@ -108,9 +144,7 @@ bool change_events(const Stepper& stepper, Stepper::Here& here) {
         const double after = bifurcation_of(stepper, *settled, sign);
         if ((before > 0) != (after > 0) && std::max(std::abs(before), std::abs(after)) > rounding) return false;
     }
-    here = stepper.at(*settled);
-    const Place now = Stepper::along(here.tangent);
-    if (now.frequency * ahead.frequency + now.gap * ahead.gap < 0) here.tangent = -here.tangent;
+    here = ahead_from(stepper, *settled, ahead);
     return true;
 }
 

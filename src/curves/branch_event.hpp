@@ -20,8 +20,8 @@ struct BranchEvent {
 [[nodiscard]] BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
                                 const Fault& fault, bool by_multipliers = true);
 
-// Gives a point the events of its true motion where these are others, but as many impacts; false where it has
-// no orbit with them.
-[[nodiscard]] bool change_events(const Stepper& stepper, Stepper::Here& here);
+// Gives the point to which a step came `from` another the events of its true motion where these are others, but
+// as many impacts; false where it has no orbit with them.
+[[nodiscard]] bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here);
 
 }  // namespace peterka::curves

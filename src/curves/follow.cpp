@@ -44,7 +44,7 @@ class Follower {
                 return {false, judged.seed, judged.seed->point.place};
             }
             const bool too_long =
-                judged.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, there));
+                judged.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, here, there));
             if (too_long || (look && !look(here.point, there.point, there.point.place))) {
                 if (stepper_.step() < 1e-6) return lost;
                 stepper_.set_step(stepper_.step() / 8);

@@ -109,6 +109,41 @@ OrbitPoint beyond_grazing(const Rig& rig, const OrbitPoint& grazing, bool gains)
     return beyond;
 }
 
+std::optional<std::size_t> reversed_pair(const OrbitPoint& point) {
+    const Orbit& orbit = point.orbit;
+    const double duration = duration_of(orbit.period, point.place);
+    const auto born = [](EventKind a, EventKind b) {
+        return (a == EventKind::release && b == EventKind::resume) ||
+               (a == EventKind::resume && b == EventKind::release);
+    };
+    for (std::size_t i = 0; i < orbit.events.size(); ++i) {
+        if (born(orbit.events[i].kind, orbit.after(i).kind) && !(orbit.length_of_leg(i, duration) > 0))
+            return i;
+    }
+    return std::nullopt;
+}
+
+OrbitPoint without_pair(const OrbitPoint& point, std::size_t first) {
+    OrbitPoint result = point;
+    std::vector<Event>& events = result.orbit.events;
+    const std::size_t second = (first + 1) % events.size();
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(std::max(first, second)));
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(std::min(first, second)));
+    return result;
+}
+
+OrbitPoint with_pair_turned(const OrbitPoint& point, std::size_t first) {
+    OrbitPoint result = point;
+    std::vector<Event>& events = result.orbit.events;
+    const std::size_t second = (first + 1) % events.size();
+    const double turn = second > first ? 0 : duration_of(point.orbit.period, point.place);
+    std::swap(events[first].velocity, events[second].velocity);
+    std::swap(events[first].time, events[second].time);
+    events[first].time += turn;
+    events[second].time -= turn;
+    return result;
+}
+
 std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point) {
     const Stroboscopic start = stroboscopic_states(rig, point).front();
     auto orbit = orbit_from(rig, point.place, start.state, point.orbit.period);

@@ -27,6 +27,14 @@ namespace peterka::curves {
 // the stop goes on to press, the impact before takes its contact.
 [[nodiscard]] OrbitPoint beyond_grazing(const Rig& rig, const OrbitPoint& grazing, bool gains);
 
+// Where the force of the stop just reaches 0, or just falls to it, the stop presses or lets go for an instant:
+// two events are born. An orbit with both in reverse order obeys the equations, too, but is no motion. The
+// first of them, if there are such.
+[[nodiscard]] std::optional<std::size_t> reversed_pair(const OrbitPoint& point);
+[[nodiscard]] OrbitPoint without_pair(const OrbitPoint& point, std::size_t first);
+// With each in the place of the other: close to the motion that has both, where they lie close together.
+[[nodiscard]] OrbitPoint with_pair_turned(const OrbitPoint& point, std::size_t first);
+
 // With the events of the true motion; the same point where these are no others, and none where it has no orbit.
 [[nodiscard]] std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point);
 

@@ -148,8 +148,8 @@ class HalfCurve {
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
         if (leaves || breaks) return Step::ends;
-        return fault.kind != Fault::Kind::pattern || change_events(stepper_, there) ? Step::goes_on
-                                                                                    : Step::unclear;
+        return fault.kind != Fault::Kind::pattern || change_events(stepper_, here, there) ? Step::goes_on
+                                                                                          : Step::unclear;
     }
 
     std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {

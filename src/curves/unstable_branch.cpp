@@ -114,7 +114,7 @@ class BranchWalk {
                 end_at_border(here.point, there.point, branch);
                 return std::nullopt;
             }
-            if (event.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, there))) {
+            if (event.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, here, there))) {
                 if (stepper_.step() < 1e-6) return std::nullopt;
                 stepper_.set_step(stepper_.step() / 8);
                 continue;

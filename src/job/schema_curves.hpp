@@ -26,7 +26,8 @@ template <typename Walker>
 void describe_borders(Walker& file, Job& job) {
     file.table({.name = "curves",
                 .meaning = "curves whose places the summary tells, where it names a gap",
-                .is_identity = false},
+                .is_identity = false,
+                .is_written = !job.curves.gap_ratio.empty()},
                [&](auto& table) {
                    describe(table, job.curves);
                    table.refuse("edge_distance",

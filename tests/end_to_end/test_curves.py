@@ -96,8 +96,10 @@ def test_borders_at_given_gaps_are_told_to_nine_digits(tmp_path):
     assert "Borders at gap/A0 1.5 (1.335 mm)" in finished.stdout
 
 
-def test_each_end_of_a_curve_has_a_reason(tmp_path):
-    path, _ = compute(tmp_path, jobs.small_curves(points=128))
+# With springs of 150 mm a curve passes places at which the stop presses again for an instant, and no longer.
+@pytest.mark.parametrize("springs", [(), ("--set", "hammer.natural_frequency_hz=5.25", "--set", "hammer.damping_ns_per_m=0.08")])
+def test_each_end_of_a_curve_has_a_reason(tmp_path, springs):
+    path, _ = compute(tmp_path, jobs.small_curves(points=128), *springs)
     with h5py.File(path) as file:
         lost = [f"{p}/{q}, kind {kind}" for kind, p, q, *ends in zip(*(file[f"curve_{name}"][()] for name in (
             "kind", "impacts", "period", "begin", "end"))) if 3 in ends]
@@ -180,6 +182,13 @@ def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
     assert one.keys() == other.keys()  # the stored text of the job, and with it the seal, tells what was asked for
     assert {name for name in one if one[name] != other[name]} <= {"summary/checksum", "summary/frame"}
     assert "Borders" not in launch.run("run", "job.toml", "--quiet", cwd=tmp_path).stdout
+
+
+def test_check_tells_of_curves_only_where_a_map_asks_for_them(tmp_path):
+    for asked in ("", "\n[curves]\ngap_ratio = [0.5]\n"):
+        jobs.write(tmp_path, jobs.small_map() + asked)
+        told = launch.run("check", "job.toml", cwd=tmp_path).stdout
+        assert ("[curves]" in told) == bool(asked) and ("gap_ratio = [0.5]" in told) == bool(asked)
 
 
 @pytest.mark.parametrize("change, words", [
