@@ -101,6 +101,15 @@ bool Storage::find_storage(hid_t dataset, hid_t properties) {
     return address != HADDR_UNDEF && H5Dget_storage_size(dataset) == values && address + values > address;
 }
 
+bool Storage::is_whole_chunk(const Block& block) const {
+    if (!is_chunked_ || block.rank() != rank_) return false;
+    const Sizes offset = as_box(block.offset(), rank_, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (offset[i] % chunk_[i] != 0) return false;
+    }
+    return as_box(block.count(), rank_, 1) == chunk_;
+}
+
 void Storage::each_piece(const Block& block, const Use& use) const {
     each_piece(as_box(block.offset(), block.rank(), 0), as_box(block.count(), block.rank(), 1), use);
 }

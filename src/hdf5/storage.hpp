@@ -29,6 +29,7 @@ class Storage {
     [[nodiscard]] std::uint64_t end() const { return address_ + bytes_; }
     [[nodiscard]] bool is_chunked() const { return is_chunked_; }
     [[nodiscard]] bool is_scalar() const { return rank_ == 0; }
+    [[nodiscard]] bool is_whole_chunk(const Block& block) const;
     [[nodiscard]] std::size_t bytes_per_value() const { return bytes_per_value_; }
 
     // Pieces of the file that hold a block, in the block's order.

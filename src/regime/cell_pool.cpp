@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "regime/growth.hpp"
 #include "regime/solve_cell.hpp"
 #include "support/reused_memory.hpp"
 #include "support/stopwatch.hpp"
@@ -54,7 +55,8 @@ struct CellPool::Group {
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
-    [[nodiscard]] bool goes_far() const { return request.cycles > 1; }
+    // Of searches that didn't end soon.
+    [[nodiscard]] bool goes_far() const { return request.cycles >= Growth::block_cycles; }
     [[nodiscard]] bool is_full() const {
         // linear springs are what most cells have, and so the first to be many
         const bool many_come = kind.springs == batch::Springs::linear;
@@ -63,7 +65,7 @@ struct CellPool::Group {
 
     // Carries all cells through the cycles that they wait for.
     void advance() {
-        if (!goes_far()) return map.advance({.measure = request.measures, .jacobian = true});
+        if (request.cycles == 1) return map.advance({.measure = request.measures, .jacobian = true});
         if (course.size() < cells.size() * request.cycles) course.resize(cells.size() * request.cycles);
         largest_force.assign(cells.size(), 0);
         largest_displacement.assign(cells.size(), 0);
@@ -84,7 +86,7 @@ struct CellPool::Group {
     void tell(std::size_t slot) {
         CycleDesk& desk = cells[slot]->desk;
         trajectory::Recorder<double>* recorder = desk.order().recorder;
-        if (!goes_far()) {
+        if (request.cycles == 1) {
             const trajectory::Cycle<double> cycle = map.cycle(slot);
             if (request.measures) {
                 recorder->cycles(cycle.impacts, map.peak_force(slot), map.displacement_bound(slot));

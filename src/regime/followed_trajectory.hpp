@@ -1,15 +1,16 @@
 // The trajectory from a start, followed cycle by cycle: which cycles are ordered ahead, where it is, and what
 // was observed in the cycles that count for a motion without a period.
 //
-// At first cycles are ordered one by one, as most motions settle soon. A motion that didn't is ordered in
-// blocks, and looked at by checkpoints at their ends: so what is ordered meanwhile finds none of their cycles
-// left.
+// At first each cycle is looked at, as most motions settle soon; where a batch carries them, a few are ordered
+// ahead, for a pause costs more than they do. A motion that didn't settle is ordered in blocks, and looked at
+// by checkpoints at their ends.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "job/job.hpp"
@@ -17,6 +18,7 @@
 #include "regime/observation.hpp"
 #include "regime/recurrence.hpp"
 #include "regime/stroboscopic_map.hpp"
+#include "support/reused_memory.hpp"
 
 namespace peterka::regime {
 
@@ -35,7 +37,8 @@ class FollowedTrajectory {
           log_(measures.motion),
           measure_from_(first_that_counts(budget)),
           last_cycle_(last_cycle),
-          one_by_one_(measures.look_at_each_cycle()) {}
+          one_by_one_(measures.look_at_each_cycle()),
+          early_at_once_(has_batch(map.oscillator(), map.engine()) ? few : 1) {}
 
     [[nodiscard]] const Point& state() const { return state_; }  // at the end of the last cycle
     [[nodiscard]] std::int64_t cycles() const { return cycles_; }
@@ -43,6 +46,12 @@ class FollowedTrajectory {
     // The first being 1; 0: none.
     [[nodiscard]] std::int64_t last_touched() const { return last_touched_; }
     [[nodiscard]] bool is_at_checkpoint() const { return cycles_ > 0 && is_checkpoint(cycles_); }
+    // Whether what the motion has come to is to be decided here, if it can be.
+    [[nodiscard]] bool is_to_be_looked_at() const { return needs_order() || is_early(); }
+    // Cycles ordered ahead of a motion that settles are no part of the search.
+    [[nodiscard]] std::int64_t not_needed() const {
+        return is_early() ? static_cast<std::int64_t>(ahead_.size()) : 0;
+    }
     [[nodiscard]] Observation& window() { return window_; }
 
     // Where no cycle ordered is left: take(co_await order(map)).
@@ -50,9 +59,13 @@ class FollowedTrajectory {
     [[nodiscard]] auto order(StroboscopicMap& map) {
         return map.cycles(state_, counts() ? &window_.recorder() : nullptr, cycles_at_once());
     }
-    void take(std::span<const trajectory::Cycle<double>> ordered) { ahead_ = ordered; }
+    void take(std::span<const trajectory::Cycle<double>> ordered) {
+        ahead_ = ordered;
+        keeps_ahead_ = false;
+    }
     // Others are going to be ordered, which would take the place of those that weren't looked at yet.
     void keep_ordered() {
+        if (ahead_.empty() || std::exchange(keeps_ahead_, true)) return;
         kept_.assign(ahead_.begin(), ahead_.end());
         ahead_ = kept_;
     }
@@ -72,21 +85,27 @@ class FollowedTrajectory {
     }
 
   private:
+    static constexpr std::int64_t few = 5;  // a 1/1 of the paper's rig is found in 3 or 4
     static_assert(Recurrence::early_cycles % Growth::block_cycles == 0);
+    static_assert(Recurrence::early_cycles % few == 0);
+    [[nodiscard]] bool is_early() const { return cycles_ < Recurrence::early_cycles; }
     static bool is_checkpoint(std::int64_t cycle) {
         return cycle <= Recurrence::early_cycles || cycle % Growth::block_cycles == 0;
     }
     [[nodiscard]] bool counts() const { return cycles_ >= measure_from_; }
     // No cycle goes beyond the one from which on they count.
     [[nodiscard]] std::size_t cycles_at_once() const {
-        if (one_by_one_ || cycles_ < Recurrence::early_cycles || !is_checkpoint(cycles_)) return 1;
+        const std::int64_t many = is_early() ? early_at_once_ : Growth::block_cycles;
+        if (one_by_one_ || !is_checkpoint(cycles_)) return 1;
         const std::int64_t turn = counts() ? last_cycle_ : std::min(measure_from_, last_cycle_);
-        return turn - cycles_ < Growth::block_cycles ? 1 : Growth::block_cycles;
+        return static_cast<std::size_t>(turn - cycles_ < many ? 1 : many);
     }
 
     Point state_;
     std::span<const trajectory::Cycle<double>> ahead_;  // integrated, and not looked at yet
-    std::vector<trajectory::Cycle<double>> kept_;       // a copy of these
+    std::vector<trajectory::Cycle<double>, ReusingAllocator<trajectory::Cycle<double>>>
+        kept_;  // a copy of these
+    bool keeps_ahead_ = false;
     std::int64_t cycles_ = 0;
     std::int64_t last_touched_ = 0;
     Observation window_;  // of the cycles that count
@@ -94,6 +113,7 @@ class FollowedTrajectory {
     std::int64_t measure_from_;
     std::int64_t last_cycle_;
     bool one_by_one_;
+    std::int64_t early_at_once_;
 };
 
 }  // namespace peterka::regime

@@ -52,7 +52,7 @@ class Search {
 
     Task<CellResult> run() {
         for (;;) {
-            if (trajectory_.needs_order()) {  // a motion that settled among the last ones is settled still
+            if (trajectory_.is_to_be_looked_at()) {
                 const auto state = map_.unscaled(trajectory_.state());
                 if (const auto free = settling_.stays_free(state)) {
                     co_return co_await settled(*free, Regime::no_impact);
@@ -64,6 +64,7 @@ class Search {
                     if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
                     if (joins_chaos()) co_return unproved(Regime::chaotic, Status::proved);
                     if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
+                        trajectory_.keep_ordered();
                         const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
                         if (orbit && converged(*orbit)) {
                             if (const auto result = co_await periodic(*orbit)) co_return *result;
@@ -106,7 +107,7 @@ class Search {
             if (conservative_) continue;  // nothing recurs for good
             recurrence_.record(cycle);
             if (test_ && converges(cycle)) return {.converged = true};
-        } while (!trajectory_.needs_order() && attractor_reached() == nullptr);
+        } while (!trajectory_.is_to_be_looked_at() && attractor_reached() == nullptr);
         return {};
     }
     [[nodiscard]] const CellResult* attractor_reached() const {
@@ -251,8 +252,8 @@ class Search {
     CellResult counted() {
         CellResult result;
         result.engine = map_.engine();
-        result.cycles = static_cast<std::int32_t>(
-            std::min<std::int64_t>(map_.cycles_spent(), std::numeric_limits<std::int32_t>::max()));
+        result.cycles = static_cast<std::int32_t>(std::min<std::int64_t>(
+            map_.cycles_spent() - trajectory_.not_needed(), std::numeric_limits<std::int32_t>::max()));
         result.sensitivity = growth_.sensitivity();
         return result;
     }

@@ -60,6 +60,22 @@ TEST_F(OutputTileStore, NewFileHasNoTileAndFillsSayThatNothingIsComputed) {
     }
 }
 
+// Whole tiles go past HDF5's selections, cropped ones through them.
+TEST_F(OutputTileStore, Hdf5ReadsEachTileAsItWasWritten) {
+    TileStore tiles = store();
+    const hdf5::DatasetId forces(check_(H5Dopen2(file_.id(), "/peak_force_ratio", H5P_DEFAULT), "H5Dopen2"));
+    for (std::int64_t i = 0; i < 6; ++i) {
+        const parallel::Tile tile = tiles.tiling().tile(i);
+        const auto written = examples::made_up_stored_cells(tile);
+        tiles.write(tile, written, {});
+        std::vector<double> read(written.size());
+        hdf5::read_block(check_, forces.id(), hdf5::Number::float64, hdf5::Block(tile), read.data());
+        for (std::size_t n = 0; n < read.size(); ++n) {
+            if (!std::isnan(written[n].peak_force)) EXPECT_EQ(read[n], written[n].peak_force) << i << " " << n;
+        }
+    }
+}
+
 TEST_F(OutputTileStore, EachTileComesBackFromItsOwnPlace) {
     TileStore tiles = store();
     const std::vector<quantities::Field> fields = quantities::stored_fields(job_);

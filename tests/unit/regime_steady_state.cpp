@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "regime/recurrence.hpp"
 #include "rig.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 
@@ -116,6 +117,7 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
     std::mt19937 random(6);
     std::map<Regime, int> found;
     int went_ahead = 0;
+    int settled_early = 0;
     for (int n = 0; n < 600; ++n) {
         auto oscillator = paper_rig(beam_170mm, std::uniform_real_distribution(2.6, 4.4)(random),
                                     std::uniform_real_distribution(0.0, 1.0)(random));
@@ -124,6 +126,7 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
         job::SteadyState budget;
         if (n % 2 == 1)
             budget = {.max_cycles = 186 + n % 14, .max_period = 64, .chaos_cycles = 150};  // any turn
+        if (n % 5 == 4) budget.max_cycles = 11 + n % 23;                                   // before most settle
         const auto start = testing::start_at(oscillator);
         const CellResult many = find_steady_state(oscillator, start, budget, {}, {.detail = detail});
         const CellResult single =
@@ -139,10 +142,15 @@ TEST(Regimes, ManyCyclesAtATimeSayWhatSingleOnesSay) {
         }
         EXPECT_GE(many.cycles, single.cycles) << n;
         EXPECT_LT(many.cycles, single.cycles + 25) << n;
+        if (single.cycles <= Recurrence::early_cycles) {
+            EXPECT_EQ(many.cycles, single.cycles) << n;  // what wasn't looked at doesn't count
+            ++settled_early;
+        }
         went_ahead += many.cycles > single.cycles ? 1 : 0;
         ++found[many.regime];
     }
     EXPECT_GT(went_ahead, 0);
+    EXPECT_GT(settled_early, 100);
     EXPECT_GT(found[Regime::periodic], 0);
     EXPECT_GT(found[Regime::chaotic], 0);
     EXPECT_GT(found[Regime::unresolved], 0);
