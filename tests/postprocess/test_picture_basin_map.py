@@ -57,7 +57,7 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
     ]
     assert texts[4] == r"chaotic, $F/(m\,g)$ = 9 (12.5 %)"
     assert texts[5:7] == ["sustained contact (6.2 %)", "unresolved (6.2 %)"]
-    assert texts[7:] == ["its attractor, at forcing phase 0", "stop at the start, $x$ = gap"]
+    assert texts[7:] == ["its attractor, at forcing phase 0", "stop at $t$ = 0: $x$ = gap"]
 
 
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
@@ -75,7 +75,7 @@ def test_a_mark_outside_the_picture_does_not_widen_it(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", [[NO_IMPACT] * 4] * 4, table, np.zeros((4, 4)))) as file:
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
     assert drawn.map_axes.get_xlim() == pytest.approx((-4, 4))
-    assert drawn.legend_texts()[1:] == ["1 attractor lies outside the picture", "stop at the start, $x$ = gap"]
+    assert drawn.legend_texts()[1:] == ["1 attractor lies outside the picture", "stop at $t$ = 0: $x$ = gap"]
 
 
 def test_scales_in_mm_and_metres_a_second_follow_the_file(basin, tmp_path):
@@ -92,7 +92,7 @@ def test_scales_in_mm_and_metres_a_second_follow_the_file(basin, tmp_path):
 def test_a_stop_outside_the_picture_has_no_line(tmp_path):
     with PeterkaFile(write_basin(tmp_path / "a.h5", CELLS, TABLE, ATTRACTOR, gap_ratio=4.5)) as file:
         drawn = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png")
-    assert "stop at the start, $x$ = gap" not in drawn.legend_texts()
+    assert "stop at $t$ = 0: $x$ = gap" not in drawn.legend_texts()
 
 
 def test_before_the_table_is_written_classes_are_drawn(tmp_path):
@@ -122,7 +122,7 @@ def test_two_colours(basin, tmp_path):
     assert drawn.colour_of(basin, 3, 2) == colour_named("unresolved")
     assert drawn.legend_texts() == [
         "impact (62.5 %)", "no impact (25.0 %)", "sustained contact (6.2 %)", "unresolved (6.2 %)",
-        "stop at the start, $x$ = gap",
+        "stop at $t$ = 0: $x$ = gap",
     ]
 
 

@@ -48,7 +48,7 @@ def test_directions_differ_in_line_and_brightness(tmp_path):
         figure = figure_of(response.draw(file))
     up, down = (lines_of(panels_of(figure)[0], response.LOOKS[name].colour)[0] for name in ("up", "down"))
     assert up.get_linestyle() == "-" and down.get_linestyle() != "-"
-    assert legend_texts(figure)[:5] == ["frequency rising", "up: no period", "frequency falling", "down: no period",
+    assert legend_texts(figure)[:5] == ["frequency rising", "no period, frequency rising", "frequency falling", "no period, frequency falling",
                                         "impact resonance ($z = 1/1$)"]
 
 

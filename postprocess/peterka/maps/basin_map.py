@@ -91,7 +91,7 @@ def _draw(file, ax, names, label, entries, columns, marks=()):
     reduced, counts = class_picture(file, names, label, len(entries))
     gap = file.number("gap_ratio")
     shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
-    stop = [Line2D([], [], label="stop at the start, $x$ = gap", **STOP)] if shows_stop else []
+    stop = [Line2D([], [], label="stop at $t$ = 0: $x$ = gap", **STOP)] if shows_stop else []
     legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop], 1, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])

@@ -20,7 +20,7 @@ SIDES = {
     "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
 }
 CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window", "#CDE7C9"),
-           ("could not be followed to one", "#F7C6D0"), ("no motion that curves are about", "#F2F2F2")]
+           ("could not be followed to one", "#F7C6D0"), ("chaotic, unresolved, or beyond max_period", "#F2F2F2")]
 
 
 @picture(CurvesFile)
