@@ -43,7 +43,7 @@ TEST(OutputLock, EndsWithItsOwnerAndLeavesNothing) {
 TEST(OutputLock, AFileLeftBehindByAKillStopsNobody) {
     const Folder folder;
     std::ofstream(folder / "map.h5.peterka-lock") << "peterka runs as process 1 on nowhere";
-    const OutputLock lock(folder / "map.h5");
+    EXPECT_NO_THROW(OutputLock(folder / "map.h5"));
 }
 
 TEST(OutputLock, WhatNoRunHasPutThereIsRefusedAndStays) {
@@ -75,7 +75,7 @@ TEST(OutputLock, TheFileItselfIsLockedUnderAnyName) {
 
 TEST(OutputLock, AFolderThatIsNotThereIsNotItsAffair) {
     const Folder folder;
-    const OutputLock lock(folder / "missing/map.h5");
+    EXPECT_NO_THROW(OutputLock(folder / "missing/map.h5"));
 }
 
 }  // namespace
