@@ -234,6 +234,16 @@ std::string rule_of_window(const Job& job) {
     return {};
 }
 
+// Each rank keeps the whole coarse map, and all of it goes from rank to rank at once: in 32 bits [bytes].
+std::string rule_of_coarse_map(const Job& job) {
+    constexpr std::int64_t most_cells = 2048 * 2048;
+    if (job.rows.points <= most_cells / job.columns.points) return {};
+    return fmt::format(
+        "the axes have {} by {} points; they are a coarse map in which orbits are looked for, which each rank "
+        "keeps as a whole, and curves are exact, whatever its cells are; give at most {} points in all",
+        job.columns.points, job.rows.points, most_cells);
+}
+
 std::string rule_of_borders(const Job& job) {
     if (job.curves.gap_ratio.empty()) return {};
     if (!job.columns.over.empty() || !job.rows.over.empty()) {

@@ -44,6 +44,7 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_curves(const Job& job);
 // What lies in their window.
 [[nodiscard]] std::string rule_of_window(const Job& job);
+[[nodiscard]] std::string rule_of_coarse_map(const Job& job);
 [[nodiscard]] std::string rule_of_title(std::string_view title);
 
 }  // namespace peterka::job

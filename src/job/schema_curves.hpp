@@ -48,6 +48,7 @@ void describe_curves(Walker& file, Job& job) {
                    job.curves.edge_distance);
     });
     file.rule({"curves", "axes"}, [&] { return rule_of_window(job); });
+    file.rule({"axes"}, [&] { return rule_of_coarse_map(job); });
     describe_solver(file, job);
     file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");

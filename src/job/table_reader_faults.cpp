@@ -69,11 +69,16 @@ void TableReader::fault(std::string_view key, const Location& where, std::string
 }
 
 void TableReader::fault_of_rule(std::initializer_list<std::string_view> keys, const std::string& text) {
-    Location where = where_;
+    // Of those that are given the last one; what comes from a rig, which other jobs share, before what the job
+    // itself gives.
+    const auto order = [](const Value* given) { return std::pair(given->where.file == 0, given->where); };
+    const Value* last = nullptr;
     for (const auto key : keys) {
-        if (const Value* given = table_.find(key)) where = std::max(where, given->where);
+        const Value* given = table_.find(key);
+        if (given != nullptr && (last == nullptr || order(given) > order(last))) last = given;
         faulty_.emplace(key);
     }
+    const Location where = last == nullptr ? where_ : last->where;
     fault(*keys.begin(), where, text);
 }
 

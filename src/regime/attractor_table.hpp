@@ -71,7 +71,7 @@ class AttractorTable {
     std::vector<OfOneMap> maps_;
 };
 
-// Whether both settings make the same map of a oscillator.
+// Whether both settings make the same map of an oscillator.
 [[nodiscard]] bool same_map(const scene::Oscillator<double>& oscillator, const EngineSettings& a,
                             const EngineSettings& b);
 

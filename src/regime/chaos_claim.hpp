@@ -2,7 +2,7 @@
 //
 // A chaotic claim speaks of the cycles observed: where no impact is possible too (steady free amplitude below
 // the gap, or a contact that lasts), it may be a long transient, and chaos_cycles are asked for. Where not, 0.3
-// of them. Either way more in a oscillator that loses little in a cycle, for transients live as long as areas
+// of them. Either way more in an oscillator that loses little in a cycle, for transients live as long as areas
 // take to shrink; and, where impacts go on for ever, more where Newton's method finds a stable orbit near by.
 #pragma once
 

@@ -40,13 +40,13 @@ bool has_nonlinear_contact(const scene::Oscillator<double>& oscillator);
 // Adams; in stiff contacts cvode's BDF is cheaper than arkode's implicit method.
 Engine cheaper_integrator(const scene::Oscillator<double>& oscillator);
 
-// Whether the batched kernel carries a oscillator with this engine: a spring-dashpot stop, in closed form or
+// Whether the batched kernel carries an oscillator with this engine: a spring-dashpot stop, in closed form or
 // with the relative cubic as kicks.
 bool has_batch(const scene::Oscillator<double>& oscillator, Engine engine);
 // Whether cells of a job with this solver may be carried by it.
 bool may_use_batch(const scene::Oscillator<double>& oscillator, const job::Solver& solver);
 
-// The engine that keeps every term of a oscillator, for a motion whose reach shows only once it has been
+// The engine that keeps every term of an oscillator, for a motion whose reach shows only once it has been
 // followed: the kicks of `split` depend on that. What the job names, or the cheapest that is fit for the
 // cubic's strength.
 //     do follow(engine.settings()); while (engine.must_change(reach));

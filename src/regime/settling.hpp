@@ -67,7 +67,7 @@ class Settling {
     scene::Oscillator<double> oscillator_;
     trajectory::FreeFlight<double> free_flight_;  // of the oscillator without its cubic spring
     Contact contact_;                             // the same
-    std::optional<FreeOrbit> free_orbit_;         // of a oscillator with one
+    std::optional<FreeOrbit> free_orbit_;         // of an oscillator with one
 };
 
 }  // namespace peterka::regime

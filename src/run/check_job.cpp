@@ -89,11 +89,14 @@ std::string check_curves(const Request& request, const job::Job& job, const job:
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
                "#   orbits   looked for in a coarse map of {} cells, {} by {}\n"
+               "{}"
                "#   curves   of all that are found, up to q = {}, dealt to the ranks\n"
-               "#   file     {} ({})\n\n",
+               "#   memory   about {} per rank, on any number of ranks\n"
+               "#   file     {}, {} at most ({})\n\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
-               readable_count(job.row_count()), job.curves.max_period, map_file_of(request).string(),
-               free_space_text(map_file_of(request))) +
+               readable_count(job.row_count()), starts_price(job), job.curves.max_period,
+               readable_bytes(memory_per_rank(job)), map_file_of(request).string(),
+               readable_bytes(largest_curves_file(job)), free_space_text(map_file_of(request))) +
            job::resolved_text(job, origins);
 }
 
@@ -119,9 +122,9 @@ std::string check_job(const Request& request) {
     const job::Job& job = traced.job;
     if (traced.rig) job::take_from(traced.rig->file.string(), job, origins);
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
-    if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     require_memory(request.job_file.string(), job);
+    if (job.kind == job::Kind::curves) return check_curves(request, job, origins);
     const auto file = map_file_of(request);
     const auto axes = job::axis_names(job);
     const parallel::Tiling tiling = map_file::tiling(job);

@@ -58,7 +58,9 @@ std::int64_t starts_bytes(const job::Job& job) {
         job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
     constexpr auto end = static_cast<std::int64_t>(sizeof(regime::CellResult));
     const std::int64_t told = job.audit.cells > 0 ? 2 * end * job.starts.count : 0;
-    return open_cells * largest_round * result + 2 * tiles * kept + told;
+    const bool has_kicks = job.output.has(job::OptionalField::critical_kick);
+    const std::int64_t kicks = has_kicks ? 30'000'000 : 0;  // of cells whose kicks wait, as measured
+    return open_cells * largest_round * result + 2 * tiles * kept + told + kicks;
 }
 
 // A rank keeps regions of a refined map until they are whole.
@@ -88,6 +90,14 @@ std::int64_t branch_bytes(const job::Job& job) {
             static_cast<std::int64_t>(sizeof(attractors::PointAttractors) + sizeof(attractors::SolvedCell)));
 }
 
+// Each rank keeps the coarse map of curves: on its way between ranks, as motions, and rank 0 as a file [bytes].
+// 260 a cell were measured.
+std::int64_t coarse_map_bytes(const job::Job& job) {
+    if (job.kind != job::Kind::curves) return 0;
+    const std::int64_t of_cell = job.starts.count > 0 ? 1000 : 400;
+    return job.cells() * of_cell;
+}
+
 // Of /proc/meminfo; nothing said, no limit.
 std::int64_t available_in_machine() {
     std::ifstream info("/proc/meminfo");
@@ -113,7 +123,13 @@ std::int64_t left_below(int limit_of, std::int64_t taken) {
 std::int64_t memory_per_rank(const job::Job& job) {
     constexpr std::int64_t open_file = 3'000'000;
     return taken().resident + open_file + cells_in_hand_bytes(job) + map_file::tiling(job).count() / 4 +
-           region_bytes(job) + branch_bytes(job) + starts_bytes(job);
+           region_bytes(job) + branch_bytes(job) + starts_bytes(job) + coarse_map_bytes(job);
+}
+
+std::int64_t largest_curves_file(const job::Job& job) {
+    constexpr std::int64_t all_curves = 50'000'000;  // far above any
+    const std::int64_t of_cell = job.curves.edge_distance ? 35 : 17;
+    return all_curves + job.cells() * of_cell;
 }
 
 std::int64_t memory_left() {
@@ -124,7 +140,7 @@ std::int64_t memory_left() {
 
 void require_memory(const std::string& where, const job::Job& job) {
     using enum job::Kind;
-    if (job.kind != map && job.kind != basin && job.kind != sweep) return;
+    if (job.kind != map && job.kind != basin && job.kind != sweep && job.kind != curves) return;
     const std::int64_t needed = memory_per_rank(job) - taken().resident;
     const std::int64_t left = memory_left();
     if (needed <= left) return;
@@ -145,18 +161,20 @@ std::string starts_price(const job::Job& job) {
     if (job.starts.count == 0) return "";
     constexpr double microseconds = 15;
     constexpr double enough = 100;
+    constexpr double of_kicks = 400;  // starts that take as long as all kicks of a cell, as measured
+    const bool kicks = job.output.has(job::OptionalField::critical_kick);
     const bool is_sweep = job.kind == job::Kind::sweep;
     const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
     const double cells = static_cast<double>(job.cells()) / shared;
     const double starts = static_cast<double>(job.starts.count) * cells;
-    const double seconds = starts * microseconds * 1e-6;
+    const double seconds = (starts + (kicks ? of_kicks * cells : 0)) * microseconds * 1e-6;
     const std::string words =
         cells < enough
             ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",
                           readable_duration(seconds / 20), readable_duration(seconds * 10))
             : fmt::format("some {} of one core, about", readable_duration(seconds));
-    return fmt::format("#   starts   {} in each {}, {:.3g} in all: {}\n", readable_count(job.starts.count),
-                       is_sweep ? "point" : "cell", starts, words);
+    return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
+                       is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
 }
 
 }  // namespace peterka

@@ -1,4 +1,5 @@
-// What a map, a basin or a sweep takes of the machine, as `check` tells it and `run` wants it to be there.
+// What a map, a basin, a sweep or curves take of the machine, as `check` tells it and `run` wants it to be
+// there.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,9 @@ namespace peterka {
 
 // Of a rank, on any number of ranks [bytes].
 [[nodiscard]] std::int64_t memory_per_rank(const job::Job& job);
+
+// Of a job of curves, which knows their number only once they are traced [bytes].
+[[nodiscard]] std::int64_t largest_curves_file(const job::Job& job);
 
 // What [starts] cost in time, as a line of check; nothing where there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);

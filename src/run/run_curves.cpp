@@ -11,6 +11,7 @@
 #include "map_file/provenance.hpp"
 #include "map_file/whole_file.hpp"
 #include "run/deal_numbers.hpp"
+#include "run/price.hpp"
 #include "run/words.hpp"
 #include "support/readable.hpp"
 #include "support/stop_if_asked.hpp"
@@ -20,8 +21,6 @@
 
 namespace peterka {
 namespace {
-
-constexpr std::int64_t largest_file = 50'000'000;  // far above any [bytes]
 
 std::string omitted_text(const scene::Scene& scene) {
     return scene.cell(0, 0).oscillator.cubic == 0 ? "nothing" : "cubic part of the springs";
@@ -34,7 +33,7 @@ ExitCode run_curves(const parallel::Session& session, const RunPlan& plan) {
         parallel::on_root(session, [&] { print_complete(plan); });
         return ExitCode::done;
     }
-    parallel::on_root(session, [&] { map_file::require_place(plan.file, largest_file); });
+    parallel::on_root(session, [&] { map_file::require_place(plan.file, largest_curves_file(plan.job)); });
     const Stopwatch wall;
     const StopRequest stop(plan.max_wall_seconds);
     const std::string hosts = host_names(session, plan);

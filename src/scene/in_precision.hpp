@@ -1,4 +1,4 @@
-// A oscillator in another number type: the same numbers, to the last bit of the coarser type.
+// An oscillator in another number type: the same numbers, to the last bit of the coarser type.
 #pragma once
 
 #include <variant>

@@ -33,7 +33,7 @@ using motion::Signal;
 template <class Real>
 class LinearLegs {
   public:
-    // The springs of a oscillator, without their cubic part, or with such a change.
+    // The springs of an oscillator, without their cubic part, or with such a change.
     explicit LinearLegs(const Oscillator<Real>& oscillator)
         : LinearLegs(oscillator, motion::flight_equation(oscillator), motion::contact_equation(oscillator)) {}
     LinearLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)

@@ -22,7 +22,7 @@ namespace peterka::trajectory {
 template <class Real>
 class RigidLegs {
   public:
-    // The springs of a oscillator, without their cubic part, or with such a change.
+    // The springs of an oscillator, without their cubic part, or with such a change.
     explicit RigidLegs(const Oscillator<Real>& oscillator)
         : RigidLegs(oscillator, motion::flight_equation(oscillator)) {}
     RigidLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)

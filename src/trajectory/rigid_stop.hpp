@@ -43,7 +43,7 @@ class RigidStop {
         : restitution_(restitution), damping_(damping_ratio), frequency_(frequency), pressing_(pressing) {
         find_zeros();
     }
-    // The stop of a oscillator, its cubic springs included.
+    // The stop of an oscillator, its cubic springs included.
     explicit RigidStop(const scene::Oscillator<Real>& oscillator)
         : RigidStop(restitution_of(oscillator), oscillator.damping_ratio, oscillator.frequency,
                     pressing_of(oscillator)) {}

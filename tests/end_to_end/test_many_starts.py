@@ -183,3 +183,11 @@ def test_check_prices_starts(tmp_path):
     # 1920 starts, from 0.75 to 150 us each
     assert "24 in each cell, 1.92e+03 in all: from 1.4 ms to 288.0 ms of one core" in few.stdout, few.stdout
     assert launch.told_megabytes(many) > launch.told_megabytes(plain) + 100
+
+
+def test_check_prices_critical_kicks(tmp_path):
+    """They take as long as some hundred starts."""
+    jobs.write(tmp_path, many_starts.small_map())
+    kicks = launch.run("check", "job.toml", "--set", "axes.gap_ratio.points=2", "--set", 'output.fields=["critical_kick"]',
+                       cwd=tmp_path)
+    assert "1.92e+03 in all, and critical kicks: from 25.4 ms to 5.1 s of one core" in kicks.stdout, kicks.stdout

@@ -44,6 +44,19 @@ def test_check_and_run_refuse_what_memory_cannot_hold(tmp_path):
         assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
 
 
+def test_the_coarse_map_of_curves_is_priced_and_refused(tmp_path):
+    """Each rank keeps all of it."""
+    jobs.write(tmp_path, jobs.small_curves(points=32))
+    points = ("--set", "axes.frequency_ratio.points=2000", "--set", "axes.gap_ratio.points=2000")
+    few, many = (launch.told_megabytes(launch.run("check", "job.toml", *more, cwd=tmp_path)) for more in ((), points))
+    assert many - few > 1000
+    for command in ("check", "run"):
+        finished = run_with(600, command, "job.toml", *points, cwd=tmp_path)
+        assert finished.returncode == 2, finished.stderr
+        assert re.search(r"job\.toml: a rank needs 1\.\d GB of memory, and this machine", finished.stderr), finished.stderr
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
+
+
 def test_what_fits_is_computed(tmp_path):
     """The same limit."""
     jobs.write(tmp_path, sweep(samples=2, attractors=2).replace("points = 4001", "points = 41"))

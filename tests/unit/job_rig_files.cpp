@@ -125,6 +125,22 @@ TEST_F(RigFiles, FaultsOfARigAreToldWhereTheyAre) {
         "inertia; give a value from 1e-30 to 1e+30");
 }
 
+TEST_F(RigFiles, WhatDoesNotFitTogetherIsToldWhereTheJobSaysIt) {
+    write("rigs/mine.toml", hammer_table + cart_table + contact_table);
+    const std::string trace =
+        "schema = 1\nkind = \"trace\"\nrig = \"rigs/mine.toml\"\n[operating_point]\nfrequency_ratio = 2.0\n"
+        "gap_ratio = 0.0\n[trace]\ncycles = 10000\nsamples_per_cycle = 100000\n";
+    EXPECT_EQ(complaint_about(trace).substr(0, 40), "job.toml:7:1: the trace would have 1e+09");
+}
+
+TEST_F(RigFiles, WhatDoesNotFitTogetherInARigIsToldThere) {
+    write("rigs/mine.toml", hammer_table + cart_table +
+                                "[contact]\nlaw = \"hunt_crossley\"\nexponent = 1.5\n"
+                                "stiffness_n_per_m_pow_n = 5.5e8\ndissipation_s_per_m = 0.3\n");
+    const std::string curves = "schema = 1\nkind = \"curves\"\nrig = \"rigs/mine.toml\"\n" + axes_tables;
+    EXPECT_EQ(complaint_about(curves).substr(0, 48), "rigs/mine.toml:7:1: curves need contact.law = \"k");
+}
+
 TEST_F(RigFiles, MissingOnesAreNamedWithTheOneThatIsMeant) {
     write("rigs/mine.toml", hammer_table + cart_table + contact_table);
     EXPECT_EQ(complaint_about(job_head + "rig = \"rigs/mime.toml\"\n" + axes_tables),
