@@ -130,8 +130,7 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
     if (found.curves.empty()) {
         return fmt::format(
             "\n{}\nNo curve: {} of the {} cells of the coarse map have an orbit with impacts and q up to {}, "
-            "and "
-            "the motion without impacts nowhere ends within the window\n",
+            "and no stable motion without impacts ends within the window\n",
             title, found.periodic_cells, readable_count(scene.rows() * scene.columns()), job.curves.max_period);
     }
     double largest = 0;

@@ -163,8 +163,19 @@ def test_rigs_that_have_few_orbits_come_to_an_end(tmp_path):
         assert float(file["point_residual"][()].max()) <= 1e-11
     undamped = tmp_path / "undamped"
     undamped.mkdir()
-    compute(undamped, jobs.small_curves(points=6), "--set", "hammer.damping_ns_per_m=0", "--set",
-            "steady_state.max_cycles=200", "--set", "contact.damping_ns_per_m=0")
+    _, finished = compute(undamped, jobs.small_curves(points=6), "--set", "hammer.damping_ns_per_m=0", "--set",
+                          "steady_state.max_cycles=200", "--set", "contact.damping_ns_per_m=0")
+    assert "No curve: 0 of the 36 cells" in finished.stdout
+    assert "no stable motion without impacts ends within the window" in finished.stdout
+
+
+def test_springs_without_damping_that_are_driven_at_resonance_have_curves(tmp_path):
+    """The free swing grows without limit at Omega = omega, where a column of cells lies; a stop that dissipates limits it."""
+    window = "".join(jobs.axis(name, low, high, 9) for name, low, high in (("frequency_ratio", 0.8, 1.2), ("gap_ratio", 0.0, 5.0)))
+    path, _ = compute(tmp_path, jobs.RIG.format(kind="curves", title="resonance") + window, "--set", "hammer.damping_ns_per_m=0")
+    with h5py.File(path) as file:
+        assert 1.0 in file["frequency_ratio"][()] and (file["regime"][()][:, 4] == 1).any()
+        assert len(file["curve"]) > 5 and float(file["point_residual"][()].max()) <= 1e-11
 
 
 def test_a_map_tells_borders_where_it_names_a_gap(tmp_path):
