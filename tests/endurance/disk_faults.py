@@ -48,7 +48,7 @@ def main():
         wrong = [problem for problem in problems if problem.startswith(name + ",")]
         outcome = f"**{len(wrong)} times not as it should be**" if wrong else (
             "the right file, or exit 3 with path and cause and the right file from the next run; no signal, no wrong file")
-        parts.row(f"a call fails once in a {name}: {calls}", sum(tried.values()), outcome)
+        parts.row(f"a call fails once ({name}): {calls}", sum(tried.values()), outcome)
     return 1 if problems else 0
 
 
