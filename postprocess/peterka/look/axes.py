@@ -15,7 +15,7 @@ from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
 from . import seen, style
-from .coordinates import label
+from .coordinates import IN_MILLIMETRES, label
 from .drawn import AtPoint, Growing, Image, InUnits, Plane
 from .figures import figure_of, new_figure, save  # noqa: F401: pieces every picture shares
 from .fills import Fill, fill, textured
@@ -36,17 +36,17 @@ def label_axes(ax: Axes, file: Plane) -> None:
         getattr(ax, f"set_{which}lim")(axis.edges[0], axis.edges[-1])
         _set_ticks(ticks, axis.log)
     for axis, side in ((file.columns, "x"), (file.rows, "y")):
-        scale = second_scale(ax, side, si_scale(file, axis.name))
+        scale = second_scale(ax, side, si_scale(file, axis.name), replaces=axis.name in IN_MILLIMETRES)
         if scale is not None:
             _set_ticks(getattr(scale, f"{side}axis"), axis.log)
 
 
 def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None,
-                 place: str | float | None = None) -> Axes | None:
+                 place: str | float | None = None, replaces: bool = False) -> Axes | None:
     """A scale of the side "x" or "y" in other units, given by its (label, factor from those of the axis): opposite to the
     axis, or, where pictures are in SI alone, in its place; none where `label_and_factor` is None or pictures are in
-    ratios alone. `place`: where, if not there. Returns its Axes or None."""
-    units = style.current().units
+    ratios alone. `place`: where, if not there; `replaces`: the axis, in any units. Returns its Axes or None."""
+    units = "si" if replaces else style.current().units
     if label_and_factor is None or units == "ratio":
         return None
     label, factor = label_and_factor
@@ -63,8 +63,10 @@ def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None
 
 
 def si_scale(file: InUnits, name: str) -> tuple[str, float] | None:
-    """(label, factor from the ratios of this axis) of its scale in SI units; None where the file doesn't tell."""
+    """(label, factor from the numbers of this axis) of its scale in SI units; None where the file doesn't tell."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
+    if name in IN_MILLIMETRES:
+        return IN_MILLIMETRES[name], 1000.0
     if name == "frequency_ratio":
         return ("excitation frequency (Hz)", hertz) if hertz else None
     if name in ("velocity_ratio", "start_velocity_ratio"):

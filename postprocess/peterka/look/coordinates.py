@@ -24,6 +24,9 @@ LABELS = {
     "contact_dissipation_s_per_m": "dissipation $D$ of the stop (s/m)",
 }
 
+# Shown in mm whatever the units of other scales: m is how a job gives them.
+IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$ (mm)"}
+
 
 def label(name: str) -> str:
     """A name that is none of these stands for itself, without anything that a picture would take for mathematics."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..files.regimes import NAMES, NOT_COMPUTED, PERIODIC
 from ..look.drawn import Plane
 from . import tables
-from .points import Point
+from .points import AXES, Point
 
 
 class Map(Plane, Protocol):
@@ -38,7 +38,10 @@ def residuals(file: Map, points: Iterable[Point]) -> list[CellResidual]:
 
 def table(file: Map, found: Sequence[CellResidual]) -> list[str]:
     """Lines; in Hz, mm and N where the file tells the rig."""
-    hertz, metres, newtons = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m"), file.newtons
+    along = file.rows.name, file.columns.name
+    hertz = 1.0 if "frequency_hz" in along else file.positive("natural_frequency_hz")
+    metres = 1.0 if "gap_m" in along else file.positive("cart_amplitude_m")
+    newtons = file.newtons
     units = "Hz" if hertz else "Omega/omega", "mm" if metres else "gap/A0", "N" if newtons else "F/(m g)"
     heads = (f"frequency [{units[0]}]", f"gap [{units[1]}]", f"measured [{units[2]}]", f"computed [{units[2]}]", "motion", "off by",
              "label")
@@ -46,16 +49,15 @@ def table(file: Map, found: Sequence[CellResidual]) -> list[str]:
 
 
 def _cells(one, hertz, millimetres, newtons):
-    """Of a row: factors are those from the ratios."""
+    """Of a row: factors are those from the numbers of the file."""
     return (f"{one.point.frequency * hertz:.5g}", f"{one.point.gap * millimetres:.4g}",
             *(f"{force * newtons:.4g}" for force in (one.point.force, one.force)), one.motion,
             tables.share(one.point, one.force), tables.name_of(one.point))
 
 
 def _of_cell(file, point):
-    places = {"frequency_ratio": point.frequency, "gap_ratio": point.gap}
-    row, column = (int(np.clip(np.searchsorted(axis.edges, places[axis.name], side="right") - 1, 0, len(axis.values) - 1))
-                   for axis in (file.rows, file.columns))
+    row, column = (int(np.clip(np.searchsorted(axis.edges, getattr(point, AXES[axis.name]), side="right") - 1, 0,
+                               len(axis.values) - 1)) for axis in (file.rows, file.columns))
     band = file.band(["regime", "impacts", "period", "peak_force_ratio"], row, row + 1)
     regime, p, q = (int(band[name][0, column]) for name in ("regime", "impacts", "period"))
     motion = f"{p}/{q}" if regime == PERIODIC else "not computed yet" if regime == NOT_COMPUTED else NAMES[regime]

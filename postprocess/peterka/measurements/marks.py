@@ -12,7 +12,7 @@ from ..look import axes
 from ..look.drawn import Plane
 from ..look.notes import write_beside
 from ..look.seen import SEEN
-from .points import Point
+from .points import AXES, Point
 
 SHAPES, FACES = "Dos^vP<>", ("white", "black", "#AAAAAA")  # 24 pairs
 EDGE = {"markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.9, "linestyle": "none"}
@@ -69,7 +69,7 @@ def name_over_map(ax: Axes, file: Plane, points: Sequence[Point]) -> None:
 
 
 def _quantities(file):
-    return [{"frequency_ratio": "frequency", "gap_ratio": "gap"}[axis.name] for axis in (file.columns, file.rows)]
+    return [AXES[axis.name] for axis in (file.columns, file.rows)]
 
 
 def vertical_marks(ax: Axes, points: Sequence[Point]) -> None:

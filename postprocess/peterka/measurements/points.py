@@ -34,13 +34,13 @@ MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
 MOST_SERIES = 24  # so many marks can be told apart
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
-PLANE = {"frequency_ratio", "gap_ratio"}  # of the maps that take points
+AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
 
 
 @dataclass(frozen=True)
 class Point:
-    """Ratios of the pictures; None where the point has no such number. `gap` is one of the sweep's gaps, or None; over a
-    map any gap. `errors` {quantity: standard error}."""
+    """Ratios, but `frequency` and `gap` in the numbers of the file's axes over them; None where the point has no such number.
+    `gap` is one of the sweep's gaps, or None; over a map any gap. `errors` {quantity: standard error}."""
 
     frequency: float
     force: float | None
@@ -67,15 +67,15 @@ NOTHING_MEASURED = Measurements([], [])
 
 
 def read_measurements(path: Path, file: OpenedFile) -> Measurements:
-    """The points of a CSV file that belong to this sweep or map, in its ratios."""
+    """The points of a CSV file that belong to this sweep or map, in its numbers."""
     _check_axes(file)
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
-    factors = _factors(path, file, table.names)
+    scales = _scales(path, file, table.names)
     points, other_rigs, other_gaps, outside = [], 0, [], 0
     for line, cells in table.rows:
         numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
-        point = _point(table, line, cells, numbers, factors)
+        point = _point(table, line, cells, numbers, scales)
         if _is_of_another_rig(numbers.get("natural_frequency_hz"), file):
             other_rigs += 1
         elif file.kind == "map":
@@ -98,13 +98,13 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
 
 def _check_axes(file):
     if file.kind == "sweep":
-        if file.axis_name != "frequency_ratio":
-            raise NotDrawable(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequency_ratio")
+        if AXES.get(file.axis_name) != "frequency":
+            raise NotDrawable(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequencies")
     elif file.kind != "map":
         raise NotDrawable(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
-    elif {file.rows.name, file.columns.name} != PLANE:
+    elif {AXES.get(axis.name) for axis in (file.rows, file.columns)} != {"frequency", "gap"}:
         raise NotDrawable(f"{file.path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
-                          "frequency_ratio and gap_ratio")
+                          "frequencies and gaps")
 
 
 def _check_names(table):
@@ -115,21 +115,28 @@ def _check_names(table):
         raise table.refusal("has no column frequency_hz or frequency_ratio; every point needs a frequency")
 
 
-def _factors(path, file, names):
-    """Of each quantity: how many of its SI-like units are a ratio of 1."""
+def _scales(path, file, names):
+    """Of each quantity: what a ratio of 1, and what one of its SI-like units, is in the numbers of the file."""
     hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    factors = {"frequency": hertz, "force": file.newtons, "displacement": metres and 1000 * metres, "gap": metres and 1000 * metres}
-    for quantity, factor in factors.items():
-        for name in (PAIRS[quantity][1], ERRORS[quantity][1]):
-            if name in names and factor is None:
-                raise NotDrawable(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in that unit")
-    return factors
+    along = (file.axis_name,) if file.kind == "sweep" else (file.rows.name, file.columns.name)
+    of_ratio = {"frequency": hertz, "force": file.newtons, "displacement": metres and 1000 * metres, "gap": metres and 1000 * metres}
+    scales = {quantity: (1.0, 1 / factor if factor else None) for quantity, factor in of_ratio.items()}
+    if "frequency_hz" in along:
+        scales["frequency"] = hertz, 1.0
+    if "gap_m" in along:
+        scales["gap"] = metres, 1e-3
+    for quantity, scale in scales.items():
+        for pair in (PAIRS[quantity], ERRORS[quantity]):
+            for name, factor in zip(pair, scale):
+                if name in names and factor is None:
+                    raise NotDrawable(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in SI units")
+    return scales
 
 
-def _point(table, line, cells, numbers, factors):
+def _point(table, line, cells, numbers, scales):
     """With any gap."""
-    ratios = {name: _ratio(numbers, PAIRS[name], factors[name]) for name in QUANTITIES}
-    errors = {name: _ratio(numbers, ERRORS[name], factors[name]) for name in QUANTITIES}
+    ratios = {name: _scaled(numbers, PAIRS[name], scales[name]) for name in QUANTITIES}
+    errors = {name: _scaled(numbers, ERRORS[name], scales[name]) for name in QUANTITIES}
     if ratios["frequency"] is None or not ratios["frequency"] > 0:
         raise table.refusal("has no frequency above 0; every point needs one", line)
     for name, error in errors.items():
@@ -140,11 +147,8 @@ def _point(table, line, cells, numbers, factors):
                  {name: error for name, error in errors.items() if error and ratios[name] is not None})
 
 
-def _ratio(numbers, pair, factor):
-    ratio, unit = pair
-    if numbers.get(unit) is not None:
-        return numbers[unit] / factor
-    return numbers.get(ratio)
+def _scaled(numbers, pair, scale):
+    return next((numbers[name] * factor for name, factor in zip(pair, scale) if numbers.get(name) is not None), None)
 
 
 def _is_of_another_rig(hertz, file):
@@ -155,8 +159,7 @@ def _is_of_another_rig(hertz, file):
 def _lies_inside(table, line, point, file):
     if point.gap is None:
         raise table.refusal("has no gap, and a map has all of them; add gap_mm or gap_ratio", line)
-    places = {"frequency_ratio": point.frequency, "gap_ratio": point.gap}
-    return all(axis.edges[0] <= places[axis.name] <= axis.edges[-1] for axis in (file.columns, file.rows))
+    return all(axis.edges[0] <= getattr(point, AXES[axis.name]) <= axis.edges[-1] for axis in (file.columns, file.rows))
 
 
 def _gap(table, line, gap, file):

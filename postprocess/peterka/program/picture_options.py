@@ -6,6 +6,7 @@ from collections.abc import Callable
 from ..files.checked_hdf5 import CheckedFile
 from ..files.opened import OpenedFile
 from ..look.axes import si_scale
+from ..look.coordinates import IN_MILLIMETRES
 from ..look.style import PALETTES, UNITS
 from ..pictures import open_file
 
@@ -83,7 +84,7 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
     for name, low, high in zip(names, zoom[::2], zoom[1::2]):
-        scale = si_scale(file, name) if in_si else None
+        scale = si_scale(file, name) if in_si or name in IN_MILLIMETRES else None
         factor = scale[1] if scale else 1.0
         data = data.sel({name: slice(low / factor, high / factor)})
         if data.sizes[name] < 2:

@@ -13,7 +13,7 @@ from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
-from .sweep_panels import LOOKS
+from .sweep_panels import LOOKS, direction_words
 from .unstable import NO_UNSTABLE, draw_unstable
 from .unstable import at_gap as unstable_at_gap
 from .unstable import handles as unstable_handles
@@ -58,7 +58,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
 
 def _handles(file):
     return [
-        Line2D([], [], label=LOOKS[name].label, marker="o", markeredgewidth=0, linestyle="none",
+        Line2D([], [], label=direction_words(file, name), marker="o", markeredgewidth=0, linestyle="none",
                color=DOTS[name][0], markersize=2 * DOTS[name][1])
         for name in sweep_panels.directions(file)
     ]

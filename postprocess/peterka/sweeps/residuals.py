@@ -33,7 +33,8 @@ def residuals(file: SweepFile, points: Iterable[Point]) -> list[Residual]:
 
 def table(file: SweepFile, found: Sequence[Residual]) -> list[str]:
     """Lines; in Hz and N where the file tells the rig."""
-    hertz, newtons = file.positive("natural_frequency_hz"), file.newtons
+    hertz = 1.0 if file.axis_name == "frequency_hz" else file.positive("natural_frequency_hz")
+    newtons = file.newtons
     units = "Hz" if hertz else "Omega/omega", "N" if newtons else "F/(m g)"
     heads = (f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")
     rows = []
@@ -57,7 +58,7 @@ def _nearest(file, point):
 def _force(file, branch, frequency):
     """Of a branch at this frequency, from both points around it; NaN outside the sweep, where one has no force, and across a
     jump, where nothing lies between."""
-    x = file.frequency_ratio
+    x = file.values
     after = int(np.searchsorted(x, frequency))
     if after < len(x) and x[after] == frequency:
         return float(branch.force[after])

@@ -18,7 +18,7 @@ from . import every_attractor, sweep_panels
 from .borders import NO_BORDERS, Border, at_gap, draw_borders
 from .borders import handles as border_handles
 from .sweep_file import SweepFile
-from .sweep_panels import LOOKS
+from .sweep_panels import LOOKS, direction_words
 from .unstable import NO_UNSTABLE, draw_unstable
 from .unstable import at_gap as unstable_at_gap
 from .unstable import handles as unstable_handles
@@ -85,7 +85,7 @@ def _handles(file):
     handles = []
     for name in sweep_panels.directions(file):
         look = LOOKS[name]
-        handles.append(Line2D([], [], label=look.label, color=look.colour, linestyle=look.linestyle,
+        handles.append(Line2D([], [], label=direction_words(file, name), color=look.colour, linestyle=look.linestyle,
                               linewidth=look.linewidth))
         if any(_scattered(branch).any() for branch in file.branches if branch.direction == name):
             handles.append(Line2D([], [], label=f"no period, {look.label}", color=look.colour, marker=look.marker,

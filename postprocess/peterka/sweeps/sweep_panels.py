@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from ..look import axes, style
 from ..look.classes import CLASSES, INDEX, classify
-from ..look.coordinates import label
+from ..look.coordinates import IN_MILLIMETRES, label
 from ..look.fills import fill
 from ..measurements import marks
 from ..measurements.points import Measurements
@@ -28,7 +28,7 @@ STRIP_LETTERS = 0.011  # width of a 6.5 pt letter over that of a panel
 
 @dataclass(frozen=True)
 class Look:
-    """Of a direction."""
+    """Of a direction; its label has a place for what the sweep runs along."""
 
     label: str
     colour: str
@@ -39,10 +39,17 @@ class Look:
 
 
 LOOKS = {
-    "up": Look("frequency rising", "#003355", "-", "^", 1.6, 2.0),
-    "down": Look("frequency falling", "#0099AA", (0, (3.5, 1.8)), "v", 1.1, 2.2),
+    "up": Look("{axis} rising", "#003355", "-", "^", 1.6, 2.0),
+    "down": Look("{axis} falling", "#0099AA", (0, (3.5, 1.8)), "v", 1.1, 2.2),
     "independent": Look("each from the start", "#003355", "-", "o", 1.3, 2.0),
 }
+
+
+def direction_words(file: SweepFile, direction: str) -> str:
+    """A direction for the legend: "frequency rising"."""
+    usual = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap"}
+    axis = usual.get(file.axis_name) or label(file.axis_name).partition(" (")[0]
+    return LOOKS[direction].label.format(axis=axis)
 
 
 def panels(file: SweepFile, handles: Sequence[Artist], ylabel: str, second: tuple[str, float] | None, ax: Axes | None = None,
@@ -147,9 +154,9 @@ def _gap_text(file, gap):
 
 
 def _second_scales(ax, file, second, top, bottom):
-    in_si = style.current().units == "si"
-    if bottom if in_si else top:
-        axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])))
+    replaces = file.axis_name in IN_MILLIMETRES
+    if bottom if replaces or style.current().units == "si" else top:
+        axes.second_scale(ax, "x", axes.si_scale(file, file.axis_name), 1 + STRIP * len(file.at_gap(file.gaps[0])), replaces)
     axes.second_scale(ax, "y", second)
 
 
