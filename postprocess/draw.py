@@ -15,7 +15,8 @@ gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which m
 A sweep gives STEM_response (peak force), STEM_bifurcation and
 STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
 curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them. A file of curves gives
-STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap. The points of --measured lie over these three, and over
+STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap (of
+other axes _columns and _rows). The points of --measured lie over these three, and over
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.

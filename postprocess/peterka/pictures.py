@@ -74,8 +74,8 @@ PICTURES = [
     Row("audit", ("map",), audit_map.draw, lambda file: file.audit is not None),
     Row("curves", ("curves",), curves_map.draw, lambda file: bool(file.curves)),
     Row("curves_over_map", ("curves",), curves_map.draw_over_map, lambda file: bool(file.curves)),
-    *(Row(f"edge_distance_{word}", ("curves",), partial(edge_distance_map.draw, side=side), lambda file: file.has_edge_distance)
-      for side, (word, *_) in edge_distance_map.SIDES.items()),
+    *(Row(name, ("curves",), partial(edge_distance_map.draw, side=side), partial(edge_distance_map.has, side=side))
+      for name, side in edge_distance_map.PICTURES.items()),
     Row("response", ("sweep",), response.draw, takes=OVER_SWEEPS),
     Row("bifurcation", ("sweep",), partial(bifurcation.draw, name="stroboscopic_displacement"), takes=OVER_SWEEPS),
     Row("bifurcation_impact", ("sweep",), partial(bifurcation.draw, name="impact_displacement"), takes=OVER_SWEEPS),

@@ -46,8 +46,8 @@ std::string borders_of(const Label& label, const Findings& found, double gap, do
     for (const Curve& curve : found.curves) {
         if (!bounds(curve, label)) continue;
         for (const Crossing& crossing : curve.crossings) {
-            if (std::abs(crossing.place.gap - gap) < 1e-9)
-                borders.emplace_back(crossing.place.frequency * hertz, curve.kind);
+            if (std::abs(crossing.place.row - gap) < 1e-9)
+                borders.emplace_back(crossing.place.column * hertz, curve.kind);
         }
     }
     std::ranges::sort(borders);

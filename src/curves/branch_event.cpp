@@ -42,7 +42,7 @@ std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoi
 // that repeats itself where it grazes does so in each of its parts.
 std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
     Seed result = seed;
-    const OrbitPoint shortest = with_smallest_period(seed.point, 1e-4);
+    const OrbitPoint shortest = with_smallest_period(stepper.rig(), seed.point, 1e-4);
     const bool is_fold = seed.kind == CurveKind::fold;
     if (seed.kind != CurveKind::period_doubling && shortest.orbit.period < seed.point.orbit.period) {
         const auto found =
@@ -67,9 +67,8 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
             judged.lost = true;
             return;
         }
-        const double distance =
-            std::hypot((point->place.frequency - from.place.frequency) / stepper.window().frequency,
-                       (point->place.gap - from.place.gap) / stepper.window().gap);
+        const double distance = std::hypot((point->place.column - from.place.column) / stepper.window().column,
+                                           (point->place.row - from.place.row) / stepper.window().row);
         if (distance >= nearest) return;
         nearest = distance;
         judged.seed = Seed{kind, *point};
@@ -98,17 +97,19 @@ namespace {
 Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const Place& ahead) {
     Stepper::Here here = stepper.at(point);
     const Place now = Stepper::along(here.tangent);
-    if (now.frequency * ahead.frequency + now.gap * ahead.gap < 0) here.tangent = -here.tangent;
+    if (now.column * ahead.column + now.row * ahead.row < 0) here.tangent = -here.tangent;
     return here;
+}
+
+double duration_at(const Stepper& stepper, const OrbitPoint& point) {
+    return stepper.rig().at(point.place).duration_of(point.orbit.period);
 }
 
 // Where a pair of events is born the equations turn back, with the pair in reverse order: the branch goes on
 // without it.
 bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here, std::size_t pair) {
-    const double length =
-        from.point.orbit.length_of_leg(pair, duration_of(from.point.orbit.period, from.point.place));
-    const double reversed =
-        here.point.orbit.length_of_leg(pair, duration_of(here.point.orbit.period, here.point.place));
+    const double length = from.point.orbit.length_of_leg(pair, duration_at(stepper, from.point));
+    const double reversed = here.point.orbit.length_of_leg(pair, duration_at(stepper, here.point));
     if (!(length > 0)) return false;
     const OrbitPoint guess = without_pair(between(from.point, here.point, length / (length - reversed)), pair);
     const auto settled = solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
@@ -121,7 +122,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
 
 bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here) {
     const Place ahead = Stepper::along(here.tangent);
-    const auto pair = reversed_pair(here.point);
+    const auto pair = reversed_pair(stepper.rig(), here.point);
     if (pair && has_same_events(from.point.orbit, here.point.orbit))
         return leave_pair(stepper, from, here, *pair);
     const auto changed = with_true_events(stepper.rig(), here.point);
@@ -129,11 +130,11 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
         return true;  // by less than rounding tells
     auto settled =
         changed ? solve(stepper.rig(), *changed, stepper.window(), stepper.conditions()) : std::nullopt;
-    const auto mirrored = settled ? reversed_pair(*settled) : std::nullopt;
+    const auto mirrored = settled ? reversed_pair(stepper.rig(), *settled) : std::nullopt;
     if (mirrored) {
-        settled =
-            solve(stepper.rig(), with_pair_turned(*settled, *mirrored), stepper.window(), stepper.conditions());
-        if (settled && reversed_pair(*settled)) return false;
+        settled = solve(stepper.rig(), with_pair_turned(stepper.rig(), *settled, *mirrored), stepper.window(),
+                        stepper.conditions());
+        if (settled && reversed_pair(stepper.rig(), *settled)) return false;
     }
     // an impact more or less comes by a grazing, which so long a step has passed over
     if (!settled || settled->orbit.impacts() != here.point.orbit.impacts()) return false;

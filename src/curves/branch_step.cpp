@@ -21,7 +21,7 @@ std::optional<Stepper::Here> Stepper::next(const Here& here, double longest) {
     constexpr double shortest = 1e-8;
     constexpr double most_bend = 0.25;  // [rad]
     for (step_ = std::min(step_, longest); step_ > shortest; step_ /= 2) {
-        const Eigen::VectorXd sizes = sizes_of_unknowns(here.point.orbit, here.point.place, window_);
+        const Eigen::VectorXd sizes = sizes_of_unknowns(*rig_, here.point, window_);
         OrbitPoint guess = here.point;
         move(guess, step_ * here.tangent.cwiseProduct(sizes));
         const auto found = solve(*rig_, guess, window_, conditions_);

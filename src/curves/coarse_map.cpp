@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "attractors/cell_crowd.hpp"
+#include "job/axis.hpp"
 
 namespace peterka::curves {
 
@@ -61,8 +62,9 @@ std::int64_t CoarseMap::parts() const {
 }
 
 Place CoarseMap::place(std::int64_t cell) const {
-    const scene::Oscillator<double> oscillator = scene_->cell(cell / columns(), cell % columns()).oscillator;
-    return {oscillator.frequency, oscillator.gap};
+    const job::Job& job = scene_->job();
+    return rig_->place_of(
+        {job::axis_value(job.columns, cell % columns()), job::axis_value(job.rows, cell / columns())});
 }
 
 Numbers CoarseMap::solve(std::int64_t part) const {
@@ -71,7 +73,7 @@ Numbers CoarseMap::solve(std::int64_t part) const {
     std::vector<std::vector<Site>> sites(static_cast<std::size_t>(end - first));
     const regime::AttractorTable nothing_known;
     const auto keep = [&](const attractors::CellCrowd::Solved& solved) {
-        const double gap = place(solved.number).gap;
+        const double gap = rig_->at(place(solved.number)).gap();
         std::vector<Site>& of_cell = sites[static_cast<std::size_t>(solved.number - first)];
         of_cell = {site_of(solved.cell.cell, gap)};
         add_others(solved.cell.ends, gap, of_cell);
@@ -92,11 +94,11 @@ void CoarseMap::put_together(const std::vector<Numbers>& parts) {
     }
 }
 
-std::optional<OrbitPoint> CoarseMap::orbit(const Rig& rig, std::int64_t cell, const Place& window,
+std::optional<OrbitPoint> CoarseMap::orbit(std::int64_t cell, const Place& window,
                                            std::size_t site_of_cell) const {
     const Site& at = sites(cell)[site_of_cell];
     if (at.regime != regime::Regime::periodic) return std::nullopt;
-    return stable_orbit_near(rig, place(cell), at.orbit, at.period, window);
+    return stable_orbit_near(*rig_, place(cell), at.orbit, at.period, window);
 }
 
 std::vector<Edge> edges_of(const CoarseMap& map, std::int64_t most_period) {

@@ -30,7 +30,7 @@ struct Site {
 
 class CoarseMap {
   public:
-    explicit CoarseMap(const scene::Scene& scene) : scene_(&scene) {}
+    CoarseMap(const scene::Scene& scene, const Rig& rig) : scene_(&scene), rig_(&rig) {}
 
     // The map is computed in parts, each by one call on some rank; together they make it.
     [[nodiscard]] std::int64_t parts() const;
@@ -49,13 +49,14 @@ class CoarseMap {
     }
     [[nodiscard]] Place place(std::int64_t cell) const;
     // The orbit of one of a cell's sites; none where the equations have no stable one next to it.
-    [[nodiscard]] std::optional<OrbitPoint> orbit(const Rig& rig, std::int64_t cell, const Place& window,
+    [[nodiscard]] std::optional<OrbitPoint> orbit(std::int64_t cell, const Place& window,
                                                   std::size_t site = 0) const;
 
   private:
     static constexpr std::int64_t cells_in_part = 2048;
 
     const scene::Scene* scene_;
+    const Rig* rig_;
     std::vector<std::vector<Site>> sites_;
 };
 

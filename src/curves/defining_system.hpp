@@ -44,7 +44,7 @@ struct Equations {
                                   const std::vector<Condition>& conditions);
 
 // Sizes in which unknowns are measured, so that a step of 1 is a large one in each of them.
-[[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Orbit& orbit, const Place& place, const Place& window);
+[[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point, const Place& window);
 
 // Largest value of the equations of the orbit and the bifurcation, relative to the hammer's velocities.
 [[nodiscard]] double residual(const OrbitPoint& point, const Equations& equations);

@@ -1,10 +1,9 @@
 #include "curves/edge_distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 
+#include "curves/free_motion.hpp"
 #include "curves/orbit_check.hpp"
 #include "curves/reshape.hpp"
 #include "curves/stroboscopic.hpp"
@@ -15,19 +14,19 @@ namespace {
 
 // Where a motion that is followed one way ends, and why.
 struct End {
-    double at = 0;  // coordinate
+    double at = 0;  // value on the axis
     EdgeKind kind = EdgeKind::none;
 };
 
 // Nothing is known of what lies beyond where an orbit was lost.
-EdgeDistance nearest(double coordinate, std::initializer_list<End> ends) {
+EdgeDistance nearest(double value, const std::vector<End>& ends) {
     EdgeDistance result;
     result.kind = EdgeKind::none;
     double distance = std::numeric_limits<double>::infinity();
     for (const End& end : ends) {
-        if (end.kind == EdgeKind::none || std::abs(end.at - coordinate) >= distance) continue;
-        distance = std::abs(end.at - coordinate);
-        result = {end.at - coordinate, end.kind};
+        if (end.kind == EdgeKind::none || std::abs(end.at - value) >= distance) continue;
+        distance = std::abs(end.at - value);
+        result = {end.at - value, end.kind};
     }
     if (result.kind == EdgeKind::unknown) result.change = std::numeric_limits<double>::quiet_NaN();
     return result;
@@ -43,14 +42,15 @@ class Line {
           found_(static_cast<std::size_t>(line.is_row ? map.columns() : map.rows())) {
         const Place low = map.place(0);
         const Place high = map.place(map.count() - 1);
-        window_ = {high.frequency - low.frequency, high.gap - low.gap};
+        window_ = {high.column - low.column, high.row - low.row};
     }
 
     std::vector<EdgeDistance> run() {
+        const std::vector<End> ends = ends_of_free_motion();
         for (std::int64_t i = 0; i < count(); ++i) {
             const Site& site = map_.site(cell(i));
             if (found(i).kind != EdgeKind::no_orbit) continue;
-            if (site.regime == regime::Regime::no_impact) found(i) = of_free_motion(map_.place(cell(i)));
+            if (site.regime == regime::Regime::no_impact) found(i) = nearest(value(map_.place(cell(i))), ends);
             if (site.is_periodic(most_period_)) follow_orbit_of(i);
         }
         return found_;
@@ -60,15 +60,17 @@ class Line {
     [[nodiscard]] std::int64_t count() const { return std::ssize(found_); }
     [[nodiscard]] EdgeDistance& found(std::int64_t i) { return found_[static_cast<std::size_t>(i)]; }
     [[nodiscard]] std::int64_t cell(std::int64_t i) const { return cell_of(map_, line_, i); }
-    [[nodiscard]] double along(const Place& place) const { return line_.is_row ? place.frequency : place.gap; }
+    [[nodiscard]] double along(const Place& place) const { return line_.is_row ? place.column : place.row; }
+    [[nodiscard]] double value(const Place& place) const { return along(rig_.values_at(place)); }
     [[nodiscard]] double coordinate(std::int64_t i) const { return along(map_.place(cell(i))); }
-    [[nodiscard]] bool holds(double coordinate_of_edge) const {
-        return coordinate_of_edge >= coordinate(0) && coordinate_of_edge <= coordinate(count() - 1);
+    [[nodiscard]] bool holds(double value_of_edge) const {
+        return value_of_edge >= value(map_.place(cell(0))) &&
+               value_of_edge <= value(map_.place(cell(count() - 1)));
     }
 
     // The cells whose motion it is, and where it ends on either side.
     void follow_orbit_of(std::int64_t first) {
-        const auto orbit = map_.orbit(rig_, cell(first), window_);
+        const auto orbit = map_.orbit(cell(first), window_);
         if (!orbit) {
             found(first) = {found(first).change, EdgeKind::unknown};
             return;
@@ -76,12 +78,12 @@ class Line {
         std::vector<std::int64_t> members{first};
         const End up = follow_to(*orbit, first, count() - 1, members);
         const End down = follow_to(*orbit, first, 0, members);
-        for (const std::int64_t i : members) found(i) = nearest(coordinate(i), {down, up});
+        for (const std::int64_t i : members) found(i) = nearest(value(map_.place(cell(i))), {down, up});
     }
 
     End follow_to(const OrbitPoint& orbit, std::int64_t first, std::int64_t last,
                   std::vector<std::int64_t>& members) {
-        if (last == first) return {coordinate(last), EdgeKind::none};
+        if (last == first) return {value(map_.place(cell(last))), EdgeKind::none};
         std::int64_t next = first;  // the last cell that was passed
         const std::int64_t way = last > first ? 1 : -1;
         const auto look = [&](const OrbitPoint& here, const OrbitPoint& there, const Place& until) {
@@ -99,10 +101,10 @@ class Line {
         };
         const Followed followed = follow(rig_, orbit, map_.place(cell(last)), window_, look);
         if (followed.seed) {
-            const double edge = along(followed.seed->point.place);
+            const double edge = value(followed.seed->point.place);
             return {edge, holds(edge) ? static_cast<EdgeKind>(followed.seed->kind) : EdgeKind::none};
         }
-        return {along(followed.last), followed.reached ? EdgeKind::none : EdgeKind::unknown};
+        return {value(followed.last), followed.reached ? EdgeKind::none : EdgeKind::unknown};
     }
 
     // What the followed orbit is to a cell that a step passes: its own motion, or another one that can live
@@ -134,24 +136,33 @@ class Line {
         });
     }
 
-    // Without impacts the hammer swings by P = eta^2/|1 - eta^2 + 2 i zeta eta|, and grazes where that is the
-    // gap: s^2 (1 - g^2) + s g^2 (2 - 4 zeta^2) - g^2 = 0 with s = eta^2.
-    [[nodiscard]] EdgeDistance of_free_motion(const Place& place) const {
-        const double damping = rig_.damping_ratio();
-        const double square = place.frequency * place.frequency;
-        if (!line_.is_row) {
-            const double swing = square / std::hypot(1 - square, 2 * damping * place.frequency);
-            return nearest(place.gap, {{swing, holds(swing) ? EdgeKind::grazing : EdgeKind::none}});
+    // Where the motion without impacts ends on the line, within the window.
+    [[nodiscard]] std::vector<End> ends_of_free_motion() const {
+        std::vector<End> ends;
+        const Place place = map_.place(cell(0));
+        const std::string& key = rig_.key(line_.is_row ? 0 : 1);
+        if (key == "frequency_ratio") {
+            for (const double frequency : frequencies_with_swing(rig_.at(place))) {
+                if (holds(frequency)) ends.push_back({frequency, EdgeKind::grazing});
+            }
+            return ends;
         }
-        const double g2 = place.gap * place.gap;
-        const double b = g2 * (1 - 2 * damping * damping);     // half the middle coefficient
-        const double root = std::sqrt(b * b + (1 - g2) * g2);  // NaN where the swing reaches nowhere so far
-        // as quotients of the constant term, for the usual ones cancel where g is near 1
-        const auto end = [&](double s) {
-            const double edge = std::sqrt(s);
-            return End{edge, s > 0 && holds(edge) ? EdgeKind::grazing : EdgeKind::none};
-        };
-        return nearest(place.frequency, {end(g2 / (b + root)), end(g2 / (b - root))});
+        // between cells that may be further apart than a resonance is wide
+        constexpr std::int64_t looks = 16;
+        for (std::int64_t i = 0; i + 1 < count(); ++i) {
+            const Place here = map_.place(cell(i));
+            const Place there = map_.place(cell(i + 1));
+            for (std::int64_t look = 0; look < looks; ++look) {
+                const auto at = [&](std::int64_t number) {
+                    return on_way(here, there, static_cast<double>(number) / looks);
+                };
+                const Place from = at(look);
+                const Place to = at(look + 1);
+                if (const auto share = share_at_end_of_free_motion(rig_, from, to))
+                    ends.push_back({value(on_way(from, to, *share)), EdgeKind::grazing});
+            }
+        }
+        return ends;
     }
 
     const CoarseMap& map_;

@@ -24,12 +24,12 @@ enum class EdgeKind : std::int8_t {
 };
 
 struct EdgeDistance {
-    // Of the coordinate, in its unit and with its sign, until the nearest edge; NaN where there is none.
+    // Of the axis's value, with its sign, until the nearest edge; NaN where there is none.
     double change = std::numeric_limits<double>::quiet_NaN();
     EdgeKind kind = EdgeKind::no_orbit;
 };
 
-// The cells of one row, in which the frequency changes, or of one column.
+// The cells of one row, from column to column, or of one column.
 struct LineOfCells {
     bool is_row = true;
     std::int64_t number = 0;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 #include "curves/branch_event.hpp"
 #include "curves/motion_events.hpp"
@@ -14,7 +12,7 @@ namespace peterka::curves {
 namespace {
 
 Place minus(const Place& a, const Place& b) {
-    return {a.frequency - b.frequency, a.gap - b.gap};
+    return {a.column - b.column, a.row - b.row};
 }
 
 class Follower {
@@ -24,7 +22,7 @@ class Follower {
           way_(minus(target, stable.place)),
           window_(window),
           stepper_(rig, window,
-                   {Condition::on_line(stable.place, {-way_.gap / size(), way_.frequency / size()})}) {
+                   {Condition::on_line(stable.place, {-way_.row / size(), way_.column / size()})}) {
         stepper_.set_step(length() / 3);
     }
 
@@ -57,17 +55,17 @@ class Follower {
     }
 
   private:
-    [[nodiscard]] double size() const { return std::max(std::abs(way_.frequency), std::abs(way_.gap)); }
+    [[nodiscard]] double size() const { return std::max(std::abs(way_.column), std::abs(way_.row)); }
     [[nodiscard]] Place in_window(const Place& step) const {
-        return {step.frequency / window_.frequency, step.gap / window_.gap};
+        return {step.column / window_.column, step.row / window_.row};
     }
     [[nodiscard]] double length() const {
         const Place way = in_window(way_);
-        return std::hypot(way.frequency, way.gap);
+        return std::hypot(way.column, way.row);
     }
     [[nodiscard]] double progress_of(const Place& share) const {
         const Place way = in_window(way_);
-        return (share.frequency * way.frequency + share.gap * way.gap) / (length() * length());
+        return (share.column * way.column + share.row * way.row) / (length() * length());
     }
     // 0 at the beginning, 1 at the target.
     [[nodiscard]] double progress(const Place& place) const {
@@ -80,7 +78,7 @@ class Follower {
     // So that the place moves by no more than a share of the window.
     [[nodiscard]] static double longest_along(const Stepper::Here& here) {
         const Place along = Stepper::along(here.tangent);
-        return std::min(0.25, 0.02 / std::max(std::hypot(along.frequency, along.gap), 1e-3));
+        return std::min(0.25, 0.02 / std::max(std::hypot(along.column, along.row), 1e-3));
     }
 
     Place begin_;
@@ -105,18 +103,6 @@ std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const Place& place, 
     if (!found || find_fault(rig, *found).kind != Fault::Kind::none) return std::nullopt;
     if (!monodromy(rig, found->orbit, found->place, {}).is_stable()) return std::nullopt;
     return found;
-}
-
-std::optional<Seed> reach_of_free_motion(const Rig& rig, double frequency, const Place& window) {
-    const std::complex<double> impedance(1 - frequency * frequency, 2 * rig.damping_ratio() * frequency);
-    const std::complex<double> response = frequency * frequency / impedance;
-    const double swing = std::abs(response);
-    if (!std::isfinite(swing)) return std::nullopt;
-    const double top = (std::numbers::pi / 2 - std::arg(response)) / frequency;
-    const OrbitPoint guess{{1, {{EventKind::graze, false, top, 0}}}, {frequency, swing}};
-    const auto found = solve(rig, guess, window, {Condition::on_line({frequency, swing}, {1, 0})});
-    if (!found) return std::nullopt;
-    return Seed{CurveKind::grazing, *found};
 }
 
 }  // namespace peterka::curves

@@ -27,8 +27,4 @@ using LookAtStep = std::function<bool(const OrbitPoint& here, const OrbitPoint& 
                                                           const State<double>& state, std::int64_t period,
                                                           const Place& window);
 
-// The motion without impacts where it just reaches the stop: a point of the curve on which it ends. None at a
-// frequency at which its swing has no limit, or no positive gap is so wide.
-[[nodiscard]] std::optional<Seed> reach_of_free_motion(const Rig& rig, double frequency, const Place& window);
-
 }  // namespace peterka::curves

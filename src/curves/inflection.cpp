@@ -8,11 +8,11 @@ bool grazing_turns_over(const Rig& rig, const OrbitPoint& here, const OrbitPoint
     if (!has_same_events(here.orbit, there.orbit)) return false;
     const std::size_t grazing = there.orbit.grazing();
     const Event& event = there.orbit.events[grazing];
-    const bool lifted = rig.slope(false, there.place, event.time, State<double>::Zero())[1] > 0;
+    const bool lifted = rig.at(there.place).slope(false, event.time, State<double>::Zero())[1] > 0;
     if (lifted != event.presses) return true;
     // Newton's method may have found the family of orbits on which the stop presses for no time at all
     constexpr double nothing = 1e-9;  // of the orbit
-    const double duration = duration_of(there.orbit.period, there.place);
+    const double duration = rig.at(there.place).duration_of(there.orbit.period);
     return event.presses && there.orbit.length_of_leg(grazing, duration) < nothing * duration;
 }
 

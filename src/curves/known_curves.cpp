@@ -11,10 +11,10 @@ Nearest nearest_on(const Curve& curve, const Place& place, const Place& sizes) {
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
         const CurvePoint& a = curve.points[i];
         const CurvePoint& b = curve.points[i + 1];
-        const double ax = (a.place.frequency - place.frequency) / sizes.frequency;
-        const double ay = (a.place.gap - place.gap) / sizes.gap;
-        const double dx = (b.place.frequency - a.place.frequency) / sizes.frequency;
-        const double dy = (b.place.gap - a.place.gap) / sizes.gap;
+        const double ax = (a.place.column - place.column) / sizes.column;
+        const double ay = (a.place.row - place.row) / sizes.row;
+        const double dx = (b.place.column - a.place.column) / sizes.column;
+        const double dy = (b.place.row - a.place.row) / sizes.row;
         const double length2 = dx * dx + dy * dy;
         const double share = length2 > 0 ? std::clamp(-(ax * dx + ay * dy) / length2, 0.0, 1.0) : 0;
         const double distance = std::hypot(ax + share * dx, ay + share * dy);

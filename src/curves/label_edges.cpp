@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "curves/branch_step.hpp"
+#include "curves/free_motion.hpp"
 #include "curves/known_curves.hpp"
 #include "curves/orbit_check.hpp"
 #include "curves/reshape.hpp"
@@ -31,7 +32,7 @@ class EdgeTeller {
     EdgeTeller(const Rig& rig, const CoarseMap& map, Curve& curve) : rig_(rig), map_(map), curve_(curve) {
         const Place low = map.place(0);
         const Place high = map.place(map.count() - 1);
-        window_ = {high.frequency - low.frequency, high.gap - low.gap};
+        window_ = {high.column - low.column, high.row - low.row};
     }
 
     void run() {
@@ -64,12 +65,11 @@ class EdgeTeller {
     [[nodiscard]] Cells cells_around(const Place& place) const {
         std::int64_t column = 0;
         std::int64_t row = 0;
-        const auto gap_of = [&](std::int64_t r) { return map_.place(r * map_.columns()).gap; };
-        while (column + 2 < map_.columns() && map_.place(column + 1).frequency <= place.frequency) ++column;
-        while (row + 2 < map_.rows() && gap_of(row + 1) <= place.gap) ++row;
+        const auto gap_of = [&](std::int64_t r) { return map_.place(r * map_.columns()).row; };
+        while (column + 2 < map_.columns() && map_.place(column + 1).column <= place.column) ++column;
+        while (row + 2 < map_.rows() && gap_of(row + 1) <= place.row) ++row;
         Cells cells;
-        cells.size = {map_.place(column + 1).frequency - map_.place(column).frequency,
-                      gap_of(row + 1) - gap_of(row)};
+        cells.size = {map_.place(column + 1).column - map_.place(column).column, gap_of(row + 1) - gap_of(row)};
         cells.first_column = std::max<std::int64_t>(column - 1, 0);
         cells.first_row = std::max<std::int64_t>(row - 1, 0);
         cells.columns = std::min(column + 3, map_.columns()) - cells.first_column;
@@ -86,9 +86,8 @@ class EdgeTeller {
         const auto add = [&](std::int64_t a, std::int64_t b) {
             const Place one = map_.place(a);
             const Place other = map_.place(b);
-            const double across =
-                ((one.frequency + other.frequency) / 2 - place.frequency) / cells.size.frequency;
-            const double up = ((one.gap + other.gap) / 2 - place.gap) / cells.size.gap;
+            const double across = ((one.column + other.column) / 2 - place.column) / cells.size.column;
+            const double up = ((one.row + other.row) / 2 - place.row) / cells.size.row;
             if (same_label(map_.site(a), map_.site(b)) || std::hypot(across, up) > 1) return;
             if (has_one_of(labels, a)) edges.push_back({a, b});
             if (has_one_of(labels, b)) edges.push_back({b, a});
@@ -142,11 +141,11 @@ class EdgeTeller {
         const Place size = cells_around(curve_.points[i].place).size;
         const Place& before = curve_.points[i > 0 ? i - 1 : i].place;
         const Place& after = curve_.points[std::min(i + 1, curve_.points.size() - 1)].place;
-        const double across = (after.frequency - before.frequency) / size.frequency;
-        const double up = (after.gap - before.gap) / size.gap;
+        const double across = (after.column - before.column) / size.column;
+        const double up = (after.row - before.row) / size.row;
         const double length = std::hypot(across, up);
-        if (!(length > 0)) return {0, size.gap};
-        return {-up / length * size.frequency, across / length * size.gap};
+        if (!(length > 0)) return {0, size.row};
+        return {-up / length * size.column, across / length * size.row};
     }
 
     [[nodiscard]] LabelEdge how_far_a_motion_lives(std::size_t i) const {
@@ -154,11 +153,11 @@ class EdgeTeller {
         const Place way = aside(i);
         const Beside beside = motions_beside(at, way);
         for (const OrbitPoint& stable : beside.stable) {
-            const double moved = (stable.place.frequency - at.place.frequency) / window_.frequency *
-                                     (way.frequency / window_.frequency) +
-                                 (stable.place.gap - at.place.gap) / window_.gap * (way.gap / window_.gap);
+            const double moved =
+                (stable.place.column - at.place.column) / window_.column * (way.column / window_.column) +
+                (stable.place.row - at.place.row) / window_.row * (way.row / window_.row);
             const double sign = moved < 0 ? -1 : 1;
-            const Place target{at.place.frequency + sign * way.frequency, at.place.gap + sign * way.gap};
+            const Place target{at.place.column + sign * way.column, at.place.row + sign * way.row};
             const bool lives = stable.orbit.events.empty() ||  // without impacts
                                follow(rig_, stable, target, window_).reached;
             if (lives) return LabelEdge::other_start;
@@ -186,8 +185,8 @@ class EdgeTeller {
         for (const OrbitPoint& start : starts) {
             if (start.orbit.events.empty()) return {true, {start}};
             Stepper stepper(rig_, window_,
-                            {Condition::on_line(at.place, {way.gap / window_.gap / window_.frequency,
-                                                           -way.frequency / window_.frequency / window_.gap})});
+                            {Condition::on_line(at.place, {way.row / window_.row / window_.column,
+                                                           -way.column / window_.column / window_.row})});
             Stepper::Here here = stepper.at(start);
             for (int direction = 0; direction < 2; ++direction) {
                 stepper.set_step(step);
@@ -225,11 +224,8 @@ class EdgeTeller {
 
     [[nodiscard]] bool ends_on_curve(const Edge& edge) const {
         const Place to = map_.place(edge.to);
-        if (map_.site(edge.from).regime == regime::Regime::no_impact) {
-            const double square = to.frequency * to.frequency;
-            return square > to.gap * std::hypot(1 - square, 2 * rig_.damping_ratio() * to.frequency);
-        }
-        const auto orbit = map_.orbit(rig_, edge.from, window_);
+        if (map_.site(edge.from).regime == regime::Regime::no_impact) return room_of_free_motion(rig_, to) < 0;
+        const auto orbit = map_.orbit(edge.from, window_);
         if (!orbit) return false;
         const auto seed = follow(rig_, *orbit, to, window_).seed;
         return seed && lies_on(curve_, seed->kind, seed->point.orbit.period,

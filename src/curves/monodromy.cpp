@@ -26,14 +26,14 @@ struct Product {
     double determinant = 1;  // of M itself
 };
 
-Product product_of(const Rig& rig, const Orbit& orbit, const Place& place, Side side, double speed) {
-    const double duration = duration_of(orbit.period, place);
+Product product_of(const PlacedRig& rig, const Orbit& orbit, Side side, double speed) {
+    const double duration = rig.duration_of(orbit.period);
     Product product;
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
         const Event& event = orbit.events[i];
         const double length = orbit.length_of_leg(i, duration);
         Factor factor{product.matrix,
-                      rig.saltation(event, place, side == Side::with_impact, speed),
+                      rig.saltation(event, side == Side::with_impact, speed),
                       rig.flow(event.presses, length),
                       {}};
         product.matrix = (factor.flow * factor.change.value * factor.before).eval();
@@ -45,12 +45,12 @@ Product product_of(const Rig& rig, const Orbit& orbit, const Place& place, Side 
     return product;
 }
 
-bool strikes(const Rig& rig, const Event& event) {
+bool strikes(const PlacedRig& rig, const Event& event) {
     return rig.is_rigid() && event.kind == EventKind::touch;
 }
 
 // The product of all speeds on a rigid stop over `speed`, but for one of them.
-double speeds_without(const Rig& rig, const Orbit& orbit, double speed, std::size_t left_out) {
+double speeds_without(const PlacedRig& rig, const Orbit& orbit, double speed, std::size_t left_out) {
     double product = 1;
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
         if (strikes(rig, orbit.events[i]) && i != left_out) product *= orbit.events[i].velocity / speed;
@@ -67,16 +67,17 @@ double Monodromy::multiplier() const {
     return half_trace + std::copysign(std::sqrt(discriminant), half_trace);
 }
 
-Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side side) {
-    const double duration = duration_of(orbit.period, place);
+Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const Place& place, Side side) {
+    const PlacedRig rig = rigs.at(place);
+    const double duration = rig.duration_of(orbit.period);
     Monodromy product{Jacobian<double>::Identity(), 1};
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
         const Event& event = orbit.events[i];
         const double length = orbit.length_of_leg(i, duration);
         const bool counts = side == Side::with_impact;
         const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
-        const Jacobian<double> jump = rig.saltation(event, place, counts, strikes ? event.velocity : 1)
-                                          .value;  // a speed of its own: unscaled
+        const Jacobian<double> jump =
+            rig.saltation(event, counts, strikes ? event.velocity : 1).value;  // a speed of its own: unscaled
         product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
         product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
         if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
@@ -86,16 +87,20 @@ Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side
 
 // tr dM is the sum over all factors X of tr(after dX before), and d ln det M that over all legs of
 // -2 b d(length).
-Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, int sign, Side side) {
+Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side side) {
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
-    const double speed = std::max(orbit.largest_speed(), place.frequency);
-    const auto [factors, matrix, determinant] = product_of(rig, orbit, place, side, speed);
+    const double speed = std::max(orbit.largest_speed(), rig.frequency());
+    const auto [factors, matrix, determinant] = product_of(rig, orbit, side, speed);
     const double speeds = speeds_without(rig, orbit, speed, count);
     Bifurcation result{speeds * (1 + determinant) - sign * matrix.trace(),
                        Eigen::VectorXd::Zero(unknowns.size())};
+    const auto add_by_place = [&](double by_frequency, double by_gap) {
+        result.gradient[unknowns.column()] += rig.by_column(by_frequency, by_gap);
+        result.gradient[unknowns.row()] += rig.by_row(by_frequency, by_gap);
+    };
     // of the last leg, by the frequency
-    const double last_longer = -duration_of(orbit.period, place) / place.frequency;
+    const double last_longer = -rig.duration_of(orbit.period) / rig.frequency();
     Jacobian<double> after = Jacobian<double>::Identity();
     double size = 1;
     for (std::size_t i = count; i-- > 0;) {
@@ -108,7 +113,7 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
             -sign * (after * generator * factor.through).trace() - 2 * b * speeds * determinant;
         result.gradient[unknowns.time(i)] -= longer;
         result.gradient[unknowns.time((i + 1) % count)] += longer;
-        if (i + 1 == count) result.gradient[unknowns.frequency()] += longer * last_longer;
+        if (i + 1 == count) add_by_place(longer * last_longer, 0.0);
         size = std::max(size, after.norm() * factor.flow.norm() * (factor.change.value * factor.before).norm());
         after = (after * factor.flow).eval();
         const auto trace_of = [&](const Jacobian<double>& change) {
@@ -119,8 +124,7 @@ Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, 
             result.gradient[unknowns.velocity(i)] +=
                 trace_of(factor.change.by_velocity) +
                 speeds_without(rig, orbit, speed, i) / speed * (1 + determinant);
-            result.gradient[unknowns.frequency()] += trace_of(factor.change.by_frequency);
-            result.gradient[unknowns.gap()] += trace_of(factor.change.by_gap);
+            add_by_place(trace_of(factor.change.by_frequency), trace_of(factor.change.by_gap));
         }
         after = (after * factor.change.value).eval();
     }

@@ -33,7 +33,6 @@ struct Bifurcation {
     double value = 0;
     Eigen::VectorXd gradient;
 };
-[[nodiscard]] Bifurcation bifurcation(const Rig& rig, const Orbit& orbit, const Place& place, int sign,
-                                      Side side);
+[[nodiscard]] Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side side);
 
 }  // namespace peterka::curves

@@ -20,9 +20,9 @@ using Ending = trajectory::Crossing<double>::Ending;
 // The same legs and events as those of trajectory/linear_legs.hpp and rigid_legs.hpp, with their times kept.
 class Walk {
   public:
-    Walk(const Rig& rig, const Place& place)
+    explicit Walk(const PlacedRig& rig)
         : rig_(rig),
-          oscillator_(rig.scene_at(place)),
+          oscillator_(rig.oscillator()),
           flight_(motion::flight_equation(oscillator_)),
           contact_(rig.is_rigid() ? motion::flight_equation(oscillator_)
                                   : motion::contact_equation(oscillator_)),
@@ -36,7 +36,7 @@ class Walk {
         Phase phase = trajectory::phase_of(oscillator_, x);
         if (rig_.is_rigid() && phase == Phase::contact) return std::nullopt;
         for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
-            const double begin = duration_of(cycle, {oscillator_.frequency, oscillator_.gap});
+            const double begin = rig_.duration_of(cycle);
             double time = 0;
             while (true) {
                 stop_if_asked();
@@ -107,8 +107,8 @@ class Walk {
         if (rig_.is_rigid()) phase = Phase::flight;
     }
 
-    const Rig& rig_;
-    scene::Oscillator<double> oscillator_;
+    const PlacedRig& rig_;
+    const scene::Oscillator<double>& oscillator_;
     LinearMotion<double> flight_;
     LinearMotion<double> contact_;
     Probe<double> touch_;
@@ -121,13 +121,13 @@ class Walk {
 
 std::optional<Orbit> orbit_from(const Rig& rig, const Place& place, const State<double>& start,
                                 std::int64_t period) {
-    auto events = Walk(rig, place).events(start, period);
+    auto events = Walk(rig.at(place)).events(start, period);
     if (!events || events->empty()) return std::nullopt;
     return Orbit{period, std::move(*events)};
 }
 
-std::optional<Event> first_event_after(const Rig& rig, const Place& place, const Event& from, double within) {
-    return Walk(rig, place).first_after(from, within);
+std::optional<Event> first_event_after(const PlacedRig& rig, const Event& from, double within) {
+    return Walk(rig).first_after(from, within);
 }
 
 }  // namespace peterka::curves

@@ -19,7 +19,6 @@ inline constexpr std::size_t most_events = 96;  // of an orbit that is followed
 
 // What the motion meets first within so long a time after an event: in contact a release; in flight a touch,
 // or, before the hammer has left the stop that has let go, a resume.
-[[nodiscard]] std::optional<Event> first_event_after(const Rig& rig, const Place& place, const Event& from,
-                                                     double within);
+[[nodiscard]] std::optional<Event> first_event_after(const PlacedRig& rig, const Event& from, double within);
 
 }  // namespace peterka::curves

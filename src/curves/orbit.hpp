@@ -21,12 +21,6 @@ using scene::Jacobian;
 using scene::State;
 using trajectory::Phase;
 
-// Where in the plane: Omega/omega and gap/A0.
-struct Place {
-    double frequency = 0;
-    double gap = 0;
-};
-
 enum class EventKind : std::int8_t {
     touch,    // delta rises through 0: an impact
     release,  // the stop's force falls through 0

@@ -15,7 +15,7 @@ namespace {
 
 // One leg of an orbit as a motion in time.
 struct LegInTime {
-    const Rig* rig;
+    const PlacedRig* rig;
     const OrbitPoint* point;
     std::size_t event;
     double from;
@@ -24,19 +24,19 @@ struct LegInTime {
 
     [[nodiscard]] bool presses() const { return point->orbit.events[event].presses; }
     [[nodiscard]] State<double> at(double time) const {
-        return rig->state_in_leg(presses(), point->place, from, start, time);
+        return rig->state_in_leg(presses(), from, start, time);
     }
     // f and df/dtau, were the stop to press.
     [[nodiscard]] State<double> force(double time, const State<double>& x) const {
-        const State<double> slope = rig->slope(presses(), point->place, time, x);
+        const State<double> slope = rig->slope(presses(), time, x);
         return {rig->force(x), rig->force(slope)};
     }
 };
 
-LegInTime leg_in_time(const Rig& rig, const OrbitPoint& point, std::size_t i) {
+LegInTime leg_in_time(const PlacedRig& rig, const OrbitPoint& point, std::size_t i) {
     const Event& from = point.orbit.events[i];
     const bool last = i + 1 == point.orbit.events.size();
-    const double to = point.orbit.after(i).time + (last ? duration_of(point.orbit.period, point.place) : 0);
+    const double to = point.orbit.after(i).time + (last ? rig.duration_of(point.orbit.period) : 0);
     return {&rig, &point, i, from.time, to, rig.departure(from)};
 }
 
@@ -49,7 +49,7 @@ double next_look(const LegInTime& leg, double time) {
     const double b = leg.rig->damping(leg.presses());
     const double natural = std::sqrt(leg.rig->stiffness(leg.presses()));
     const bool rings = !leg.presses() || b * (time - leg.from) < 25;
-    const double fastest = std::max(leg.point->place.frequency, rings ? natural : 1.0);
+    const double fastest = std::max(leg.rig->frequency(), rings ? natural : 1.0);
     return time +
            std::max(2 * std::numbers::pi / (looks_in_a_turn * fastest), (leg.to - leg.from) / most_looks);
 }
@@ -90,8 +90,7 @@ double margin_of(const LegInTime& leg) {
 
 // What the motion meets before the leg ends.
 std::optional<Event> first_in(const LegInTime& leg) {
-    return first_event_after(*leg.rig, leg.point->place, leg.point->orbit.events[leg.event],
-                             leg.to - leg.from - margin_of(leg));
+    return first_event_after(*leg.rig, leg.point->orbit.events[leg.event], leg.to - leg.from - margin_of(leg));
 }
 
 // When a flight that goes on beyond the stop reaches furthest.
@@ -99,7 +98,7 @@ double top_after(const LegInTime& leg, const Event& touch) {
     const auto velocity = [](double, const State<double>& x) { return x[1]; };
     double before = touch.time;
     double step = 1e-3 * (leg.to - leg.from);
-    const double falling = -leg.rig->slope(false, leg.point->place, before, {0, touch.velocity})[1];
+    const double falling = -leg.rig->slope(false, before, {0, touch.velocity})[1];
     if (falling > 0) step = std::min(step, touch.velocity / falling / 2);
     for (double now = before + step; now < leg.to; now = before + step) {
         if (leg.at(now)[1] <= 0) return zero_between(leg, before, now, velocity);
@@ -155,7 +154,8 @@ bool has_lost_its_speed(const Event& event) {
 
 }  // namespace
 
-Fault find_fault(const Rig& rig, const OrbitPoint& point) {
+Fault find_fault(const Rig& rigs, const OrbitPoint& point) {
+    const PlacedRig rig = rigs.at(point.place);
     Fault pattern;
     const std::size_t count = point.orbit.events.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -175,8 +175,9 @@ Fault find_fault(const Rig& rig, const OrbitPoint& point) {
     return pattern;
 }
 
-double peak_force(const Rig& rig, const OrbitPoint& point) {
-    if (rig.is_rigid()) return std::numeric_limits<double>::quiet_NaN();
+double peak_force(const Rig& rigs, const OrbitPoint& point) {
+    if (rigs.is_rigid()) return std::numeric_limits<double>::quiet_NaN();
+    const PlacedRig rig = rigs.at(point.place);
     double largest = 0;
     for (std::size_t i = 0; i < point.orbit.events.size(); ++i) {
         const LegInTime leg = leg_in_time(rig, point, i);

@@ -10,7 +10,7 @@ double as_number(Integer value) {
 }
 
 void pack(const Place& place, Numbers& to) {
-    to.insert(to.end(), {place.frequency, place.gap});
+    to.insert(to.end(), {place.column, place.row});
 }
 
 }  // namespace

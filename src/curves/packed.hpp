@@ -23,8 +23,8 @@ class NumberReader {
     }
     std::int64_t integer() { return static_cast<std::int64_t>(number()); }
     Place place() {
-        const double frequency = number();
-        return {frequency, number()};
+        const double column = number();
+        return {column, number()};
     }
 
   private:

@@ -47,7 +47,7 @@ OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share) {
         event.time = mix(event.time, to.orbit.events[i].time);
         event.velocity = mix(event.velocity, to.orbit.events[i].velocity);
     }
-    point.place = {mix(from.place.frequency, to.place.frequency), mix(from.place.gap, to.place.gap)};
+    point.place = {mix(from.place.column, to.place.column), mix(from.place.row, to.place.row)};
     return point;
 }
 
@@ -73,7 +73,7 @@ std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& 
     OrbitPoint result = point;
     std::vector<Event>& events = result.orbit.events;
     Event& slow = events[event];
-    const double pressing = rig.slope(false, point.place, slow.time, State<double>::Zero())[1];
+    const double pressing = rig.at(point.place).slope(false, slow.time, State<double>::Zero())[1];
     slow.velocity = 0;
     if (pressing > 0) {
         if (rig.is_rigid()) return std::nullopt;  // the hammer stays on the stop
@@ -109,9 +109,9 @@ OrbitPoint beyond_grazing(const Rig& rig, const OrbitPoint& grazing, bool gains)
     return beyond;
 }
 
-std::optional<std::size_t> reversed_pair(const OrbitPoint& point) {
+std::optional<std::size_t> reversed_pair(const Rig& rig, const OrbitPoint& point) {
     const Orbit& orbit = point.orbit;
-    const double duration = duration_of(orbit.period, point.place);
+    const double duration = rig.at(point.place).duration_of(orbit.period);
     const auto born = [](EventKind a, EventKind b) {
         return (a == EventKind::release && b == EventKind::resume) ||
                (a == EventKind::resume && b == EventKind::release);
@@ -132,11 +132,11 @@ OrbitPoint without_pair(const OrbitPoint& point, std::size_t first) {
     return result;
 }
 
-OrbitPoint with_pair_turned(const OrbitPoint& point, std::size_t first) {
+OrbitPoint with_pair_turned(const Rig& rig, const OrbitPoint& point, std::size_t first) {
     OrbitPoint result = point;
     std::vector<Event>& events = result.orbit.events;
     const std::size_t second = (first + 1) % events.size();
-    const double turn = second > first ? 0 : duration_of(point.orbit.period, point.place);
+    const double turn = second > first ? 0 : rig.at(point.place).duration_of(point.orbit.period);
     std::swap(events[first].velocity, events[second].velocity);
     std::swap(events[first].time, events[second].time);
     events[first].time += turn;
@@ -151,7 +151,7 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
     for (Event& event : orbit->events) event.time += start.time;
     const std::size_t grazing = point.orbit.grazing();
     if (grazing < point.orbit.events.size() &&
-        !put_grazing_back(point.orbit.events[grazing], duration_of(point.orbit.period, point.place),
+        !put_grazing_back(point.orbit.events[grazing], rig.at(point.place).duration_of(point.orbit.period),
                           point.orbit.largest_speed(), orbit->events)) {
         return std::nullopt;
     }
@@ -170,17 +170,17 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
 namespace {
 
 // What grazes once in an orbit of twice the period that repeats itself grazes every time.
-OrbitPoint grazing_with_smallest_period(const OrbitPoint& point, double nearness) {
+OrbitPoint grazing_with_smallest_period(const Rig& rig, const OrbitPoint& point, double nearness) {
     OrbitPoint rest = point;
     const std::size_t place = point.orbit.grazing();
     Event grazing = point.orbit.events[place];
     if (grazing.presses) return point;
     rest.orbit.events.erase(rest.orbit.events.begin() + static_cast<std::ptrdiff_t>(place));
     if (rest.orbit.events.empty()) return {{1, {grazing}}, point.place};
-    rest = with_smallest_period(rest, nearness);
+    rest = with_smallest_period(rig, rest, nearness);
     if (rest.orbit.period == point.orbit.period) return point;
     std::vector<Event>& events = rest.orbit.events;
-    const double duration = duration_of(rest.orbit.period, point.place);
+    const double duration = rig.at(point.place).duration_of(rest.orbit.period);
     grazing.time -= duration * std::floor((grazing.time - events.front().time) / duration);
     events.insert(std::ranges::find_if(events, [&](const Event& event) { return event.time > grazing.time; }),
                   grazing);
@@ -189,10 +189,11 @@ OrbitPoint grazing_with_smallest_period(const OrbitPoint& point, double nearness
 
 }  // namespace
 
-OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness) {
-    if (point.orbit.grazing() < point.orbit.events.size()) return grazing_with_smallest_period(point, nearness);
+OrbitPoint with_smallest_period(const Rig& rig, const OrbitPoint& point, double nearness) {
+    if (point.orbit.grazing() < point.orbit.events.size())
+        return grazing_with_smallest_period(rig, point, nearness);
     const std::vector<Event>& events = point.orbit.events;
-    const double duration = duration_of(point.orbit.period, point.place);
+    const double duration = rig.at(point.place).duration_of(point.orbit.period);
     const double speed = point.orbit.largest_speed();
     for (std::int64_t divisor = 1; divisor < point.orbit.period; ++divisor) {
         const auto parts = static_cast<std::size_t>(point.orbit.period / divisor);

@@ -30,15 +30,15 @@ namespace peterka::curves {
 // Where the force of the stop just reaches 0, or just falls to it, the stop presses or lets go for an instant:
 // two events are born. An orbit with both in reverse order obeys the equations, too, but is no motion. The
 // first of them, if there are such.
-[[nodiscard]] std::optional<std::size_t> reversed_pair(const OrbitPoint& point);
+[[nodiscard]] std::optional<std::size_t> reversed_pair(const Rig& rig, const OrbitPoint& point);
 [[nodiscard]] OrbitPoint without_pair(const OrbitPoint& point, std::size_t first);
 // With each in the place of the other: close to the motion that has both, where they lie close together.
-[[nodiscard]] OrbitPoint with_pair_turned(const OrbitPoint& point, std::size_t first);
+[[nodiscard]] OrbitPoint with_pair_turned(const Rig& rig, const OrbitPoint& point, std::size_t first);
 
 // With the events of the true motion; the same point where these are no others, and none where it has no orbit.
 [[nodiscard]] std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& point);
 
 // The orbit of a divisor's period that a point nearly is; itself where there is none.
-[[nodiscard]] OrbitPoint with_smallest_period(const OrbitPoint& point, double nearness);
+[[nodiscard]] OrbitPoint with_smallest_period(const Rig& rig, const OrbitPoint& point, double nearness);
 
 }  // namespace peterka::curves

@@ -1,123 +1,95 @@
 #include "curves/rig.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <complex>
+
+#include "job/axis_key.hpp"
+#include "job/derived.hpp"
+#include "scene/scales.hpp"
 
 namespace peterka::curves {
 
-namespace {
-
-using Complex = std::complex<double>;
-
-// The steady motion of a leg's equation at a time, and its derivatives by frequency and gap.
-struct SteadyMotion {
-    State<double> state;
-    State<double> by_frequency;
-    State<double> by_gap;
-};
-
-SteadyMotion steady_motion(double damping, double stiffness, const Place& place, double time) {
-    const double eta = place.frequency;
-    const Complex impedance(stiffness - eta * eta, 2 * damping * eta);
-    const Complex impedance_slope(-2 * eta, 2 * damping);
-    const Complex response = eta * eta / impedance;
-    const Complex response_slope = (2 * eta - response * impedance_slope) / impedance;
-    const Complex turn(std::cos(eta * time), std::sin(eta * time));
-    const Complex turn_rate(0, eta);
-    const Complex change = (response_slope + Complex(0, time) * response) * turn;  // of the response, by eta
-    return {{(response * turn).imag() - place.gap / stiffness, (turn_rate * response * turn).imag()},
-            {change.imag(), (Complex(0, 1) * response * turn + turn_rate * change).imag()},
-            {-1 / stiffness, 0}};
+double Rig::AlongAxis::value(double coordinate) const {
+    return is_logarithmic ? std::exp(coordinate) : coordinate * unit;
 }
 
-motion::LinearEquation<double> unforced(double damping, double stiffness) {
-    return {.damping = damping, .stiffness = stiffness, .offset = 0, .drive = 0, .frequency = 1};
+double Rig::AlongAxis::coordinate(double value) const {
+    return is_logarithmic ? std::log(value) : value / unit;
 }
 
-double kappa_of(const scene::Oscillator<double>& oscillator) {
-    const auto* voigt = oscillator.spring_dashpot();
-    return voigt == nullptr ? 0 : voigt->stiffness;
+double Rig::AlongAxis::slope(double coordinate) const {
+    return is_logarithmic ? std::exp(coordinate) : unit;
 }
 
-double chi_of(const scene::Oscillator<double>& oscillator) {
-    const auto* voigt = oscillator.spring_dashpot();
-    return voigt == nullptr ? 0 : voigt->damping;
+Rig::AlongAxis Rig::along(std::string_view key, const job::Axis& axis) {
+    AlongAxis result{.key = std::string(key), .is_of_rig = job::is_of_rig(key)};
+    if (key == "frequency_ratio" || key == "gap_ratio") return result;
+    result.is_logarithmic = axis.scale == job::Spacing::log;
+    result.unit = std::max(std::abs(axis.from), std::abs(axis.to));
+    if (!(result.unit > 0)) result.unit = 1;
+    return result;
 }
-
-}  // namespace
 
 Rig::Rig(const scene::Oscillator<double>& oscillator)
-    : oscillator_(oscillator),
-      rigid_(scene::is_rigid(oscillator.contact)),
-      restitution_(rigid_ ? oscillator.restitution().coefficient : 0),
-      kappa_(kappa_of(oscillator)),
-      chi_(chi_of(oscillator)),
-      contact_damping_(oscillator.damping_ratio + chi_ / 2),
-      flight_(unforced(oscillator.damping_ratio, 1)),
-      contact_(unforced(contact_damping_, 1 + kappa_)) {
-    oscillator_.cubic = 0;
+    : axes_{AlongAxis{.key = "frequency_ratio"}, AlongAxis{.key = "gap_ratio"}}, oscillator_(oscillator) {}
+
+Rig::Rig(const job::Job& job)
+    : axes_{along(job::column_key(job), job.columns), along(job::row_key(job), job.rows)},
+      numbers_(job::numbers_in(job)),
+      oscillator_(scene::oscillator_of(numbers_)) {}
+
+job::CellNumbers Rig::numbers_at(const Place& place) const {
+    job::CellNumbers numbers = numbers_;
+    const Place values = values_at(place);
+    job::set_number(numbers, axes_[0].key, values.column);
+    job::set_number(numbers, axes_[1].key, values.row);
+    return numbers;
 }
 
-scene::Oscillator<double> Rig::scene_at(const Place& place) const {
-    scene::Oscillator<double> oscillator = oscillator_;
-    oscillator.frequency = place.frequency;
-    oscillator.gap = place.gap;
-    return oscillator;
+PlaceSlopes Rig::slopes_at(const job::CellNumbers& numbers, const Place& place) const {
+    const auto of_axis = [&](std::size_t axis, double& of_frequency, double& of_gap) {
+        of_frequency = 0;
+        of_gap = 0;
+        const AlongAxis& along = axes_[axis];
+        const double slope = along.slope(coordinate(place, axis));
+        if (along.key == "frequency_ratio") of_frequency = slope;
+        if (along.key == "frequency_hz") of_frequency = slope / job::natural_frequency_hz(numbers.hammer);
+        if (along.key == "gap_ratio") of_gap = slope;
+        if (along.key == "gap_m") of_gap = slope / numbers.cart.amplitude_m;
+    };
+    PlaceSlopes slopes;
+    of_axis(0, slopes.frequency_by_column, slopes.gap_by_column);
+    of_axis(1, slopes.frequency_by_row, slopes.gap_by_row);
+    return slopes;
 }
 
-State<double> Rig::slope(bool presses, const Place& place, double time, const State<double>& x) const {
-    const double eta = place.frequency;
-    return {x[1], eta * eta * std::sin(eta * time) - place.gap - 2 * damping(presses) * x[1] -
-                      stiffness(presses) * x[0]};
+PlacedRig Rig::at(const Place& place) const {
+    const job::CellNumbers numbers = numbers_at(place);
+    scene::Oscillator<double> oscillator =
+        changes_along(0) || changes_along(1) ? scene::oscillator_of(numbers) : oscillator_;
+    oscillator.frequency = numbers.frequency_ratio();
+    oscillator.gap = numbers.gap_ratio();
+    return PlacedRig(oscillator, slopes_at(numbers, place));
 }
 
-Jacobian<double> Rig::flow(bool presses, double length) const {
-    return (presses ? contact_ : flight_).flow(length);
+double Rig::force_ratio(const Place& place) const {
+    return scene::scales_of(numbers_at(place)).force_ratio();
 }
 
-State<double> Rig::state_in_leg(bool presses, const Place& place, double from, const State<double>& start,
-                                double to) const {
-    const double b = damping(presses);
-    const double w2 = stiffness(presses);
-    return steady_motion(b, w2, place, to).state +
-           flow(presses, to - from) * (start - steady_motion(b, w2, place, from).state);
+Place Rig::values_at(const Place& place) const {
+    return {axes_[0].value(place.column), axes_[1].value(place.row)};
 }
 
-LegEnd Rig::leg(bool presses, const Place& place, double from, const State<double>& start, double to) const {
-    const double b = damping(presses);
-    const double w2 = stiffness(presses);
-    const SteadyMotion here = steady_motion(b, w2, place, from);
-    const SteadyMotion there = steady_motion(b, w2, place, to);
-    LegEnd end;
-    end.by_start = flow(presses, to - from);
-    end.state = there.state + end.by_start * (start - here.state);
-    end.by_start_time = -end.by_start * slope(presses, place, from, start);
-    end.by_end_time = slope(presses, place, to, end.state);
-    end.by_frequency = there.by_frequency - end.by_start * here.by_frequency;
-    end.by_gap = there.by_gap - end.by_start * here.by_gap;
-    return end;
+Place Rig::place_of(const Place& values) const {
+    return {axes_[0].coordinate(values.column), axes_[1].coordinate(values.row)};
 }
 
-Change Rig::saltation(const Event& event, const Place& place, bool grazing_counts, double speed) const {
-    Change change;
-    const bool begins = event.kind == EventKind::touch || (event.kind == EventKind::graze && grazing_counts);
-    if (!begins) return change;
-    if (!rigid_) {
-        change.value(1, 0) = -chi_;
-        return change;
-    }
-    const double r = restitution_;
-    const double v = event.velocity / speed;
-    const double eta = place.frequency;
-    const double sine = std::sin(eta * event.time);
-    const double cosine = std::cos(eta * event.time);
-    const double share = (1 + r) / speed;
-    change.value << -r * v, 0, share * (eta * eta * sine - place.gap), -r * v;
-    change.by_velocity << -r / speed, 0, 0, -r / speed;
-    change.by_time(1, 0) = share * eta * eta * eta * cosine;
-    change.by_frequency(1, 0) = share * (2 * eta * sine + eta * eta * event.time * cosine);
-    change.by_gap(1, 0) = -share;
-    return change;
+// Half the distance: small against what the value itself is, so that it stays on its side of 0, and far above
+// rounding. An error of 1e-9 in these derivatives costs Newton's method nothing.
+double Rig::step_of_difference(std::size_t axis, const Place& place) const {
+    constexpr double step = 1e-6;
+    const double size = std::abs(coordinate(place, axis));
+    return axes_[axis].is_logarithmic || size == 0 ? step : std::min(step, 1e-2 * size);
 }
 
 }  // namespace peterka::curves

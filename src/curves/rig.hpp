@@ -1,96 +1,74 @@
-// The rig of a job at any place of the plane: the legs between events, and what happens at them, with all
-// derivatives in closed form. The cubic part of the springs is left out.
-//
-//     delta'' + 2 b delta' + w2 delta = eta^2 sin(eta tau) - g,
-// with b = zeta, w2 = 1 in flight, and b = zeta + chi/2, w2 = 1 + kappa while a spring-dashpot stop presses.
-// A small change of the state is carried by the leg's flow, which depends on its length alone, and at an event
-// by its saltation matrix: [[1, 0], [-chi, 1]] at the touch of a spring-dashpot stop,
-// [[-r, 0], [(1 + r) a/v, -r]] with a = eta^2 sin(theta) - g at that of a rigid one; 1 elsewhere.
+// The rig of a job, wherever the two axes of its plane put it.
 #pragma once
 
-#include "curves/orbit.hpp"
-#include "motion/linear_motion.hpp"
+#include <array>
+#include <string_view>
+
+#include "curves/placed_rig.hpp"
+#include "job/axis_quantity.hpp"
+#include "job/cell_numbers.hpp"
+#include "job/job.hpp"
 
 namespace peterka::curves {
 
-// Where a leg ends, and what that depends on.
-struct LegEnd {
-    State<double> state;
-    Jacobian<double> by_start;  // the flow
-    State<double> by_start_time;
-    State<double> by_end_time;
-    State<double> by_frequency;
-    State<double> by_gap;
-};
-
-struct Change {  // of a saltation matrix
-    Jacobian<double> value = Jacobian<double>::Identity();
-    Jacobian<double> by_time = Jacobian<double>::Zero();
-    Jacobian<double> by_velocity = Jacobian<double>::Zero();
-    Jacobian<double> by_frequency = Jacobian<double>::Zero();
-    Jacobian<double> by_gap = Jacobian<double>::Zero();
+// Where in the plane. A coordinate is Omega/omega or gap/A0 where the axis is over that; of any other axis it
+// is the value over the largest one on the axis, or its logarithm: numbers near 1, whatever the unit, in which
+// steps and residuals are counted.
+struct Place {
+    double column = 0;
+    double row = 0;
 };
 
 class Rig {
   public:
-    // Of which place the oscillator is doesn't matter. Spring-dashpot or rigid stops alone.
+    // In the plane of frequency_ratio and gap_ratio. Of which place the oscillator is doesn't matter.
     explicit Rig(const scene::Oscillator<double>& oscillator);
+    // In the plane of the job's axes.
+    explicit Rig(const job::Job& job);
 
-    [[nodiscard]] bool is_rigid() const { return rigid_; }
-    [[nodiscard]] double damping_ratio() const { return oscillator_.damping_ratio; }
-    [[nodiscard]] scene::Oscillator<double> scene_at(const Place& place) const;
+    [[nodiscard]] bool is_rigid() const { return scene::is_rigid(oscillator_.contact); }
+    [[nodiscard]] PlacedRig at(const Place& place) const;
+    // F/(m g0) of a force k A0.
+    [[nodiscard]] double force_ratio(const Place& place) const;
 
-    // Of the equation above.
-    [[nodiscard]] double damping(bool presses) const {
-        return presses ? contact_damping_ : oscillator_.damping_ratio;
-    }
-    [[nodiscard]] double stiffness(bool presses) const { return presses ? 1 + kappa_ : 1; }
-    // The derivative of a state.
-    [[nodiscard]] State<double> slope(bool presses, const Place& place, double time,
-                                      const State<double>& x) const;
-    // f in k A0, were the stop to press.
-    [[nodiscard]] double force(const State<double>& x) const { return kappa_ * x[0] + chi_ * x[1]; }
+    // The values of the axes, in their units, and the place that has them.
+    [[nodiscard]] Place values_at(const Place& place) const;
+    [[nodiscard]] Place place_of(const Place& values) const;
 
-    // The surface of an event: the state in which a leg ends there, and that in which the next one begins.
-    [[nodiscard]] State<double> arrival(const Event& event) const {
-        return {surface(event.kind) * event.velocity, event.velocity};
-    }
-    [[nodiscard]] State<double> departure(const Event& event) const {
-        const double kept = rigid_ && event.kind == EventKind::touch ? -restitution_ : 1;
-        return {surface(event.kind) * event.velocity, kept * event.velocity};
-    }
-    // Derivatives of both by the velocity.
-    [[nodiscard]] State<double> arrival_by_velocity(EventKind kind) const { return {surface(kind), 1}; }
-    [[nodiscard]] State<double> departure_by_velocity(EventKind kind) const {
-        return {surface(kind), rigid_ && kind == EventKind::touch ? -restitution_ : 1};
-    }
-
-    [[nodiscard]] LegEnd leg(bool presses, const Place& place, double from, const State<double>& start,
-                             double to) const;
-    [[nodiscard]] State<double> state_in_leg(bool presses, const Place& place, double from,
-                                             const State<double>& start, double to) const;
-    [[nodiscard]] Jacobian<double> flow(bool presses, double length) const;
-    // At a touch, or, where a grazing counts as an impact, at one that just begins (spring-dashpot stops). That
-    // of a rigid stop is given times the impact's speed over `speed`, and has a limit at a grazing.
-    [[nodiscard]] Change saltation(const Event& event, const Place& place, bool grazing_counts,
-                                   double speed) const;
-    // det of all saltations of an impact.
-    [[nodiscard]] double determinant_of_touch() const { return rigid_ ? restitution_ * restitution_ : 1; }
+    // What an axis runs over: columns first, then rows.
+    [[nodiscard]] const std::string& key(std::size_t axis) const { return axes_[axis].key; }
+    // Whether springs, dampers or stop change along an axis. Then derivatives by its coordinate are no closed
+    // form, and taken from two places so far from one another on either side.
+    [[nodiscard]] bool changes_along(std::size_t axis) const { return axes_[axis].is_of_rig; }
+    [[nodiscard]] double step_of_difference(std::size_t axis, const Place& place) const;
 
   private:
-    // delta = surface * delta'
-    [[nodiscard]] double surface(EventKind kind) const {
-        return kind == EventKind::release || kind == EventKind::resume ? -chi_ / kappa_ : 0;
-    }
+    struct AlongAxis {
+        std::string key;
+        bool is_of_rig = false;
+        bool is_logarithmic = false;
+        double unit = 1;  // the value of a coordinate of 1, where it isn't logarithmic
 
-    scene::Oscillator<double> oscillator_;
-    bool rigid_ = false;
-    double restitution_ = 0;
-    double kappa_ = 0;
-    double chi_ = 0;
-    double contact_damping_ = 0;
-    motion::LinearMotion<double> flight_;  // for their flows, which depend on no place
-    motion::LinearMotion<double> contact_;
+        [[nodiscard]] double value(double coordinate) const;
+        [[nodiscard]] double coordinate(double value) const;
+        [[nodiscard]] double slope(double coordinate) const;  // of the value
+    };
+
+    static AlongAxis along(std::string_view key, const job::Axis& axis);
+    [[nodiscard]] job::CellNumbers numbers_at(const Place& place) const;
+    [[nodiscard]] PlaceSlopes slopes_at(const job::CellNumbers& numbers, const Place& place) const;
+
+    std::array<AlongAxis, 2> axes_;
+    job::CellNumbers numbers_;              // of the job's tables
+    scene::Oscillator<double> oscillator_;  // of these
 };
+
+[[nodiscard]] inline double coordinate(const Place& place, std::size_t axis) {
+    return axis == 0 ? place.column : place.row;
+}
+[[nodiscard]] inline Place moved(Place place, std::size_t axis, double by) {
+    (axis == 0 ? place.column : place.row) += by;
+    return place;
+}
 
 }  // namespace peterka::curves

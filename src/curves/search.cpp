@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "curves/free_motion.hpp"
 #include "curves/known_curves.hpp"
 #include "curves/label_edges.hpp"
 #include "support/stopwatch.hpp"
@@ -16,8 +17,8 @@ class CurveSearch {
   public:
     CurveSearch(const scene::Scene& scene, const Deal& deal)
         : deal_(deal),
-          rig_(scene.cell(0, 0).oscillator),
-          map_(scene),
+          rig_(scene.job()),
+          map_(scene, rig_),
           most_period_(scene.job().curves.max_period),
           gaps_(scene.job().curves.gap_ratio),
           wants_distances_(scene.job().curves.edge_distance) {}
@@ -26,12 +27,12 @@ class CurveSearch {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
         map_.put_together(parts);
         window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_};
-        cell_ = {window_.size().frequency / static_cast<double>(map_.columns() - 1),
-                 window_.size().gap / static_cast<double>(map_.rows() - 1)};
+        cell_ = {window_.size().column / static_cast<double>(map_.columns() - 1),
+                 window_.size().row / static_cast<double>(map_.rows() - 1)};
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) {
             if (map_.site(cell).is_periodic(most_period_)) ++found_.periodic_cells;
         }
-        trace_all(reaches_of_free_motion());
+        for (const bool in_columns : {true, false}) trace_all(ends_of_free_motion(in_columns));
         const std::vector<Edge> edges = edges_of(map_, most_period_);
         follow_all(edges);
         count_edges(edges);
@@ -46,15 +47,22 @@ class CurveSearch {
     static constexpr std::size_t followed_at_once = 256;
     static constexpr std::size_t traced_at_once = 32;
 
-    // One in each stretch of frequencies at which the free motion ends within the window.
-    [[nodiscard]] std::vector<Seed> reaches_of_free_motion() const {
+    // Between neighbours in a column or row; of lines that follow each other with equally many, those of the
+    // first, for the same curves go on through the others.
+    [[nodiscard]] std::vector<Seed> ends_of_free_motion(bool in_columns) const {
         std::vector<Seed> seeds;
-        bool inside_before = false;
-        for (std::int64_t column = 0; column < map_.columns(); ++column) {
-            const auto seed = reach_of_free_motion(rig_, map_.place(column).frequency, window_.size());
-            const bool inside = seed && window_.holds(seed->point.place);
-            if (inside && !inside_before) seeds.push_back(*seed);
-            inside_before = inside;
+        std::size_t count_before = 0;
+        for (std::int64_t line = 0; line < (in_columns ? map_.columns() : map_.rows()); ++line) {
+            std::vector<Seed> of_line;
+            Place before;
+            for (std::int64_t i = 0; i < (in_columns ? map_.rows() : map_.columns()); ++i) {
+                const Place now = map_.place(cell_of(map_, {!in_columns, line}, i));
+                const auto seed = i > 0 ? end_of_free_motion(rig_, before, now, window_.size()) : std::nullopt;
+                if (seed && window_.holds(seed->point.place)) of_line.push_back(*seed);
+                before = now;
+            }
+            if (of_line.size() > count_before) seeds.insert(seeds.end(), of_line.begin(), of_line.end());
+            count_before = of_line.size();
         }
         return seeds;
     }
@@ -62,7 +70,7 @@ class CurveSearch {
     [[nodiscard]] bool has_curve_near(const Edge& edge) const {
         const Place a = map_.place(edge.from);
         const Place b = map_.place(edge.to);
-        const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
+        const Place middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
         const Site& site = map_.sites(edge.from)[edge.site];
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
             const std::int64_t other = curve.impacts - site.impacts;
@@ -74,7 +82,7 @@ class CurveSearch {
     // 0, or 1 where the orbit reached the neighbour, and the seed.
     [[nodiscard]] Numbers follow_edge(const Edge& edge) const {
         Numbers numbers{0};
-        const auto orbit = map_.orbit(rig_, edge.from, window_.size(), edge.site);
+        const auto orbit = map_.orbit(edge.from, window_.size(), edge.site);
         if (!orbit) return numbers;
         const Followed followed = follow(rig_, *orbit, map_.place(edge.to), window_.size());
         numbers[0] = followed.reached ? 1 : 0;
@@ -115,9 +123,8 @@ class CurveSearch {
     [[nodiscard]] bool stands_apart(const Seed& seed, const std::vector<Seed>& chosen) const {
         constexpr double far = 0.15;
         return std::ranges::none_of(chosen, [&](const Seed& other) {
-            const double across =
-                (seed.point.place.frequency - other.point.place.frequency) / window_.size().frequency;
-            const double up = (seed.point.place.gap - other.point.place.gap) / window_.size().gap;
+            const double across = (seed.point.place.column - other.point.place.column) / window_.size().column;
+            const double up = (seed.point.place.row - other.point.place.row) / window_.size().row;
             return seed.kind == other.kind && seed.point.orbit.period == other.point.orbit.period &&
                    seed.point.orbit.impacts() == other.point.orbit.impacts() && std::hypot(across, up) < far;
         });
@@ -184,7 +191,7 @@ class CurveSearch {
     [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
         const Place a = map_.place(edge.from);
         const Place b = map_.place(edge.to);
-        const Place middle{(a.frequency + b.frequency) / 2, (a.gap + b.gap) / 2};
+        const Place middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
         return std::ranges::any_of(
             found_.curves, [&](const Curve& curve) { return nearest_on(curve, middle, cell_).distance <= 1; });
     }
@@ -229,15 +236,15 @@ class CurveSearch {
             return numbers;
         });
         const auto cells = static_cast<std::size_t>(map_.count());
-        found_.along_frequency.resize(cells);
-        found_.along_gap.resize(cells);
+        found_.along_columns.resize(cells);
+        found_.along_rows.resize(cells);
         for (std::int64_t task = 0; task < std::ssize(lines); ++task) {
             const LineOfCells line = line_of(task);
             NumberReader reader(lines[static_cast<std::size_t>(task)]);
             for (std::int64_t i = 0; !reader.done(); ++i) {
                 const std::int64_t cell = cell_of(map_, line, i);
                 EdgeDistance& each =
-                    (line.is_row ? found_.along_frequency : found_.along_gap)[static_cast<std::size_t>(cell)];
+                    (line.is_row ? found_.along_columns : found_.along_rows)[static_cast<std::size_t>(cell)];
                 each.change = reader.number();
                 each.kind = static_cast<EdgeKind>(reader.integer());
             }

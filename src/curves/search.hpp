@@ -32,8 +32,8 @@ struct EdgeCount {
 struct Findings {
     std::vector<Site> sites;  // the coarse map, row by row
     // and of its cells, where the job asks for them
-    std::vector<EdgeDistance> along_frequency;
-    std::vector<EdgeDistance> along_gap;
+    std::vector<EdgeDistance> along_columns;
+    std::vector<EdgeDistance> along_rows;
     std::vector<Curve> curves;             // in the order of the file
     std::vector<double> seconds;           // that each took
     std::vector<UnstableBranch> branches;  // by gap, period, impacts and frequency

@@ -1,8 +1,15 @@
 #include "curves/tables.hpp"
 
+#include <set>
+#include <string>
+#include <utility>
+
 #include "cell/labels.hpp"
 #include "curves/branch_tables.hpp"
 #include "curves/columns.hpp"
+#include "job/axis.hpp"
+#include "job/axis_key.hpp"
+#include "map_file/layout.hpp"
 
 namespace peterka::curves {
 
@@ -15,22 +22,49 @@ constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "non
 constexpr const char* label_edge_names[] = {"edge", "same_label", "other_start", "narrow", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
 
+// What the axes run over.
+struct AxesOfFile {
+    Variable column;
+    Variable row;
+    explicit AxesOfFile(const job::Job& job)
+        : column(map_file::coordinate_of(job::column_key(job))),
+          row(map_file::coordinate_of(job::row_key(job))) {}
+};
+
+// The name of what belongs to an axis, which lives as long as the program.
+const char* name_of(const char* prefix, const Variable& axis) {
+    static std::set<std::string> names;
+    return names.insert(std::string(prefix) + axis.name).first->c_str();
+}
+
+template <class Items>
+void add_places(Columns& columns, const char* prefix, const AxesOfFile& axes, const Rig& rig,
+                const Items& items) {
+    const auto add = [&](const Variable& axis, double Place::*side) {
+        columns.add({name_of(prefix, axis), Number::float64, nan, axis.units, axis.long_name},
+                    numbers_of(items, [&](const auto& item) { return rig.values_at(item.place).*side; }));
+    };
+    add(axes.column, &Place::column);
+    add(axes.row, &Place::row);
+}
+
+Numbers forces_of_cells(const scene::Scene& scene, const Findings& found) {
+    Numbers forces;
+    for (std::int64_t cell = 0; cell < std::ssize(found.sites); ++cell) {
+        const scene::Scales scales = scene.cell(cell / scene.columns(), cell % scene.columns()).scales;
+        forces.push_back(scales.force_ratio() * found.sites[static_cast<std::size_t>(cell)].peak_force);
+    }
+    return forces;
+}
+
 // The coarse map, as the file of a map has it.
 std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) {
-    const Dimension columns{"frequency_ratio", scene.columns()};
-    const Dimension rows{"gap_ratio", scene.rows()};
-    Numbers frequencies;
-    Numbers gaps;
-    for (std::int64_t i = 0; i < columns.size; ++i)
-        frequencies.push_back(scene.cell(0, i).oscillator.frequency);
-    for (std::int64_t i = 0; i < rows.size; ++i) gaps.push_back(scene.cell(i, 0).oscillator.gap);
-    const double force = scene.scales().force_ratio();
-    std::vector<Table> tables{
-        {{"/",
-          {"frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"},
-          {columns}},
-         frequencies},
-        {{"/", {"gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, {rows}}, gaps}};
+    const job::Job& job = scene.job();
+    const AxesOfFile axes(job);
+    const Dimension columns{axes.column.name, scene.columns()};
+    const Dimension rows{axes.row.name, scene.rows()};
+    std::vector<Table> tables{{{"/", axes.column, {columns}}, job::axis_values(job.columns)},
+                              {{"/", axes.row, {rows}}, job::axis_values(job.rows)}};
     const auto add = [&](const Variable& variable, const Numbers& values) {
         tables.push_back({{"/", variable, {rows, columns}}, values});
     };
@@ -43,25 +77,26 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
         numbers_of(found.sites, [](const Site& s) { return s.period; }));
     add({"peak_force_ratio", Number::float64, nan, "1",
          "largest impact force over the hammer's weight, in the coarse map"},
-        numbers_of(found.sites, [&](const Site& s) { return force * s.peak_force; }));
+        forces_of_cells(scene, found));
     return tables;
 }
 
 // How far each of its cells is from the edges of its own motion.
 std::vector<Table> distances(const scene::Scene& scene, const Findings& found) {
+    const AxesOfFile axes(scene.job());
     std::vector<Table> tables;
     const auto add = [&](const Variable& variable, const Numbers& values) {
         tables.push_back(
-            {{"/", variable, {{"gap_ratio", scene.rows()}, {"frequency_ratio", scene.columns()}}}, values});
+            {{"/", variable, {{axes.row.name, scene.rows()}, {axes.column.name, scene.columns()}}}, values});
     };
     const auto change = [](const EdgeDistance& each) { return each.change; };
     const auto kind = [](const EdgeDistance& each) { return static_cast<int>(each.kind); };
-    if (found.along_frequency.empty()) return tables;
+    if (found.along_columns.empty()) return tables;
     // clang-format off
-    add({"edge_distance_frequency_ratio", Number::float64, nan, "1", "smallest change of the frequency ratio, with its sign, at which the cell's own motion ends or changes"}, numbers_of(found.along_frequency, change));
-    add({"edge_kind_frequency_ratio", Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(found.along_frequency, kind));
-    add({"edge_distance_gap_ratio", Number::float64, nan, "1", "smallest change of the gap ratio, with its sign, at which the cell's own motion ends or changes"}, numbers_of(found.along_gap, change));
-    add({"edge_kind_gap_ratio", Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(found.along_gap, kind));
+    for (const auto& [axis, found_along] : {std::pair(&axes.column, &found.along_columns), std::pair(&axes.row, &found.along_rows)}) {
+        add({name_of("edge_distance_", *axis), Number::float64, nan, axis->units, "smallest change along this axis, with its sign, at which the cell's own motion ends or changes"}, numbers_of(*found_along, change));
+        add({name_of("edge_kind_", *axis), Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(*found_along, kind));
+    }
     // clang-format on
     return tables;
 }
@@ -102,39 +137,36 @@ Columns columns_of_curves(const Findings& found) {
     return curves;
 }
 
-Columns columns_of_points(const Findings& found, double force) {
+Columns columns_of_points(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
     const std::vector<CurvePoint> points = Together(found, &Curve::points).items;
     Columns of_points("/", "point", std::ssize(points));
     of_points.add_counter("number of the point");
-    of_points.add({"point_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(points, [](const CurvePoint& p) { return p.place.frequency; }));
-    of_points.add({"point_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(points, [](const CurvePoint& p) { return p.place.gap; }));
+    add_places(of_points, "point_", axes, rig, points);
     of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
-    of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return force * p.peak_force; }));
+    of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return rig.force_ratio(p.place) * p.peak_force; }));
     of_points.add({"point_residual", Number::float64, nan, "1", "largest error of the defining equations, relative to the hammer's velocity"}, numbers_of(points, [](const CurvePoint& p) { return p.residual; }));
     of_points.add({"point_edge", Number::int8, -128, "", "whether labels of the coarse map change there, or why not", label_edge_names}, numbers_of(points, [](const CurvePoint& p) { return static_cast<int>(p.edge); }));
     return of_points;
 }
 
-Columns columns_of_specials(const Findings& found) {
+Columns columns_of_specials(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
     const auto [specials, curve] = Together(found, &Curve::specials);
     Columns of_specials("/", "special", std::ssize(specials));
     of_specials.add_counter("number of the special point");
     of_specials.add({"special_kind", Number::int8, -128, "", "what meets at the point", special_names}, numbers_of(specials, [](const Special& s) { return static_cast<int>(s.kind); }));
-    of_specials.add({"special_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(specials, [](const Special& s) { return s.place.frequency; }));
-    of_specials.add({"special_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(specials, [](const Special& s) { return s.place.gap; }));
+    add_places(of_specials, "special_", axes, rig, specials);
     of_specials.add({"special_curve", Number::int32, -1, "1", "number of the curve on which it was found"}, curve);
     return of_specials;
 }
 
-Columns columns_of_crossings(const Findings& found, double force) {
+Columns columns_of_crossings(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
     const auto [crossings, curve] = Together(found, &Curve::crossings);
     Columns of_crossings("/", "crossing", std::ssize(crossings));
     of_crossings.add_counter("number of the crossing");
     of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of curves.gap_ratio there"}, curve);
-    of_crossings.add({"crossing_frequency_ratio", Number::float64, nan, "1", "excitation frequency over natural frequency"}, numbers_of(crossings, [](const Crossing& c) { return c.place.frequency; }));
-    of_crossings.add({"crossing_gap_ratio", Number::float64, nan, "1", "gap over cart amplitude"}, numbers_of(crossings, [](const Crossing& c) { return c.place.gap; }));
+    add_places(of_crossings, "crossing_", axes, rig, crossings);
     of_crossings.add({"crossing_multiplier", Number::float64, nan, "1", "as point_multiplier"}, numbers_of(crossings, [](const Crossing& c) { return c.multiplier; }));
-    of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return force * c.peak_force; }));
+    of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return rig.force_ratio(c.place) * c.peak_force; }));
     return of_crossings;
 }
 
@@ -163,7 +195,8 @@ std::vector<Table> counts_of_edges(const EdgeCount& edges) {
 }  // namespace
 
 std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found) {
-    const double force = scene.scales().force_ratio();
+    const Rig rig(scene.job());
+    const AxesOfFile axes(scene.job());
     std::vector<Table> tables = coarse_map(scene, found);
     const auto append = [&](const std::vector<Table>& more) {
         tables.insert(tables.end(), more.begin(), more.end());
@@ -173,9 +206,9 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     };
     append(distances(scene, found));
     append_if_any(columns_of_curves(found));
-    append_if_any(columns_of_points(found, force));
-    append_if_any(columns_of_specials(found));
-    append_if_any(columns_of_crossings(found, force));
+    append_if_any(columns_of_points(found, rig, axes));
+    append_if_any(columns_of_specials(found, rig, axes));
+    append_if_any(columns_of_crossings(found, rig, axes));
     append(branch_tables(scene, found.branches));
     append(counts_of_edges(found.edges));
     append_if_any(columns_of_run(found));  // the group to which the facts of the run are added

@@ -22,7 +22,7 @@ constexpr std::array<MultiplierTest, 4> multiplier_tests{
     {{1, Side::without_impact}, {-1, Side::without_impact}, {1, Side::with_impact}, {-1, Side::with_impact}}};
 
 double dot(const Place& a, const Place& b) {
-    return a.frequency * b.frequency + a.gap * b.gap;
+    return a.column * b.column + a.row * b.row;
 }
 
 // Half a curve: from the seed on in one direction.
@@ -70,9 +70,9 @@ class HalfCurve {
     // One that lies at such a gap belongs to the step that ends there.
     void look_for_crossings(const OrbitPoint& here, const OrbitPoint& there) {
         for (const double gap : window_.gaps) {
-            const double tiny = 1e-12 * window_.size().gap;
-            const double before = here.place.gap - gap;
-            const double after = there.place.gap - gap;
+            const double tiny = 1e-12 * window_.size().row;
+            const double before = here.place.row - gap;
+            const double after = there.place.row - gap;
             const bool arrives = std::abs(after) <= tiny;
             if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
             const bool same_events = !arrives && has_same_events(here.orbit, there.orbit);
@@ -163,10 +163,10 @@ class HalfCurve {
             border = Condition::on_line(through, normal);
         };
         for (const Place& corner : {window_.low, window_.high}) {
-            meet(here.place.frequency, there.place.frequency, corner.frequency, corner, {1, 0});
-            meet(here.place.gap, there.place.gap, corner.gap, corner, {0, 1});
+            meet(here.place.column, there.place.column, corner.column, corner, {1, 0});
+            meet(here.place.row, there.place.row, corner.row, corner, {0, 1});
         }
-        if (border.normal.frequency == 0 && border.normal.gap == 0) return std::nullopt;
+        if (border.normal.column == 0 && border.normal.row == 0) return std::nullopt;
         return solve_with(between(here, there, share), border);
     }
 
@@ -227,7 +227,7 @@ class HalfCurve {
 
     bool closes(const Stepper::Here& seed, const Stepper::Here& here, const Stepper::Here& there) const {
         if (!has_same_events(seed.point.orbit, there.point.orbit)) return false;
-        const Eigen::VectorXd sizes = sizes_of_unknowns(seed.point.orbit, seed.point.place, window_.size());
+        const Eigen::VectorXd sizes = sizes_of_unknowns(rig_, seed.point, window_.size());
         const auto along = [&](const Stepper::Here& from) {
             const Unknowns unknowns(from.point.orbit);
             Eigen::VectorXd way = Eigen::VectorXd::Zero(unknowns.size());
@@ -237,8 +237,8 @@ class HalfCurve {
                 way[unknowns.time(i)] = now.time - then.time;
                 if (now.kind != EventKind::graze) way[unknowns.velocity(i)] = now.velocity - then.velocity;
             }
-            way[unknowns.frequency()] = from.point.place.frequency - seed.point.place.frequency;
-            way[unknowns.gap()] = from.point.place.gap - seed.point.place.gap;
+            way[unknowns.column()] = from.point.place.column - seed.point.place.column;
+            way[unknowns.row()] = from.point.place.row - seed.point.place.row;
             return Eigen::VectorXd(way.cwiseQuotient(sizes));
         };
         if (!has_same_events(seed.point.orbit, here.point.orbit)) return false;

@@ -74,13 +74,13 @@ struct Window {
     Place low;
     Place high;
     std::vector<double> gaps = {};  // at which the places of curves are told
-    [[nodiscard]] Place size() const { return {high.frequency - low.frequency, high.gap - low.gap}; }
+    [[nodiscard]] Place size() const { return {high.column - low.column, high.row - low.row}; }
     // Its border belongs to it, as far as rounding lets tell.
     [[nodiscard]] bool holds(const Place& place, double beyond = 1e-9) const {
-        const double across = beyond * size().frequency;
-        const double up = beyond * size().gap;
-        return place.frequency >= low.frequency - across && place.frequency <= high.frequency + across &&
-               place.gap >= low.gap - up && place.gap <= high.gap + up;
+        const double across = beyond * size().column;
+        const double up = beyond * size().row;
+        return place.column >= low.column - across && place.column <= high.column + across &&
+               place.row >= low.row - up && place.row <= high.row + up;
     }
 };
 

@@ -1,19 +1,13 @@
 // Where each unknown of an orbit stands in a vector: of each event its time and, where it doesn't graze, its
-// velocity; then the frequency and the gap.
+// velocity; then the coordinates of the place.
 #pragma once
 
 #include <Eigen/Core>
-#include <numbers>
 #include <vector>
 
-#include "curves/orbit.hpp"
+#include "curves/rig.hpp"
 
 namespace peterka::curves {
-
-// q forcing cycles, in tau.
-[[nodiscard]] inline double duration_of(std::int64_t period, const Place& place) {
-    return 2 * std::numbers::pi * static_cast<double>(period) / place.frequency;
-}
 
 class Unknowns {
   public:
@@ -28,8 +22,8 @@ class Unknowns {
     [[nodiscard]] Eigen::Index size() const { return size_; }
     [[nodiscard]] Eigen::Index time(std::size_t event) const { return times_[event]; }
     [[nodiscard]] Eigen::Index velocity(std::size_t event) const { return times_[event] + 1; }
-    [[nodiscard]] Eigen::Index frequency() const { return size_ - 2; }
-    [[nodiscard]] Eigen::Index gap() const { return size_ - 1; }
+    [[nodiscard]] Eigen::Index column() const { return size_ - 2; }
+    [[nodiscard]] Eigen::Index row() const { return size_ - 1; }
 
   private:
     std::vector<Eigen::Index> times_;
@@ -50,8 +44,8 @@ inline void move(OrbitPoint& point, const Eigen::VectorXd& step) {
         event.time += step[unknowns.time(i)];
         if (event.kind != EventKind::graze) event.velocity += step[unknowns.velocity(i)];
     }
-    point.place.frequency += step[unknowns.frequency()];
-    point.place.gap += step[unknowns.gap()];
+    point.place.column += step[unknowns.column()];
+    point.place.row += step[unknowns.row()];
 }
 
 }  // namespace peterka::curves

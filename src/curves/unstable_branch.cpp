@@ -16,7 +16,7 @@ constexpr double first_step = 1e-4;
 
 BranchPoint branch_point(const Rig& rig, const OrbitPoint& point) {
     const CurvePoint numbers = curve_point(rig, point, CurveKind::grazing);  // no more than its orbit is asked
-    BranchPoint result{point.place.frequency, numbers.multiplier, numbers.peak_force, numbers.residual, {}, {}};
+    BranchPoint result{point.place.column, numbers.multiplier, numbers.peak_force, numbers.residual, {}, {}};
     for (const Stroboscopic& at : stroboscopic_states(rig, point)) result.at_phase_0.push_back(at.state);
     for (const Event& event : point.orbit.events) {
         if (event.kind == EventKind::touch) result.impact_times.push_back(event.time);
@@ -36,7 +36,7 @@ class BranchWalk {
         : rig_(rig),
           window_(window),
           seed_(seed),
-          stepper_(rig, window.size(), {Condition::on_line({0, seed.point.place.gap}, {0, 1})}) {}
+          stepper_(rig, window.size(), {Condition::on_line({0, seed.point.place.row}, {0, 1})}) {}
 
     std::vector<UnstableBranch> run() {
         if (seed_.kind == CurveKind::grazing) {
@@ -62,7 +62,7 @@ class BranchWalk {
         const Fault::Kind fault = find_fault(rig_, first->point).kind;
         if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow || is_stable(first->point)) return;
         UnstableBranch branch;
-        branch.gap = at.point.place.gap;
+        branch.gap = at.point.place.row;
         branch.impacts = first->point.orbit.impacts();
         branch.period = first->point.orbit.period;
         branch.begins = end_at(at.kind);
@@ -98,8 +98,7 @@ class BranchWalk {
         constexpr int most_points = 2000;
         for (int count = 0; count < most_points; ++count) {
             const Place along = Stepper::along(here.tangent);
-            const auto next =
-                stepper_.next(here, std::min(0.1, 0.01 / std::max(std::abs(along.frequency), 1e-3)));
+            const auto next = stepper_.next(here, std::min(0.1, 0.01 / std::max(std::abs(along.column), 1e-3)));
             if (!next) return std::nullopt;
             Stepper::Here there = *next;
             const Fault fault = find_fault(rig_, there.point);
@@ -126,11 +125,10 @@ class BranchWalk {
     }
 
     void end_at_border(const OrbitPoint& here, const OrbitPoint& there, UnstableBranch& branch) {
-        const bool rises = there.place.frequency > here.place.frequency;
+        const bool rises = there.place.column > here.place.column;
         const Place corner = rises ? window_.high : window_.low;
         if (!has_same_events(here.orbit, there.orbit)) return;
-        const double share =
-            (corner.frequency - here.place.frequency) / (there.place.frequency - here.place.frequency);
+        const double share = (corner.column - here.place.column) / (there.place.column - here.place.column);
         const auto last = solve(rig_, between(here, there, share), window_.size(),
                                 stepper_.conditions_and(Condition::on_line(corner, {1, 0})));
         if (!last) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "curves/border_words.hpp"
+#include "job/axis_key.hpp"
 #include "support/readable.hpp"
 
 namespace peterka::curves {
@@ -65,15 +66,15 @@ std::string edges_text(const EdgeCount& edges) {
         readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
 }
 
-// What share of the curves' length, in cells, is of a kind.
-std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const Place& cell) {
+// What length of the curves, in shares of the window, is of a kind.
+std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const Place& window) {
     std::array<double, label_edge_kinds> lengths{};
     for (const Curve& curve : found.curves) {
         for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
             const CurvePoint& a = curve.points[i];
             const CurvePoint& b = curve.points[i + 1];
-            const double half = std::hypot((b.place.frequency - a.place.frequency) / cell.frequency,
-                                           (b.place.gap - a.place.gap) / cell.gap) /
+            const double half = std::hypot((b.place.column - a.place.column) / window.column,
+                                           (b.place.row - a.place.row) / window.row) /
                                 2;
             for (const LabelEdge edge : {a.edge, b.edge}) lengths[static_cast<std::size_t>(edge)] += half;
         }
@@ -81,15 +82,16 @@ std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, cons
     return lengths;
 }
 
-std::string label_edges_text(const scene::Scene& scene, const Findings& found) {
+std::string label_edges_text(const job::Job& job, const Findings& found) {
     static constexpr std::array words{
         "where labels of the coarse map change within a cell",
         "where cells have the label of a motion that ends or changes, but on both sides",
         "where it lives a cell's breadth from the curve, but [start] ends elsewhere",
         "where it lives in a strip narrower than a cell", "where it could not be followed"};
-    const auto corner = scene.cell(scene.rows() - 1, scene.columns() - 1).oscillator;
-    const auto origin = scene.cell(0, 0).oscillator;
-    const auto lengths = lengths_by_edge(found, {corner.frequency - origin.frequency, corner.gap - origin.gap});
+    const Rig rig(job);
+    const Place high = rig.place_of({job.columns.to, job.rows.to});
+    const Place low = rig.place_of({job.columns.from, job.rows.from});
+    const auto lengths = lengths_by_edge(found, {high.column - low.column, high.row - low.row});
     const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
     std::array<int, label_edge_kinds> curves{};
     for (const Curve& curve : found.curves) ++curves[static_cast<std::size_t>(curve.edge)];
@@ -105,8 +107,13 @@ std::string label_edges_text(const scene::Scene& scene, const Findings& found) {
     return text;
 }
 
-std::string distances_text(const Findings& found) {
-    if (found.along_frequency.empty()) return "";
+std::string axis_in_words(std::string_view key) {
+    if (job::is_frequency(key)) return "the frequency";
+    return job::is_gap(key) ? "the gap" : std::string(key);
+}
+
+std::string distances_text(const job::Job& job, const Findings& found) {
+    if (found.along_columns.empty()) return "";
     const auto share = [](const std::vector<EdgeDistance>& all, auto&& is_one) {
         const auto cells = std::ranges::count_if(
             all, [](const EdgeDistance& each) { return each.kind != EdgeKind::no_orbit; });
@@ -114,12 +121,14 @@ std::string distances_text(const Findings& found) {
     };
     const auto is_known = [](const EdgeDistance& each) { return std::isfinite(each.change); };
     const auto is_unknown = [](const EdgeDistance& each) { return each.kind == EdgeKind::unknown; };
+    const std::string columns = axis_in_words(job::column_key(job));
+    const std::string rows = axis_in_words(job::row_key(job));
     return fmt::format(
         "Edge of a cell's own motion within the window, of cells with one that curves are about:\n"
-        "  {:>8} along the frequency, {} along the gap\n"
-        "  {:>8} could not be followed along the frequency, {} along the gap\n",
-        share(found.along_frequency, is_known), share(found.along_gap, is_known),
-        share(found.along_frequency, is_unknown), share(found.along_gap, is_unknown));
+        "  {:>8} along {}, {} along {}\n"
+        "  {:>8} could not be followed along {}, {} along {}\n",
+        share(found.along_columns, is_known), columns, share(found.along_rows, is_known), rows,
+        share(found.along_columns, is_unknown), columns, share(found.along_rows, is_unknown), rows);
 }
 
 }  // namespace
@@ -144,8 +153,8 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         "velocity, "
         "and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}",
         title, found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
-        table_of_curves(found), specials_text(found), edges_text(found.edges), label_edges_text(scene, found),
-        distances_text(found), borders_in_words(scene, found));
+        table_of_curves(found), specials_text(found), edges_text(found.edges), label_edges_text(job, found),
+        distances_text(job, found), borders_in_words(scene, found));
 }
 
 std::string speed_in_words(const Findings& found) {

@@ -11,6 +11,16 @@ namespace peterka::job {
 // Keys of which a job gives one of two: their axes would say the same twice.
 [[nodiscard]] bool says_the_same(std::string_view key, std::string_view other);
 
+// Whether the axes of such a job run over any numbers.
+[[nodiscard]] constexpr bool has_any_axes(Kind kind) {
+    return kind == Kind::map || kind == Kind::sweep || kind == Kind::curves;
+}
+
+struct ChosenAxes {
+    int count = 2;          // that are to be read
+    bool are_known = true;  // else one of them is at fault, and what depends on it is no fault of its own
+};
+
 // What the axes of a job run over.
 [[nodiscard]] std::string_view column_key(const Job& job);
 [[nodiscard]] std::string_view row_key(const Job& job);  // not of a sweep

@@ -222,7 +222,11 @@ std::string rule_of_curves(const Job& job) {
 std::string rule_of_window(const Job& job) {
     if (job.columns.points < 2 || job.rows.points < 2) {
         return "a window of curves with one point along an axis has no area, and no curve lies in it; give "
-               "axes.frequency_ratio.points and axes.gap_ratio.points 2 or more";
+               "both axes 2 points or more";
+    }
+    if (!job.curves.gap_ratio.empty() && (!job.columns.over.empty() || !job.rows.over.empty())) {
+        return "curves.gap_ratio asks where curves have these gaps, in the plane of axes.frequency_ratio and "
+               "axes.gap_ratio, in this order; these are other axes; remove it";
     }
     for (const double gap : job.curves.gap_ratio) {
         if (gap >= job.rows.from && gap <= job.rows.to) continue;

@@ -69,7 +69,7 @@ void describe(Walker& file, Job& job) {
     file.skip({"rig"});  // followed before anything is read (rig_files.hpp)
 
     if (kind_is_known && job.kind == Kind::trace) return describe_trace(file, job);
-    if (kind_is_known && (job.kind == Kind::map || job.kind == Kind::sweep)) file.leave_to_axes(job);
+    if (kind_is_known && has_any_axes(job.kind)) file.leave_to_axes(job);
     if (kind_is_known && job.kind == Kind::basin) describe_basin_of_map(file, job);
     if (job.cell.map.empty()) describe_rig(file, job);
 

@@ -43,15 +43,22 @@ void describe_shared_place(Walker& file, Job& job, bool frequency, bool gap, std
 // The plane of a map and the start of its cells.
 template <typename Walker>
 void describe_plane(Walker& file, Job& job) {
+    bool are_known = true;
     file.table({"axes", "plane of the map", "[axes.frequency_ratio] and [axes.gap_ratio]"}, [&](auto& axes) {
-        const int count = axes.choose_axes(job);
-        describe_axis(axes, job.columns, quantity(column_key(job)));
-        if (count > 1) describe_axis(axes, job.rows, quantity(row_key(job)));
+        const auto chosen = axes.choose_axes(job);
+        are_known = chosen.are_known;
+        if (chosen.count > 0) describe_axis(axes, job.columns, quantity(column_key(job)));
+        if (chosen.count > 1) describe_axis(axes, job.rows, quantity(row_key(job)));
     });
     take_first_values(job);
-    if (job.kind == Kind::map) {
-        describe_shared_place(file, job, !has_axis(job, is_frequency), !has_axis(job, is_gap),
-                              "belongs to a basin; a map covers the plane of its axes; remove this table");
+    if (!are_known) {
+        file.skip({"operating_point"});
+    } else if (job.kind != Kind::study) {
+        describe_shared_place(
+            file, job, !has_axis(job, is_frequency), !has_axis(job, is_gap),
+            job.kind == Kind::curves
+                ? "belongs to a basin; curves cross the plane of their axes; remove this table"
+                : "belongs to a basin; a map covers the plane of its axes; remove this table");
     }
     describe_start(file, job);
     file.rule({"axes", "operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });

@@ -30,12 +30,13 @@ void describe(Walker& table, Sweep& sweep, const Key& gaps, bool has_gaps) {
 
 // The branches: a list of gaps, unless the gap is the axis or that of the operating point.
 template <typename Walker>
-void describe_branches(Walker& file, Job& job) {
+void describe_branches(Walker& file, Job& job, bool axis_is_known) {
     const bool gap_is_axis = is_gap(column_key(job));
-    const bool may_lack_gaps = gap_is_axis || file.has("operating_point");
+    const bool may_lack_gaps = gap_is_axis || !axis_is_known || file.has("operating_point");
     const Key gaps{gap_ratio.name, "gaps of the branches, gap/A0 [1]", may_lack_gaps ? "" : "[0.0, 1.0]"};
     file.table({"sweep", "the branches", may_lack_gaps ? "" : "gap_ratio = [0.0, 1.0]"},
                [&](auto& table) { describe(table, job.sweep, gaps, !gap_is_axis); });
+    if (!axis_is_known) return file.skip({"operating_point"});
     describe_shared_place(file, job, !is_frequency(column_key(job)),
                           !gap_is_axis && job.sweep.gap_ratio.empty() && file.has("operating_point"),
                           "belongs to a basin; a sweep has a list of gaps; remove this table");
@@ -43,12 +44,14 @@ void describe_branches(Walker& file, Job& job) {
 
 template <typename Walker>
 void describe_sweep(Walker& file, Job& job) {
+    bool axis_is_known = true;
     file.table({"axes", "axis of the sweep", "[axes.frequency_ratio]"}, [&](auto& axes) {
-        axes.choose_axes(job);
-        describe_axis(axes, job.columns, quantity(column_key(job)));
+        const auto chosen = axes.choose_axes(job);
+        axis_is_known = chosen.are_known;
+        if (chosen.count > 0) describe_axis(axes, job.columns, quantity(column_key(job)));
     });
     take_first_values(job);
-    describe_branches(file, job);
+    describe_branches(file, job, axis_is_known);
     describe_start(file, job);
     describe_starts(file, job);
     file.refuse("refine", "is for maps; every point of a sweep starts from the one before; remove this table");

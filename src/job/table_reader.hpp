@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "job/axis_key.hpp"
 #include "job/document.hpp"
 #include "job/job.hpp"
 #include "job/key.hpp"
@@ -67,8 +68,8 @@ class TableReader {
     void leave_to_axes(const Job& job);
 
     // Of the table [axes]: which two numbers of the job, or which one of a sweep, it runs over, in the order of
-    // the file. The number of axes that are to be read.
-    int choose_axes(Job& job);
+    // the file.
+    ChosenAxes choose_axes(Job& job);
 
     // A rule over several keys, asked only where each of them is sound. `complaint` returns what is wrong, or
     // "".

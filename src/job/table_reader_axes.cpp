@@ -64,11 +64,22 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
                          axis.key);
     }
     if (const AxisQuantity* quantity = find_quantity(axis.key)) {
-        const bool has_usual_plane = kind == Kind::study || kind == Kind::curves;
-        if (has_usual_plane && axis.key != frequency_ratio.name && axis.key != gap_ratio.name) {
+        if (kind == Kind::study && axis.key != frequency_ratio.name && axis.key != gap_ratio.name) {
             return fmt::format(
-                "[axes.{}] is for maps and sweeps; studies and curves have the plane of frequency_ratio "
-                "and gap_ratio; remove this table",
+                "[axes.{}] is for maps, sweeps and curves; studies have the plane of frequency_ratio and "
+                "gap_ratio; remove this table",
+                axis.key);
+        }
+        if (kind == Kind::curves && axis.key.starts_with("start.")) {
+            return fmt::format(
+                "[axes.{}] is for maps and sweeps; a curve is where motions end, wherever the hammer starts; "
+                "give one value under [start]",
+                axis.key);
+        }
+        if (kind == Kind::curves && axis.key == "hammer.cubic_stiffness_n_per_m3") {
+            return fmt::format(
+                "[axes.{}] is for maps and sweeps; curves leave the cubic part of the springs out; remove this "
+                "table",
                 axis.key);
         }
         if (!quantity->law || *quantity->law == law) return "";
@@ -87,6 +98,10 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
                                      : fmt::format("did you mean [axes.{}]?", meant));
 }
 
+std::string has_in_words(Kind kind) {
+    return kind == Kind::curves ? "curves have" : fmt::format("a {} has", name(kind));
+}
+
 bool is_on_the_plane(std::string_view key) {
     return is_frequency(key) || is_gap(key);
 }
@@ -101,10 +116,11 @@ void TableReader::leave_to_axes(const Job&) {
     }
 }
 
-int TableReader::choose_axes(Job& job) {
+ChosenAxes TableReader::choose_axes(Job& job) {
     const std::size_t wanted = job.kind == Kind::sweep ? 1 : 2;
     for (const Entry& entry : table_.entries) known_.emplace_back(entry.name);
     std::vector<Given> axes;
+    bool has_faulty = false;
     for (const Given& axis : given_axes(table_)) {
         std::string text = complaint(axis, job.kind, law_of(job.contact));
         const auto same =
@@ -115,33 +131,37 @@ int TableReader::choose_axes(Job& job) {
                 "apart; remove one of them",
                 axis.key, same->key);
         } else if (text.empty() && axes.size() == wanted) {
-            text = fmt::format("[axes.{}] is one too many; a {} has {}; remove one of them", axis.key,
-                               name(job.kind), wanted == 1 ? "one axis" : "two axes, columns and rows");
+            text = fmt::format("[axes.{}] is one too many; {} {}; remove one of them", axis.key,
+                               has_in_words(job.kind), wanted == 1 ? "one axis" : "two axes, columns and rows");
         }
         if (text.empty()) {
             axes.push_back(axis);
         } else {
             fault(axis.key, axis.where, text);
+            has_faulty = true;
         }
     }
-    if (axes.empty() || (job.kind != Kind::map && job.kind != Kind::sweep))
-        return 2;  // the usual ones, or missing
+    // one that is missing is no fault where a faulty one may be meant for it
+    const bool are_known = !has_faulty || axes.size() == wanted;
+    const ChosenAxes usual{.count = axes.empty() && has_faulty ? 0 : 2, .are_known = are_known};
+    if (axes.empty() || !has_any_axes(job.kind)) return usual;
     // the usual ones in their usual order have no name of their own
     job.columns.over = axes[0].key == frequency_ratio.name ? "" : axes[0].key;
-    if (wanted == 1) return 1;
+    if (wanted == 1) return {.count = 1, .are_known = are_known};
     if (axes.size() == 2) {
         job.rows.over = axes[1].key == gap_ratio.name ? "" : axes[1].key;
-        return 2;
+        return {.count = 2, .are_known = are_known};
     }
+    if (!are_known) return {.count = 1, .are_known = false};
     if (is_on_the_plane(axes[0].key)) {
         job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";
-        return 2;
+        return {};
     }
     fault("axes", where_,
-          fmt::format("[axes] has one axis, {}; a map has two, columns and rows; add another, such as "
+          fmt::format("[axes] has one axis, {}; {} two, columns and rows; add another, such as "
                       "[axes.frequency_ratio]",
-                      axes[0].key));
-    return 1;
+                      axes[0].key, has_in_words(job.kind)));
+    return {.count = 1, .are_known = false};
 }
 
 }  // namespace peterka::job

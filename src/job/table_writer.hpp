@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/axis_key.hpp"
 #include "job/job.hpp"
 #include "job/key.hpp"
 #include "job/names.hpp"
@@ -77,7 +78,7 @@ class TableWriter {
     void refuse(std::string_view, std::string_view) {}
     void skip(std::initializer_list<std::string_view>) {}
     [[nodiscard]] bool has(std::string_view) const { return true; }
-    int choose_axes(const Job&) { return 2; }
+    ChosenAxes choose_axes(const Job&) { return {}; }
 
   private:
     TableWriter(std::string& text, Style style, const Origins* origins, std::string path,

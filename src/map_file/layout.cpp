@@ -68,15 +68,6 @@ parallel::Extent largest_tile(const job::Job& job) {
     return {job.starts.count > 0 ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
 }
 
-// What an axis runs over, as a coordinate. Its texts live as long as the program.
-hdf5::Variable coordinate_of(std::string_view key) {
-    for (const hdf5::Variable& usual : {frequency_ratio, gap_ratio, displacement_ratio, velocity_ratio}) {
-        if (key == usual.name) return usual;
-    }
-    const job::AxisQuantity& over = job::quantity(key);
-    return {over.coordinate.c_str(), hdf5::Number::float64, nan, over.units.c_str(), over.long_name.c_str()};
-}
-
 // On the plane of cells, and of so many samples in each.
 DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::vector<Dimension> dimensions) {
     const parallel::Extent largest = largest_tile(job);
@@ -162,6 +153,14 @@ std::int64_t capped_product(std::int64_t a, std::int64_t b) {
 }
 
 }  // namespace
+
+hdf5::Variable coordinate_of(std::string_view key) {
+    for (const hdf5::Variable& usual : {frequency_ratio, gap_ratio, displacement_ratio, velocity_ratio}) {
+        if (key == usual.name) return usual;
+    }
+    const job::AxisQuantity& over = job::quantity(key);
+    return {over.coordinate.c_str(), hdf5::Number::float64, nan, over.units.c_str(), over.long_name.c_str()};
+}
 
 std::string DatasetPlan::path() const {
     return (group == "/" ? "" : group) + "/" + variable.name;

@@ -41,6 +41,9 @@ struct DatasetPlan {
     [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest number there is where it does not fit
 };
 
+// What an axis runs over, as a coordinate. Its texts live as long as the program.
+[[nodiscard]] hdf5::Variable coordinate_of(std::string_view key);
+
 // Scales come before the datasets that they belong to.
 [[nodiscard]] std::vector<DatasetPlan> layout(const job::Job& job);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "curves/follow.hpp"
+#include "curves/free_motion.hpp"
 #include "curves/trace_curve.hpp"
 #include "regime/steady_state.hpp"
 #include "trajectory/exact_cycle_map.hpp"
@@ -37,10 +38,10 @@ scene::Oscillator<double> rigid_rig() {
 template <class Map>
 std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const Place& place,
                                    std::int64_t period, const State<double>& start = {0, 0}) {
-    oscillator.frequency = place.frequency;
-    oscillator.gap = place.gap;
+    oscillator.frequency = place.column;
+    oscillator.gap = place.row;
     const Map map(oscillator);
-    State<double> x(start[0] - place.gap, start[1] - place.frequency);
+    State<double> x(start[0] - place.row, start[1] - place.column);
     for (int cycle = 0; cycle < 2000; ++cycle) x = map(x).end;
     return stable_orbit_near(Rig(oscillator), place, x, period, window);
 }
@@ -48,9 +49,9 @@ std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const P
 Seed edge(const scene::Oscillator<double>& oscillator, const Place& from, const Place& to,
           const State<double>& start = {0, 0}) {
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(oscillator.contact);
-    const auto orbit =
-        rigid ? orbit_at<trajectory::RigidExactMap<double>>(oscillator, from, 1, {-1, from.frequency})
-              : orbit_at<trajectory::ExactCycleMap<double>>(oscillator, from, 1, start);
+    const auto orbit = rigid
+                           ? orbit_at<trajectory::RigidExactMap<double>>(oscillator, from, 1, {-1, from.column})
+                           : orbit_at<trajectory::ExactCycleMap<double>>(oscillator, from, 1, start);
     EXPECT_TRUE(orbit);
     const Followed followed = follow(Rig(oscillator), *orbit, to, window);
     EXPECT_TRUE(followed.seed);
@@ -59,9 +60,9 @@ Seed edge(const scene::Oscillator<double>& oscillator, const Place& from, const 
 
 regime::CellResult by_cvode(const Place& place, const State<double>& start = {0, 0}) {
     scene::Oscillator<double> oscillator = rig_170mm();
-    oscillator.frequency = place.frequency;
-    oscillator.gap = place.gap;
-    return regime::find_steady_state(oscillator, {start[0] - place.gap, start[1] - place.frequency}, {},
+    oscillator.frequency = place.column;
+    oscillator.gap = place.row;
+    return regime::find_steady_state(oscillator, {start[0] - place.row, start[1] - place.column}, {},
                                      {.engine = regime::Engine::cvode, .tolerance = 1e-9});
 }
 
@@ -86,15 +87,15 @@ TEST(Curves, LimitsOf11OnThe170mmRig) {
                                Known{{1.3, 0}, {0.9, 0}, {0, 0}, CurveKind::grazing, 1.15008754}}) {
         const Seed seed = edge(rig, known.from, known.to, known.start);
         EXPECT_EQ(seed.kind, known.kind);
-        EXPECT_NEAR(seed.point.place.frequency, known.frequency, 1e-8);
+        EXPECT_NEAR(seed.point.place.column, known.frequency, 1e-8);
         EXPECT_LE(curve_point(Rig(rig), seed.point, seed.kind).residual, largest_residual);
     }
 }
 
 TEST(Curves, PeriodDoublingOfARigidStop) {
     const auto rig = rigid_rig();
-    EXPECT_NEAR(edge(rig, {2, 0}, {3, 0}).point.place.frequency, 2.6609482425529, 1e-9);
-    EXPECT_NEAR(edge(rig, {2, 0.5}, {3, 0.5}).point.place.frequency, 2.494678798104, 1e-9);
+    EXPECT_NEAR(edge(rig, {2, 0}, {3, 0}).point.place.column, 2.6609482425529, 1e-9);
+    EXPECT_NEAR(edge(rig, {2, 0.5}, {3, 0.5}).point.place.column, 2.494678798104, 1e-9);
 }
 
 // alpha^2 V^2 + ... has a double root at g = P sqrt(1 + alpha^2 eta^2 / (r + beta)^2).
@@ -114,19 +115,19 @@ TEST(Curves, FoldOfARigidStopInClosedForm) {
     const double alpha = (1 + r) * inverse(0, 1);
     const double beta = (1 + r) * inverse(1, 1);
     const double reach = eta * eta / std::hypot(1 - eta * eta, 2 * zeta * eta);
-    EXPECT_NEAR(seed.point.place.gap, reach * std::hypot(1, alpha * eta / (r + beta)), 1e-9);
+    EXPECT_NEAR(seed.point.place.row, reach * std::hypot(1, alpha * eta / (r + beta)), 1e-9);
 }
 
 TEST(Curves, MotionWithoutImpactEndsWhereItsSwingReachesTheStop) {
     const auto rig = rig_170mm();
-    const auto seed = reach_of_free_motion(Rig(rig), 3.0, window);
+    const auto seed = end_of_free_motion(Rig(rig), {3.0, 0.0}, {3.0, 5.0}, window);
     ASSERT_TRUE(seed);
     const Curve curve = trace_curve(Rig(rig), *seed, {{0.5, 0}, {4.5, 5}});
     ASSERT_GT(curve.points.size(), 50U);
     EXPECT_EQ(curve.impacts, 0);
     for (const CurvePoint& point : curve.points) {
-        const double eta = point.place.frequency;
-        EXPECT_NEAR(point.place.gap, eta * eta / std::hypot(1 - eta * eta, 2 * rig.damping_ratio * eta), 1e-11);
+        const double eta = point.place.column;
+        EXPECT_NEAR(point.place.row, eta * eta / std::hypot(1 - eta * eta, 2 * rig.damping_ratio * eta), 1e-11);
         EXPECT_LE(point.residual, largest_residual);
     }
 }
@@ -137,7 +138,8 @@ TEST(Curves, MotionWithoutImpactEndsWhereItsSwingReachesTheStop) {
 TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
     const auto rig = rig_170mm();
     const Window plane{{0.5, 0}, {4.5, 5}};
-    const Curve reach = trace_curve(Rig(rig), *reach_of_free_motion(Rig(rig), 3.0, window), plane);
+    const Curve reach =
+        trace_curve(Rig(rig), *end_of_free_motion(Rig(rig), {3.0, 0.0}, {3.0, 5.0}, window), plane);
     const Curve fold = trace_curve(Rig(rig), edge(rig, {1.6, 1.5}, {2.2, 1.5}, {-1, 2}), plane);
     const Curve doubling = trace_curve(Rig(rig), edge(rig, {2, 1}, {3, 1}), plane);
     const auto special = [](const Curve& curve, SpecialKind kind) {
@@ -149,8 +151,8 @@ TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
     };
     for (const auto& [curve, kind] :
          {std::pair(fold, SpecialKind::fold_grazing), std::pair(doubling, SpecialKind::flip_grazing)}) {
-        EXPECT_NEAR(special(curve, kind).frequency, special(reach, kind).frequency, 1e-9);
-        EXPECT_NEAR(special(curve, kind).gap, special(reach, kind).gap, 1e-9);
+        EXPECT_NEAR(special(curve, kind).column, special(reach, kind).column, 1e-9);
+        EXPECT_NEAR(special(curve, kind).row, special(reach, kind).row, 1e-9);
     }
 }
 
@@ -204,7 +206,7 @@ TEST(Curves, AMotionThatIsNoOrbitGivesNone) {
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {3, 4}, {-4, -3}, 1, window));     // never touches
     EXPECT_FALSE(stable_orbit_near(Rig(rig), {0.3, 0}, {-0.1, 0}, 1, window));  // ends in chatter
     rig.damping_ratio = 0;
-    EXPECT_FALSE(reach_of_free_motion(Rig(rig), 1.0, window));  // its swing has no limit
+    EXPECT_FALSE(end_of_free_motion(Rig(rig), {1.0, 0.0}, {1.0, 5.0}, window));  // its swing has no limit
 }
 
 }  // namespace

@@ -33,15 +33,15 @@ class PlainMotion {
     PlainMotion(const scene::Oscillator<double>& rig, const OrbitPoint& orbit)
         : damping_(rig.damping_ratio),
           stop_(std::get<scene::KelvinVoigt<double>>(rig.contact)),
-          frequency_(orbit.place.frequency),
-          gap_(orbit.place.gap) {
+          frequency_(orbit.place.column),
+          gap_(orbit.place.row) {
         const auto touch = std::ranges::find(orbit.orbit.events, EventKind::touch, &Event::kind);
         time_ = touch->time;
         x_ = {0, touch->velocity};
         presses_ = true;
         presses_from_.push_back(x_);
         constexpr double before_it_comes_again = 1e-9;
-        run_until(time_ + duration_of(orbit.orbit.period, orbit.place) - before_it_comes_again);
+        run_until(time_ + 2 * std::numbers::pi * static_cast<double>(orbit.orbit.period) / frequency_ - before_it_comes_again);
         off_ = (x_ - State<double>(0, touch->velocity)).lpNorm<Eigen::Infinity>();
     }
 
@@ -136,10 +136,10 @@ class PlainMotion {
 // The grazing curve met on the way from a place, where the motion from rest is stable, to another.
 Curve grazing_curve(const Place& from, const Place& to, std::int64_t period) {
     scene::Oscillator<double> oscillator = beam_of_170mm();
-    oscillator.frequency = from.frequency;
-    oscillator.gap = from.gap;
+    oscillator.frequency = from.column;
+    oscillator.gap = from.row;
     const trajectory::ExactCycleMap<double> map(oscillator);
-    State<double> x(-from.gap, -from.frequency);
+    State<double> x(-from.row, -from.column);
     for (int cycle = 0; cycle < 4000; ++cycle) x = map(x).end;
     const Rig rig(oscillator);
     const auto orbit = stable_orbit_near(rig, from, x, period, whole_window);
@@ -158,7 +158,7 @@ OrbitPoint orbit_at_special(const Curve& curve, SpecialKind kind) {
         return {};
     }
     const auto point = std::ranges::find_if(curve.points, [&](const CurvePoint& each) {
-        return each.place.frequency == special->place.frequency && each.place.gap == special->place.gap;
+        return each.place.column == special->place.column && each.place.row == special->place.row;
     });
     return {curve.orbits[static_cast<std::size_t>(point - curve.points.begin())], special->place};
 }

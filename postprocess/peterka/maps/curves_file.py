@@ -12,7 +12,6 @@ from .map_file import PeterkaFile
 KINDS = ("fold", "period_doubling", "grazing")
 SPECIALS = ("fold_grazing", "flip_grazing", "double_grazing", "cusp", "inflection")
 EDGE_KINDS = (*KINDS, "none", "unknown")  # of edge_kind_*; -128 where a cell has no such orbit
-EDGE_SIDES = ("frequency_ratio", "gap_ratio")
 MAX_POINTS = 10_000_000
 MAX_SAMPLES = 4096  # of an orbit
 WORDS = {kind: kind.replace("_", " ") for kind in KINDS}
@@ -22,22 +21,23 @@ RIG = ("hammer", "cart", "contact")  # the tables of a job that a file's curves 
 
 @dataclass(frozen=True)
 class Curve:
-    """`kind` of KINDS, p and q of the orbit on the stable side, and its points in their order, each (points,)."""
+    """`kind` of KINDS, p and q of the orbit on the stable side, and its points in their order, values (points,) on the
+    axes of the file's columns and rows."""
 
     kind: str
     impacts: int
     period: int
-    frequency_ratio: np.ndarray
-    gap_ratio: np.ndarray
+    columns: np.ndarray
+    rows: np.ndarray
 
 
 @dataclass(frozen=True)
 class Special:
-    """`kind` of SPECIALS, and where."""
+    """`kind` of SPECIALS, and where on the axes of the file's columns and rows."""
 
     kind: str
-    frequency_ratio: float
-    gap_ratio: float
+    column: float
+    row: float
 
 
 @dataclass(frozen=True)
@@ -76,37 +76,35 @@ class CurvesFile(PeterkaFile):
         self.specials = self._specials() if self.data.has("special_kind") else []
         self.crossings = self._crossings() if self.data.has("crossing_curve") else []
         self.unstable_branches = self._unstable_branches() if self.data.has("branch_first") else []
-        self.has_edge_distance = self.data.has(f"edge_distance_{EDGE_SIDES[0]}")
-        for side in EDGE_SIDES if self.has_edge_distance else ():
-            self.data.dataset(f"edge_distance_{side}", self.shape, REAL)
-            self.data.dataset(f"edge_kind_{side}", self.shape, INTEGER)
+        self.has_edge_distance = self.data.has(f"edge_distance_{self.columns.name}")
+        for axis in (self.columns, self.rows) if self.has_edge_distance else ():
+            self.data.dataset(f"edge_distance_{axis.name}", self.shape, REAL)
+            self.data.dataset(f"edge_kind_{axis.name}", self.shape, INTEGER)
 
     def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
         impacts, periods, firsts, counts = (
             self._column(name, INTEGER, kinds.shape)
             for name in ("curve_impacts", "curve_period", "curve_first", "curve_points"))
-        frequencies = self._column("point_frequency_ratio", REAL)
-        gaps = self._column("point_gap_ratio", REAL, frequencies.shape)
+        columns = self._column(f"point_{self.columns.name}", REAL)
+        rows = self._column(f"point_{self.rows.name}", REAL, columns.shape)
         if not (np.isin(kinds, range(len(KINDS))).all() and (impacts >= 0).all() and (periods > 0).all()):
             raise self.refusal("has a curve of no known kind or orbit")
-        if not ((firsts >= 0).all() and (counts >= 0).all() and (counts <= len(gaps)).all()
-                and (firsts <= len(gaps) - counts).all()):
+        if not ((firsts >= 0).all() and (counts >= 0).all() and (counts <= len(rows)).all()
+                and (firsts <= len(rows) - counts).all()):
             raise self.refusal("has a curve with points that the file does not have")
-        if not (np.isfinite(frequencies).all() and np.isfinite(gaps).all()):
+        if not (np.isfinite(columns).all() and np.isfinite(rows).all()):
             raise self.refusal("has a point that is not finite")
         return [
-            Curve(KINDS[kind], int(p), int(q), frequencies[first:first + count], gaps[first:first + count])
+            Curve(KINDS[kind], int(p), int(q), columns[first:first + count], rows[first:first + count])
             for kind, p, q, first, count in zip(kinds, impacts, periods, firsts, counts)]
 
     def _specials(self) -> list[Special]:
         kinds = self._column("special_kind", INTEGER)
-        frequencies, gaps = (self._column(name, REAL, kinds.shape)
-                             for name in ("special_frequency_ratio", "special_gap_ratio"))
-        if not (np.isin(kinds, range(len(SPECIALS))).all() and np.isfinite(frequencies).all()
-                and np.isfinite(gaps).all()):
+        columns, rows = (self._column(f"special_{axis.name}", REAL, kinds.shape) for axis in (self.columns, self.rows))
+        if not (np.isin(kinds, range(len(SPECIALS))).all() and np.isfinite(columns).all() and np.isfinite(rows).all()):
             raise self.refusal("has a special point of no known kind or place")
-        return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, frequencies, gaps)]
+        return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, columns, rows)]
 
     def _crossings(self) -> list[Crossing]:
         numbers = self._column("crossing_curve", INTEGER)

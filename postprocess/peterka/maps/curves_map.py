@@ -58,7 +58,7 @@ def _draw(file, ax, over_map):
         axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     for curve in file.curves:
-        ax.plot(curve.frequency_ratio, curve.gap_ratio, **_look(curve.kind, over_map))
+        ax.plot(curve.columns, curve.rows, **_look(curve.kind, over_map))
     taken = _write_names(ax, file)
     _write_letters(ax, file, taken)
     axes.write_title(figure, file, "where regimes end", ax=ax)
@@ -71,7 +71,8 @@ def _look(kind, over_map):
 
 
 def _in_picture(ax, x, y):
-    return ax.transAxes.inverted().transform(ax.transData.transform((x, y)))
+    """(..., 2), 0 to 1, of values on the axes."""
+    return ax.transAxes.inverted().transform(ax.transData.transform(np.stack([x, y], axis=-1)))
 
 
 def _has_room(place, taken):
@@ -82,12 +83,11 @@ def _has_room(place, taken):
 def _write_names(ax, file):
     """z = p/q at the middle of the longest curves, where there is room; gives the places in the picture."""
     taken = []
-    lengths = [float(np.sum(np.hypot(np.diff(curve.frequency_ratio), np.diff(curve.gap_ratio))))
-               for curve in file.curves]
+    ways = [_in_picture(ax, curve.columns, curve.rows) for curve in file.curves]
+    lengths = [float(np.sum(np.hypot(*np.diff(way, axis=0).T))) for way in ways]
     for number in np.argsort(lengths, kind="stable")[::-1][:MOST_NAMES]:
         curve = file.curves[number]
-        middle = len(curve.gap_ratio) // 2
-        place = _in_picture(ax, curve.frequency_ratio[middle], curve.gap_ratio[middle])
+        place = ways[number][len(curve.rows) // 2]
         if not _has_room(place, taken):
             continue
         taken.append(place)
@@ -98,9 +98,8 @@ def _write_names(ax, file):
 
 def _write_letters(ax, file, taken):
     """A dot at each special point, and letters, once where several lie together, on the side with the fewest lines."""
-    lines = np.concatenate([np.stack([_in_picture(ax, *point) for point in zip(curve.frequency_ratio, curve.gap_ratio)])
-                            for curve in file.curves])
-    places = [_in_picture(ax, special.frequency_ratio, special.gap_ratio) for special in file.specials]
+    lines = np.concatenate([_in_picture(ax, curve.columns, curve.rows) for curve in file.curves])
+    places = [_in_picture(ax, special.column, special.row) for special in file.specials]
     dots, groups = [], []  # of a group: its place, and the kinds of its points
     for special, place in zip(file.specials, places):
         if not _is_near(place, dots, SAME_DOT):

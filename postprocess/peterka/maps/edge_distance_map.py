@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..look import axes, style
+from ..look.coordinates import label
 from ..look.picture import picture
 from .curves_file import EDGE_KINDS, CurvesFile
 from .field_map import scale_colours
@@ -19,18 +20,20 @@ SIDES = {
     "frequency_ratio": ("frequency", r"\Omega/\omega", "Hz", lambda file: file.positive("natural_frequency_hz")),
     "gap_ratio": ("gap", "gap/A_0", "mm", lambda file: (file.positive("cart_amplitude_m") or 0) * 1000),
 }
+PICTURES = {**{f"edge_distance_{word}": side for side, (word, *_) in SIDES.items()},
+            "edge_distance_columns": "columns", "edge_distance_rows": "rows"}  # the latter of axes that are none of SIDES
 CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window", "#CDE7C9"),
            ("could not be followed to one", "#F7C6D0"), ("chaotic, unresolved, or beyond max_period", "#F2F2F2")]
 
 
 @picture(CurvesFile)
 def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
-    """The picture of one of SIDES; None where no cell has an edge."""
+    """The picture along an axis, named by its coordinate, or as columns or rows; None where no cell has an edge."""
+    side = {"columns": file.columns.name, "rows": file.rows.name}.get(side, side)
     reduced = _smallest(file, f"edge_distance_{side}")
     if not np.isfinite(reduced.image).any():
         return None
-    word, ratio, unit, factor_of = SIDES[side]
-    factor = factor_of(file) if style.current().units != "ratio" else None
+    factor, words = _scale(file, side)
     classes, counts = class_picture(file, ["regime", f"edge_kind_{side}"], lambda _, kind: _class_of(kind), len(CLASSES))
     handles = [axes.legend_patch(text, colour) for (text, colour), count in list(zip(CLASSES, counts))[1:] if count]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
@@ -40,11 +43,27 @@ def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
                          vmax=float(np.percentile(shown.compressed(), TOP)) or 1, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="max")
     bar.outline.set_linewidth(0.6)
-    bar.set_label(f"drift of the {word} to the nearest edge ({unit})" if factor else f"drift of ${ratio}$ to the nearest edge",
-                  fontsize=8)
+    bar.set_label(words, fontsize=8)
     axes.label_axes(ax, file)
     axes.write_title(figure, file, "distance to the edge of its own motion", ax=ax)
     return ax
+
+
+def has(file: CurvesFile, side: str) -> bool:
+    """Whether the file tells of it along an axis, named as that of draw."""
+    names = (file.columns.name, file.rows.name)
+    if side in SIDES:
+        return file.has_edge_distance and side in names
+    return file.has_edge_distance and {"columns": names[0], "rows": names[1]}[side] not in SIDES
+
+
+def _scale(file, side):
+    """Factor from the numbers of the file, and the words of the scale."""
+    if side not in SIDES:
+        return 1.0, f"drift to the nearest edge: {label(side)}"
+    word, ratio, unit, factor_of = SIDES[side]
+    factor = factor_of(file) if style.current().units != "ratio" else None
+    return factor, f"drift of the {word} to the nearest edge ({unit})" if factor else f"drift of ${ratio}$ to the nearest edge"
 
 
 def _class_of(kind):

@@ -126,7 +126,7 @@ class PeterkaFile(OpenedFile):
 
     def _coordinates(self) -> tuple[str, str]:
         names = axes_of_job(self.data.attribute("job"))
-        if self.kind == "map" and len(names) == 2 and all(self.data.has(name) for name in names):
+        if self.kind in ("map", "curves") and len(names) == 2 and all(self.data.has(name) for name in names):
             return names[1], names[0]
         return self.coordinates[self.kind]
 

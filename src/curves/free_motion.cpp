@@ -1,0 +1,73 @@
+#include "curves/free_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace peterka::curves {
+
+namespace {
+
+std::complex<double> response_of(const PlacedRig& rig) {
+    const double eta = rig.frequency();
+    return eta * eta / std::complex<double>(1 - eta * eta, 2 * rig.damping(false) * eta);
+}
+
+}  // namespace
+
+Place on_way(const Place& from, const Place& to, double share) {
+    return {from.column + share * (to.column - from.column), from.row + share * (to.row - from.row)};
+}
+
+// The hammer swings by P = eta^2/|1 - eta^2 + 2 i zeta eta|, which is the gap where
+// s^2 (1 - g^2) + s g^2 (2 - 4 zeta^2) - g^2 = 0 with s = eta^2.
+std::vector<double> frequencies_with_swing(const PlacedRig& rig) {
+    const double g2 = rig.gap() * rig.gap();
+    const double damping = rig.damping(false);
+    const double b = g2 * (1 - 2 * damping * damping);     // half the middle coefficient
+    const double root = std::sqrt(b * b + (1 - g2) * g2);  // NaN where the swing reaches nowhere so far
+    std::vector<double> frequencies;
+    // as quotients of the constant term, for the usual ones cancel where g is near 1
+    for (const double s : {g2 / (b + root), g2 / (b - root)}) {
+        if (s > 0) frequencies.push_back(std::sqrt(s));
+    }
+    return frequencies;
+}
+
+double room_of_free_motion(const Rig& rig, const Place& place) {
+    const PlacedRig here = rig.at(place);
+    return here.gap() - std::abs(response_of(here));
+}
+
+std::optional<double> share_at_end_of_free_motion(const Rig& rig, const Place& from, const Place& to) {
+    const double first = room_of_free_motion(rig, from);
+    const double last = room_of_free_motion(rig, to);
+    const bool has_first = first > 0;
+    if (!std::isfinite(first) || !std::isfinite(last) || has_first == (last > 0)) return std::nullopt;
+    double low = 0;
+    double high = 1;
+    constexpr int halvings = 60;  // down to rounding
+    for (int halving = 0; halving < halvings; ++halving) {
+        const double middle = (low + high) / 2;
+        ((room_of_free_motion(rig, on_way(from, to, middle)) > 0) == has_first ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+std::optional<Seed> end_of_free_motion(const Rig& rig, const Place& from, const Place& to,
+                                       const Place& window) {
+    const auto share = share_at_end_of_free_motion(rig, from, to);
+    if (!share) return std::nullopt;
+    const Place place = on_way(from, to, *share);
+    const PlacedRig here = rig.at(place);
+    const double top = (std::numbers::pi / 2 - std::arg(response_of(here))) / here.frequency();
+    const OrbitPoint guess{{1, {{EventKind::graze, false, top, 0}}}, place};
+    const double size = std::max(std::abs(to.row - from.row), std::abs(to.column - from.column));
+    const Place across{(to.row - from.row) / size, (from.column - to.column) / size};
+    const auto found = solve(rig, guess, window, {Condition::on_line(place, across)});
+    if (!found) return std::nullopt;
+    return Seed{CurveKind::grazing, *found};
+}
+
+}  // namespace peterka::curves
