@@ -59,7 +59,7 @@ std::string rigs_text(const job::Job& job) {
     if (job.kind == job::Kind::sweep) return "";
     if (!scene::Scene(job).rigs_differ()) return "";
     return "#   rigs     cells have their own: a cycle takes about 1.2 times as long as in a map with one rig, "
-           "four times where the stop is overdamped\n";
+           "eight times where the stop is overdamped, whose cells take fewer of them\n";
 }
 
 // Of a basin that has the rig and the place of a cell of a map.

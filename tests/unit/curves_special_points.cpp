@@ -41,7 +41,8 @@ class PlainMotion {
         presses_ = true;
         presses_from_.push_back(x_);
         constexpr double before_it_comes_again = 1e-9;
-        run_until(time_ + 2 * std::numbers::pi * static_cast<double>(orbit.orbit.period) / frequency_ - before_it_comes_again);
+        run_until(time_ + 2 * std::numbers::pi * static_cast<double>(orbit.orbit.period) / frequency_ -
+                  before_it_comes_again);
         off_ = (x_ - State<double>(0, touch->velocity)).lpNorm<Eigen::Infinity>();
     }
 
