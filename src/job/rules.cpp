@@ -240,7 +240,7 @@ std::string rule_of_window(const Job& job) {
 
 // Each rank keeps the whole coarse map, and all of it goes from rank to rank at once: in 32 bits [bytes].
 std::string rule_of_coarse_map(const Job& job) {
-    constexpr std::int64_t most_cells = 2048 * 2048;
+    constexpr std::int64_t most_cells = std::int64_t{2048} * 2048;
     if (job.rows.points <= most_cells / job.columns.points) return {};
     return fmt::format(
         "the axes have {} by {} points; they are a coarse map in which orbits are looked for, which each rank "
