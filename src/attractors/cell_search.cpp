@@ -17,22 +17,27 @@ using regime::CellResult;
 using regime::CycleDesk;
 using regime::FoundAttractor;
 
-// Rounds have 1, 7, 8, 16, 32, ..., 256, 256, ... starts: the first ones soon tell the attractors with large
-// shares.
+// Rounds have 1, 3, 4, 4, 4, 4, 5, 6, 7, ..., 256, 256, ... starts: each knows what a fifth fewer have found.
 constexpr std::int64_t largest_round = 256;
 
 std::int64_t size_of_round(std::int64_t begun) {
-    return begun <= 1 ? 1 + 6 * begun : std::min(begun, largest_round);
+    return begun <= 1 ? 1 + 2 * begun : std::clamp<std::int64_t>(begun / 4, 4, largest_round);
 }
 
-// What a start that ends in a neighbourhood still takes, and what a proof of one takes for each cycle of its
-// orbit [forcing cycles].
-constexpr double cycles_to_get_there = 8;
-constexpr double cycles_of_proof = 200;
+// A start that ends in a neighbourhood is spared some two rounds of the orbit, which its convergence to the
+// known orbit takes to be seen, and proving one takes some 200 or 300 rounds.
+constexpr double starts_worth_a_proof = 150;
 
 job::Job of_starts(job::Job job) {
     job.output.fields.clear();
     return job;
+}
+
+Task<CellResult> find_orbit(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
+                            std::optional<regime::KnownOrbit>* orbit) {
+    std::int64_t spent = 0;
+    *orbit = co_await regime::find_known_orbit(desk, oscillator, found, &spent);
+    co_return CellResult{.cycles = static_cast<std::int32_t>(spent)};
 }
 
 Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
@@ -65,16 +70,13 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
             take_starts(ended);
             if (count() == 0) return {};
             if (seen_ == count()) return finish_starts();
-            std::vector<Begin> searches = places_worth_proving();
+            std::vector<Begin> searches = attractors_worth_knowing();
             if (searches.empty()) break;
-            stage_ = Stage::places;
+            stage_ = Stage::attractors;
             return searches;
         }
-        case Stage::places:
-            for (std::size_t i = 0; i < proving_.size(); ++i) {
-                const FoundAttractor& found = known_[proving_[i]].found;
-                table_.add(oscillator_of(found), found, proved_[i]);
-            }
+        case Stage::attractors:
+            know_more();
             break;
         case Stage::kicks: {
             std::vector<Begin> searches = kicks_->next(ended);
@@ -140,33 +142,55 @@ void CellSearch::take_found(std::span<const FoundAttractor> found) {
                    regime::same_orbit(other.found.result, each.result);
         });
         Known& entry = known != known_.end() ? *known : known_.emplace_back(Known{each});
+        if (!entry.found.by_cubic) entry.found.by_cubic = each.by_cubic;
         ++entry.times;
-        entry.cycles += each.result.cycles;
     }
 }
 
-// Those that are likely to spare the starts to come more cycles than their proof takes.
-std::vector<Begin> CellSearch::places_worth_proving() {
-    std::vector<Begin> searches;
-    proving_.clear();
+// Of the starts to come, as far as those before them tell.
+double CellSearch::expected(const Known& known) const {
+    return static_cast<double>(known.times) / static_cast<double>(seen_ + 1) *
+           static_cast<double>(count() - seen_);
+}
+
+bool CellSearch::is_worth_following(const Known& known) const {
+    return !known.followed && expected(known) >= 1;
+}
+
+bool CellSearch::is_worth_proving(const Known& known) const {
+    return !known.tried && expected(known) >= starts_worth_a_proof;
+}
+
+std::vector<Begin> CellSearch::attractors_worth_knowing() {
+    learned_.clear();
     for (std::size_t i = 0; i < known_.size(); ++i) {
-        Known& known = known_[i];
-        const auto times = static_cast<double>(known.times);
-        const double expected = times / static_cast<double>(seen_ + 1) * static_cast<double>(count() - seen_);
-        const double spared = static_cast<double>(known.cycles) / times - cycles_to_get_there;
-        const double price = cycles_of_proof * static_cast<double>(known.found.result.period);
-        if (known.tried || expected * spared < price) continue;
-        known.tried = true;
-        proving_.push_back(i);
+        if (is_worth_following(known_[i])) {
+            known_[i].followed = true;
+            learned_.push_back({.known = i, .proves = false});
+        }
+        if (is_worth_proving(known_[i])) {
+            known_[i].tried = true;
+            learned_.push_back({.known = i, .proves = true});
+        }
     }
-    proved_.assign(proving_.size(), {});
-    for (std::size_t i = 0; i < proving_.size(); ++i) {
+    std::vector<Begin> searches;
+    for (std::size_t i = 0; i < learned_.size(); ++i) {
         searches.emplace_back([this, i](CycleDesk& desk, std::vector<FoundAttractor>*) {
-            const FoundAttractor& found = known_[proving_[i]].found;
-            return find_places(desk, oscillator_of(found), found, &proved_[i]);
+            Learned& learned = learned_[i];
+            const FoundAttractor& found = known_[learned.known].found;
+            return learned.proves ? find_places(desk, oscillator_of(found), found, &learned.places)
+                                  : find_orbit(desk, oscillator_of(found), found, &learned.orbit);
         });
     }
     return searches;
+}
+
+void CellSearch::know_more() {
+    for (Learned& learned : learned_) {
+        const FoundAttractor& found = known_[learned.known].found;
+        if (learned.orbit) table_.add(oscillator_of(found), found, std::move(*learned.orbit));
+        table_.add(oscillator_of(found), found, learned.places);
+    }
 }
 
 std::vector<Begin> CellSearch::finish_starts() {

@@ -1,8 +1,9 @@
 // One cell of a map: its start, and, where the job has [starts], all of these, in rounds.
 //
-// The searches of a round know the attractors that rounds before it found, and end in their proven
-// neighbourhoods (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't depend on
-// how long others take. [start] itself is solved as in a map without [starts].
+// The searches of a round know the attractors that rounds before it found: they end where they are seen to
+// converge to the orbit of one (regime/known_orbit.hpp), or, where starts are many, in its proven neighbourhood
+// (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't depend on how long others
+// take. [start] itself is solved as in a map without [starts].
 #pragma once
 
 #include <cstdint>
@@ -44,17 +45,21 @@ class CellSearch {
     [[nodiscard]] SolvedCell result() const;
 
   private:
-    enum class Stage { begin, starts, places, kicks };
+    enum class Stage { begin, starts, attractors, kicks };
     // An attractor on one map, and how often it was found.
     struct Known {
         regime::FoundAttractor found;
         std::int64_t times = 0;
-        std::int64_t cycles = 0;
-        bool tried = false;
+        bool followed = false;
+        bool tried = false;  // to prove its neighbourhood
     };
 
     [[nodiscard]] std::vector<Begin> next_round();
-    [[nodiscard]] std::vector<Begin> places_worth_proving();
+    [[nodiscard]] std::vector<Begin> attractors_worth_knowing();
+    [[nodiscard]] double expected(const Known& known) const;
+    [[nodiscard]] bool is_worth_following(const Known& known) const;
+    [[nodiscard]] bool is_worth_proving(const Known& known) const;
+    void know_more();
     [[nodiscard]] std::vector<Begin> finish_starts();
     void take_starts(std::span<const Ended> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
@@ -72,8 +77,14 @@ class CellSearch {
     Tally tally_;
     Prospects prospects_;
     std::vector<Known> known_;
-    std::vector<std::size_t> proving_;                        // of known_
-    std::vector<std::vector<regime::Neighbourhood>> proved_;  // the same, where searches leave them
+    // Of known_, with what searches leave there.
+    struct Learned {
+        std::size_t known;
+        bool proves;  // places; or follows its orbit
+        std::optional<regime::KnownOrbit> orbit = {};
+        std::vector<regime::Neighbourhood> places = {};
+    };
+    std::vector<Learned> learned_;
     regime::AttractorTable table_;
     std::vector<Tally::Entry> kept_;
     std::optional<Kicks> kicks_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "regime/same_orbit.hpp"
 #include "regime/scalar_engine.hpp"
@@ -80,10 +81,20 @@ AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<c
 void AttractorTable::add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
                          std::span<const Neighbourhood> places) {
     if (places.empty()) return;
-    auto map =
-        std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, found.settings); });
-    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(oscillator.cubic, found.settings));
-    for (const Neighbourhood& place : places) map->places_.push_back({place, found.result});
+    OfOneMap& map = map_of(oscillator, found.settings);
+    for (const Neighbourhood& place : places) map.places_.push_back({place, found.result});
+}
+
+void AttractorTable::add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
+                         KnownOrbit orbit) {
+    map_of(oscillator, found.settings).orbits_.push_back({std::move(orbit), found.result, found.by_cubic});
+}
+
+AttractorTable::OfOneMap& AttractorTable::map_of(const scene::Oscillator<double>& oscillator,
+                                                 const EngineSettings& settings) {
+    auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, settings); });
+    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(oscillator.cubic, settings));
+    return *map;
 }
 
 Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
@@ -97,9 +108,37 @@ Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, 
     co_return places;
 }
 
+Task<std::optional<KnownOrbit>> find_known_orbit(CycleDesk& desk, scene::Oscillator<double> oscillator,
+                                                 FoundAttractor found, std::int64_t* spent) {
+    StroboscopicMap map(oscillator, found.settings, desk);
+    const Point point = map.scaled(
+        scene::State<double>(found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity));
+    auto orbit = co_await follow_known_orbit(map, point, found.result.period);
+    *spent = map.cycles_spent();
+    co_return orbit;
+}
+
 bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& oscillator,
                                      const EngineSettings& settings) const {
     return cubic_ == oscillator.cubic && same_map(oscillator, settings_, settings);
+}
+
+std::optional<CubicShift> AttractorTable::OfOneMap::shift_of(const CellResult& taken) const {
+    const auto known = std::ranges::find_if(orbits_, [&](const Orbit& each) {
+        return each.attractor.period == taken.period &&
+               each.attractor.orbit_displacement == taken.orbit_displacement &&
+               each.attractor.orbit_velocity == taken.orbit_velocity;
+    });
+    return known == orbits_.end() ? std::nullopt : known->by_cubic;
+}
+
+std::optional<AttractorTable::OfOneMap::Near> AttractorTable::OfOneMap::orbit_near(const Point& state,
+                                                                                   std::int64_t q) const {
+    for (const Orbit& each : orbits_) {
+        if (q % each.orbit.period() != 0) continue;
+        if (auto orbit = each.orbit.seen_from(state)) return Near{std::move(*orbit), &each.attractor};
+    }
+    return std::nullopt;
 }
 
 const AttractorTable::OfOneMap* AttractorTable::of(const scene::Oscillator<double>& oscillator,

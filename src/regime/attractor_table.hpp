@@ -1,16 +1,19 @@
-// The attractors that are known before a basin is computed: any start that falls into the neighbourhood of one
-// of them takes its values.
+// The attractors that are known before a basin is computed, or before a start of a map's cell: any start that
+// falls into the neighbourhood of one of them, or is seen to converge to its orbit, takes its values.
 //
 // They are what some starts, run in full, ended on. Which of them a table keeps, and how far their
 // neighbourhoods reach, follows from these alone and their order.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "regime/cell_result.hpp"
+#include "regime/cubic_shift.hpp"
 #include "regime/engine.hpp"
+#include "regime/known_orbit.hpp"
 #include "regime/neighbourhood.hpp"
 #include "scene/oscillator.hpp"
 
@@ -21,6 +24,7 @@ struct FoundAttractor {
     double cubic;
     EngineSettings settings;
     CellResult result;
+    std::optional<CubicShift> by_cubic = {};  // of an orbit without the cubic spring, once it was looked at
 };
 
 class AttractorTable {
@@ -35,6 +39,15 @@ class AttractorTable {
             }
             return nullptr;
         }
+        // An orbit with a period that divides q near a state at forcing phase 0, seen from there.
+        struct Near {
+            PeriodicOrbit orbit;
+            const CellResult* attractor;
+        };
+        [[nodiscard]] std::optional<Near> orbit_near(const Point& state, std::int64_t q) const;
+        // What the cubic spring does to the attractor whose values a search took; nothing where that isn't
+        // known.
+        [[nodiscard]] std::optional<CubicShift> shift_of(const CellResult& taken) const;
 
       private:
         friend class AttractorTable;
@@ -46,9 +59,15 @@ class AttractorTable {
             Neighbourhood neighbourhood;
             CellResult attractor;
         };
+        struct Orbit {
+            KnownOrbit orbit;
+            CellResult attractor;
+            std::optional<CubicShift> by_cubic;
+        };
         double cubic_;
         EngineSettings settings_;
         std::vector<Place> places_;
+        std::vector<Orbit> orbits_;
     };
 
     // None is known.
@@ -63,11 +82,16 @@ class AttractorTable {
     void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
              std::span<const Neighbourhood> places);
 
+    // The same with the orbit itself.
+    void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found, KnownOrbit orbit);
+
     // nullptr where none of this map is known.
     [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& oscillator,
                                      const EngineSettings& settings) const;
 
   private:
+    OfOneMap& map_of(const scene::Oscillator<double>& oscillator, const EngineSettings& settings);
+
     std::vector<OfOneMap> maps_;
 };
 
@@ -84,6 +108,11 @@ struct Places {
 // spring.
 [[nodiscard]] Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator,
                                        FoundAttractor found, std::int64_t count);
+
+// The orbit of an attractor that has one; the cycles spent on it go to `spent`.
+[[nodiscard]] Task<std::optional<KnownOrbit>> find_known_orbit(CycleDesk& desk,
+                                                               scene::Oscillator<double> oscillator,
+                                                               FoundAttractor found, std::int64_t* spent);
 
 // For a search: which attractors it knows beforehand, and where it leaves what it finds.
 struct Attractors {

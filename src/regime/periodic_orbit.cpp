@@ -146,4 +146,12 @@ ConvergenceTest::Standing ConvergenceTest::follow(const Passage& cycle) {
     return advance(cycle.end, std::exchange(pattern_, 0));
 }
 
+ConvergenceTest::Standing standing_of(const Recurrence& trajectory, const PeriodicOrbit& orbit, double noise) {
+    const std::int64_t q = orbit.period();
+    ConvergenceTest past(orbit, trajectory.state(2 * q), noise);
+    const auto before = past.advance(trajectory.state(q), trajectory.pattern(q, q));
+    if (before != ConvergenceTest::Standing::open) return before;
+    return past.advance(trajectory.state(), trajectory.pattern(q));
+}
+
 }  // namespace peterka::regime

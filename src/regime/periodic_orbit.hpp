@@ -73,4 +73,8 @@ class ConvergenceTest {
     EventPattern pattern_ = 0;   // of these
 };
 
+// After the last two periods of a trajectory.
+[[nodiscard]] ConvergenceTest::Standing standing_of(const Recurrence& trajectory, const PeriodicOrbit& orbit,
+                                                    double noise);
+
 }  // namespace peterka::regime

@@ -113,11 +113,26 @@ class Solution {
             co_return co_await with_all_terms(reach_of(with), fit_tolerance(with));
         }
         if (without.regime != Regime::periodic) co_return without;
+        const CubicShift shift = co_await shift_of(without);
+        if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
+        co_return co_await with_all_terms(reach_of(without), coarse());
+    }
+
+    // That of a known attractor was looked at when it was found.
+    Task<CubicShift> shift_of(CellResult without) {
+        const auto* known = attractors_.known != nullptr
+                                ? attractors_.known->of(without_cubic(cell_.oscillator), exact())
+                                : nullptr;
+        if (known != nullptr) {
+            if (const auto shift = known->shift_of(without)) co_return *shift;
+        }
         const CubicShift shift = co_await shift_by_cubic(desk_, cell_.oscillator,
                                                          {Engine::split, coarse(), reach_of(without)}, without);
         spent_ += shift.cycles;
-        if (shift.change && *shift.change <= solver_.omit_tolerance) co_return without;
-        co_return co_await with_all_terms(reach_of(without), coarse());
+        // the search without it was the last one
+        if (attractors_.found != nullptr && !attractors_.found->empty())
+            attractors_.found->back().by_cubic = shift;
+        co_return shift;
     }
 
     // Too strong to be left out, or to be looked at by `split`.
@@ -208,8 +223,8 @@ class Solution {
     Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
                            EngineSettings engine,
                            double most_growth = std::numeric_limits<double>::infinity()) {
-        const CellResult result = co_await find_steady_state(desk_, oscillator, start, budget_, engine, {},
-                                                             {attractors_.known, nullptr}, most_growth);
+        const CellResult result = co_await find_steady_state(
+            desk_, oscillator, start, budget_, engine, {}, {attractors_.known, attractors_.found}, most_growth);
         spent_ += result.cycles;
         co_return result;
     }

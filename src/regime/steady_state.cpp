@@ -64,10 +64,11 @@ class Search {
                     if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
                     if (joins_chaos()) co_return unproved(Regime::chaotic, Status::proved);
                     if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
-                        trajectory_.keep_ordered();
-                        const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
-                        if (orbit && converged(*orbit)) {
-                            if (const auto result = co_await periodic(*orbit)) co_return *result;
+                        if (const CellResult* attractor = orbit_reached(q)) co_return on_known(*attractor);
+                        if (!test_) {
+                            trajectory_.keep_ordered();
+                            const auto orbit = co_await find_stable_orbit(map_, recurrence_, q);
+                            if (const auto result = co_await converged(orbit)) co_return *result;
                         }
                     }
                     if (is_chaotic()) {
@@ -85,6 +86,7 @@ class Search {
             const Followed followed = follow_ordered();
             if (followed.outcome != Cycle<double>::Outcome::done) co_return failed(followed.outcome);
             if (followed.converged) {
+                if (converges_to_ != nullptr) co_return on_known(*converges_to_);
                 trajectory_.keep_ordered();
                 if (const auto result = co_await periodic(test_->orbit())) co_return *result;
                 test_.reset();
@@ -136,23 +138,37 @@ class Search {
         co_return false;
     }
 
-    // Tests with the cycles already there first. True: that is proof enough.
-    bool converged(const PeriodicOrbit& orbit) {
-        const std::int64_t q = orbit.period();
-        ConvergenceTest past(orbit, recurrence_.state(2 * q), map_.noise());
-        using enum ConvergenceTest::Standing;
-        if (past.advance(recurrence_.state(q), recurrence_.pattern(q, q)) == open &&
-            past.advance(recurrence_.state(), recurrence_.pattern(q)) == proved) {
-            return true;
-        }
+    // The known attractor to which a trajectory that recurs after q cycles has been seen to converge. Where one
+    // is only near, the test goes on.
+    const CellResult* orbit_reached(std::int64_t q) {
+        if (known_ == nullptr || was_near_in_vain_) return nullptr;
+        const auto near = known_->orbit_near(recurrence_.state(), q);
+        if (!near) return nullptr;
+        if (standing_of(recurrence_, near->orbit, map_.noise()) == ConvergenceTest::Standing::proved)
+            return near->attractor;
+        go_on_testing(near->orbit, near->attractor);
+        return nullptr;
+    }
+    void go_on_testing(const PeriodicOrbit& orbit, const CellResult* known) {
         test_.emplace(orbit, trajectory_.state(), map_.noise());
-        return false;
+        converges_to_ = known;
     }
 
+    // The cycles already there may be proof enough.
+    Task<std::optional<CellResult>> converged(std::optional<PeriodicOrbit> orbit) {
+        if (!orbit) co_return std::nullopt;
+        if (standing_of(recurrence_, *orbit, map_.noise()) == ConvergenceTest::Standing::proved)
+            co_return co_await periodic(std::move(*orbit));
+        go_on_testing(*orbit, nullptr);
+        co_return std::nullopt;
+    }
     // Whether the trajectory is proved to converge to the orbit found.
     bool converges(const Passage& last_cycle) {
         const auto standing = test_->follow(last_cycle);
-        if (standing == ConvergenceTest::Standing::refuted) test_.reset();
+        if (standing == ConvergenceTest::Standing::refuted) {
+            test_.reset();
+            was_near_in_vain_ = was_near_in_vain_ || converges_to_ != nullptr;
+        }
         return standing == ConvergenceTest::Standing::proved;
     }
 
@@ -179,7 +195,7 @@ class Search {
             co_return co_await settled(
                 motion, measured.round.touched() ? Regime::sustained_contact : Regime::no_impact);
         }
-        if (log_.is_wanted()) log_.settle_on(points_of(orbit), reached);
+        if (log_.is_wanted()) log_.settle_on(map_.unscaled(orbit.points), reached);
         CellResult result = counted();
         result.regime = Regime::periodic;
         result.impacts = static_cast<std::int32_t>(totals.impacts);
@@ -190,12 +206,6 @@ class Search {
             result.status = Status::imprecise;
         }
         co_return result;
-    }
-
-    [[nodiscard]] std::vector<scene::State<double>> points_of(const PeriodicOrbit& orbit) const {
-        std::vector<scene::State<double>> points;
-        for (const Point& point : orbit.points) points.push_back(map_.unscaled(point));
-        return points;
     }
 
     Task<CellResult> settled(SettledMotion motion, Regime regime) {
@@ -269,6 +279,8 @@ class Search {
     ChaosClaim chaos_;
     std::int64_t longest_orbit_near_;
     std::optional<ConvergenceTest> test_;
+    const CellResult* converges_to_ = nullptr;  // of the test, where its orbit is a known one
+    bool was_near_in_vain_ = false;
     double most_growth_;
     Measures measures_;
     MotionLog log_;

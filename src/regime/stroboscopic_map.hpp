@@ -59,6 +59,11 @@ class StroboscopicMap {
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] Point scaled(const scene::State<double>& x) const { return x.cwiseProduct(per_scale_); }
     [[nodiscard]] scene::State<double> unscaled(const Point& x) const { return x.cwiseProduct(scale_); }
+    [[nodiscard]] std::vector<scene::State<double>> unscaled(const Points& points) const {
+        std::vector<scene::State<double>> states;
+        for (const Point& point : points) states.push_back(unscaled(point));
+        return states;
+    }
     [[nodiscard]] Eigen::Matrix2d scaled(const Eigen::Matrix2d& jacobian) const {
         return per_scale_.asDiagonal() * jacobian * scale_.asDiagonal();
     }

@@ -51,7 +51,7 @@ std::int64_t cells_in_hand_bytes(const job::Job& job) {
 std::int64_t starts_bytes(const job::Job& job) {
     if (job.starts.count == 0) return 0;
     const std::int64_t open_cells = std::min<std::int64_t>(800, job.cells());
-    const std::int64_t largest_round = std::clamp<std::int64_t>(job.starts.count / 2, 8, 256);  // they double
+    const std::int64_t largest_round = std::clamp<std::int64_t>(job.starts.count / 5, 8, 256);
     constexpr std::int64_t result = 1000;
     const std::int64_t tiles = parallel::tile_extent.rows * parallel::tile_extent.columns * 16;
     const std::int64_t kept =

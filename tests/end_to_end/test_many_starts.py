@@ -174,6 +174,16 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
         assert words in finished.stdout, words
 
 
+def test_a_start_costs_few_cycles(tmp_path):
+    """Starts in full take 90 here, those that know the orbits of their cell, and what its chaos does, 58."""
+    points, count = 24, 64
+    finished = launch.run("run", JOBS / "attractors_170mm.toml", "--quiet", "--output", "map.h5", "--set",
+                          f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}", cwd=tmp_path)
+    assert finished.returncode == 0, finished.stderr
+    with h5py.File(tmp_path / "map.h5") as file:
+        assert file["cycles"][()].sum() < 60 * points**2 * count
+
+
 def test_check_prices_starts(tmp_path):
     jobs.write(tmp_path, many_starts.small_map())
     plain, many = (launch.run("check", "job.toml", "--set", f"starts.count={count}", cwd=tmp_path) for count in (0, 5000))
