@@ -5,6 +5,7 @@
 #include "parallel/session.hpp"
 #include "run/check_job.hpp"
 #include "run/command_line.hpp"
+#include "run/require_memory.hpp"
 #include "run/run_curves.hpp"
 #include "run/run_job.hpp"
 #include "run/run_plan.hpp"
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
         });
         share(session, plan);
         if (!plan) return ExitCode::done;
+        require_memory(session, *plan);
         if (plan->job.kind == job::Kind::study) return run_study(session, *plan);
         if (plan->job.kind == job::Kind::trace) return run_trace(session, *plan);
         if (plan->job.kind == job::Kind::curves) return run_curves(session, *plan);

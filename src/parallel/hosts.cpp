@@ -35,4 +35,14 @@ std::string host_names(const Session& session) {
     return text;
 }
 
+int ranks_of_host(MPI_Comm communicator) {
+    MPI_Comm host = MPI_COMM_NULL;
+    checked("MPI_Comm_split_type",
+            MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &host));
+    int ranks = 1;
+    checked("MPI_Comm_size", MPI_Comm_size(host, &ranks));
+    checked("MPI_Comm_free", MPI_Comm_free(&host));
+    return ranks;
+}
+
 }  // namespace peterka::parallel

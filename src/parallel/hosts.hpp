@@ -11,4 +11,7 @@ namespace peterka::parallel {
 // node2"; on the others "".
 [[nodiscard]] std::string host_names(const Session& session);
 
+// Collective. How many ranks run on this one's machine.
+[[nodiscard]] int ranks_of_host(MPI_Comm communicator);
+
 }  // namespace peterka::parallel

@@ -7,14 +7,14 @@ namespace peterka::regime {
 namespace {
 
 // Scaled to states of order one. The test of convergence decides; this only spares it what lies far off.
-constexpr double near = 1;
+constexpr double far_off = 1;
 
 }  // namespace
 
 std::optional<PeriodicOrbit> KnownOrbit::seen_from(const Point& state) const {
     const std::size_t q = points_.size();
     std::size_t first = q;
-    double least = near;
+    double least = far_off;
     for (std::size_t n = 0; n < q; ++n) {
         const double distance = (points_[n] - state).lpNorm<Eigen::Infinity>();
         if (!(distance < least)) continue;

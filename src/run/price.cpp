@@ -1,14 +1,9 @@
 #include "run/price.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <limits>
 
 #include "attractors/along_branch.hpp"
 #include "job/branches.hpp"
@@ -18,25 +13,12 @@
 #include "refine/regions.hpp"
 #include "regime/branch.hpp"
 #include "regime/engine.hpp"
+#include "run/memory_left.hpp"
 #include "scene/scene.hpp"
-#include "support/errors.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
 namespace {
-
-// Of a process [bytes].
-struct Taken {
-    std::int64_t address_space = 0;
-    std::int64_t resident = 0;
-};
-
-Taken taken() {
-    Taken pages;
-    std::ifstream("/proc/self/statm") >> pages.address_space >> pages.resident;
-    const std::int64_t page = sysconf(_SC_PAGESIZE);
-    return {pages.address_space * page, pages.resident * page};
-}
 
 // What hundreds of cells in hand take, where they are solved side by side [bytes]; as measured.
 std::int64_t cells_in_hand_bytes(const job::Job& job) {
@@ -98,22 +80,19 @@ std::int64_t coarse_map_bytes(const job::Job& job) {
     return job.cells() * of_cell;
 }
 
-// Of /proc/meminfo; nothing said, no limit.
-std::int64_t available_in_machine() {
-    std::ifstream info("/proc/meminfo");
-    for (std::string name; info >> name;) {
-        std::int64_t kilobytes = 0;
-        if (name == "MemAvailable:" && info >> kilobytes) return kilobytes * 1024;
-    }
-    return std::numeric_limits<std::int64_t>::max();
+// Forcing cycles of a cell with [starts], as counted on the window of the paper's rig of 170 mm (24 x 24 cells:
+// 57 a start of 64; 12 x 12 cells: 78 of 16): some dozen starts run in full, later ones end on what these
+// found. Kicks, tried in 24 sizes from each point of an orbit, took 75,000 there, and a third of that where
+// most cells have two attractors. A rigid stop takes half as many cycles or more.
+double cycles_of_starts(const job::Job& job) {
+    const auto count = static_cast<double>(job.starts.count);
+    const double kicks = job.output.has(job::OptionalField::critical_kick) ? 40'000 : 0;
+    return 47 * count + 50 * std::min(count, 12.0) + kicks;
 }
 
-std::int64_t left_below(int limit_of, std::int64_t taken) {
-    rlimit limit{};
-    if (getrlimit(static_cast<__rlimit_resource_t>(limit_of), &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-        return std::numeric_limits<std::int64_t>::max();
-    return std::max<std::int64_t>(static_cast<std::int64_t>(limit.rlim_cur) - taken, 0);
-}
+// With all that goes with it, on one core with AVX-512; with AVX2 it takes about 1.5 times as long. Engines
+// without a batch, and strong cubic springs, take many times as long.
+constexpr double microseconds_of_a_cycle = 0.33;
 
 }  // namespace
 
@@ -122,7 +101,7 @@ std::int64_t left_below(int limit_of, std::int64_t taken) {
 // whose peak is that of the process that started this one, if that is larger.
 std::int64_t memory_per_rank(const job::Job& job) {
     constexpr std::int64_t open_file = 3'000'000;
-    return taken().resident + open_file + cells_in_hand_bytes(job) + map_file::tiling(job).count() / 4 +
+    return resident_bytes() + open_file + cells_in_hand_bytes(job) + map_file::tiling(job).count() / 4 +
            region_bytes(job) + branch_bytes(job) + starts_bytes(job) + coarse_map_bytes(job);
 }
 
@@ -132,47 +111,22 @@ std::int64_t largest_curves_file(const job::Job& job) {
     return all_curves + job.cells() * of_cell;
 }
 
-std::int64_t memory_left() {
-    const Taken so_far = taken();
-    return std::min({available_in_machine(), left_below(RLIMIT_AS, so_far.address_space),
-                     left_below(RLIMIT_DATA, so_far.resident)});
-}
-
-void require_memory(const std::string& where, const job::Job& job) {
-    using enum job::Kind;
-    if (job.kind != map && job.kind != basin && job.kind != sweep && job.kind != curves) return;
-    const std::int64_t needed = memory_per_rank(job) - taken().resident;
-    const std::int64_t left = memory_left();
-    if (needed <= left) return;
-    std::string ways = "fewer points";
-    if (job.starts.count > 0) ways += ", a smaller starts.count or starts.attractors";
-    if (job.kind == job::Kind::sweep) ways += ", a smaller sweep.samples";
-    throw Failure(ExitCode::bad_job,
-                  fmt::format("{}: a rank needs {} of memory, and this machine, or a limit of this process "
-                              "(ulimit -v), leaves {}; nothing was created. Give {}, or compute it where there "
-                              "is more.",
-                              where, readable_bytes(needed), readable_bytes(left), ways));
-}
-
-// Microseconds and core of a start as measured on the paper's rig with AVX2; with AVX-512 about half. Other
-// laws, engines and strong cubic springs take many times as long. A cell whose starts settle at once takes a
-// twentieth of the mean, a chaotic one ten times as long: of few cells the mean tells little.
+// A cell whose starts settle at once takes a twentieth of the mean, a chaotic one ten times as long: of few
+// cells the mean tells little.
 std::string starts_price(const job::Job& job) {
     if (job.starts.count == 0) return "";
-    constexpr double microseconds = 15;
     constexpr double enough = 100;
-    constexpr double of_kicks = 400;  // starts that take as long as all kicks of a cell, as measured
-    const bool kicks = job.output.has(job::OptionalField::critical_kick);
     const bool is_sweep = job.kind == job::Kind::sweep;
     const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
     const double cells = static_cast<double>(job.cells()) / shared;
     const double starts = static_cast<double>(job.starts.count) * cells;
-    const double seconds = (starts + (kicks ? of_kicks * cells : 0)) * microseconds * 1e-6;
+    const double seconds = cells * cycles_of_starts(job) * microseconds_of_a_cycle * 1e-6;
     const std::string words =
         cells < enough
             ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",
                           readable_duration(seconds / 20), readable_duration(seconds * 10))
             : fmt::format("some {} of one core, about", readable_duration(seconds));
+    const bool kicks = job.output.has(job::OptionalField::critical_kick);
     return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
                        is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
 }

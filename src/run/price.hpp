@@ -18,11 +18,4 @@ namespace peterka {
 // What [starts] cost in time, as a line of check; nothing where there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 
-// Memory that this process may still take on this machine, whatever limits it [bytes].
-[[nodiscard]] std::int64_t memory_left();
-
-// Throws Failure(ExitCode::bad_job), naming both numbers, if a rank needs more than is left; other kinds
-// of jobs take little. where: the job.
-void require_memory(const std::string& where, const job::Job& job);
-
 }  // namespace peterka

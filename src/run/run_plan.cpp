@@ -10,7 +10,6 @@
 #include "job/write.hpp"
 #include "map_file/map_size.hpp"
 #include "parallel/broadcast.hpp"
-#include "run/price.hpp"
 #include "run/traced_cell.hpp"
 #include "support/errors.hpp"
 #include "support/tell.hpp"
@@ -52,15 +51,13 @@ RunPlan plan_run(const Request& request) {
     RunPlan plan;
     const TracedCell traced = find_traced_cell(job::read_job_file(request.job_file, request.overrides));
     plan.job = traced.job;
+    plan.job_file = request.job_file.string();
     plan.map_cell = traced.map;
     plan.file = behind_links(map_file_of(request));
     plan.lock.emplace(plan.file);
     plan.file_lock.emplace(plan.file);
     if (!request.fresh) plan.existing = map_file::inspect(plan.file, plan.job);
-    if (plan.existing != map_file::Existing::complete) {
-        require_memory(request.job_file.string(), plan.job);
-        tell_lacking_locks(plan);
-    }
+    if (plan.existing != map_file::Existing::complete) tell_lacking_locks(plan);
     plan.max_wall_seconds = request.max_wall_seconds;
     plan.fresh = request.fresh;
     plan.quiet = request.quiet;

@@ -17,6 +17,7 @@ namespace peterka {
 struct RunPlan {
     job::Job job;
     std::filesystem::path file;
+    std::string job_file;                                      // on rank 0, for messages
     map_file::Existing existing = map_file::Existing::absent;  // what the file holds already
     double max_wall_seconds = 0;
     bool fresh = false;  // this and what follows count on rank 0 alone

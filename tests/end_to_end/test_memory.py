@@ -37,8 +37,8 @@ def test_check_and_run_refuse_what_memory_cannot_hold(tmp_path):
     for command in ("check", "run"):
         finished = run_with(300, command, "job.toml", cwd=tmp_path)
         assert finished.returncode == 2, finished.stderr
-        assert re.search(r"job\.toml: a rank needs [\d.]+ [MG]B of memory, and this machine, or a limit of this process "
-                         r"\(ulimit -v\), leaves [\d.]+ MB; nothing was created\. Give fewer points, a smaller starts\.count "
+        assert re.search(r"job\.toml: a rank needs [\d.]+ [MG]B of memory, and a limit of this process "
+                         r"\(ulimit -v\) leaves [\d.]+ MB; nothing was created\. Give fewer points, a smaller starts\.count "
                          r"or starts\.attractors, a smaller sweep\.samples, or compute it where there is more\.",
                          finished.stderr), finished.stderr
         assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
@@ -53,8 +53,17 @@ def test_the_coarse_map_of_curves_is_priced_and_refused(tmp_path):
     for command in ("check", "run"):
         finished = run_with(600, command, "job.toml", *points, cwd=tmp_path)
         assert finished.returncode == 2, finished.stderr
-        assert re.search(r"job\.toml: a rank needs 1\.\d GB of memory, and this machine", finished.stderr), finished.stderr
+        assert re.search(r"job\.toml: a rank needs 1\.\d GB of memory, and a limit of this process", finished.stderr), finished.stderr
         assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]
+
+
+def test_check_tells_what_is_left(tmp_path):
+    jobs.write(tmp_path, sweep(samples=2))
+    with open("/proc/meminfo", encoding="ascii") as info:
+        available = int(re.search(r"MemAvailable: +(\d+) kB", info.read()).group(1)) * 1024 / MEGABYTE
+    told = launch.run("check", "job.toml", cwd=tmp_path).stdout
+    left, unit = re.search(r"per rank, on any number of ranks; ([\d.]+) (MB|GB) is left here", told).groups()
+    assert 0 < float(left) * (1000 if unit == "GB" else 1) < 1.5 * available  # less where a control group says so
 
 
 def test_what_fits_is_computed(tmp_path):
