@@ -48,7 +48,7 @@ class EdgeTeller {
   private:
     // Of the motions that end or change at a point of the curve.
     [[nodiscard]] std::vector<Label> labels_at(std::size_t i) const {
-        const std::int64_t p = curve_.orbits[i].impacts();
+        const std::int64_t p = curve_.points[i].orbit.impacts();
         const std::int64_t q = curve_.period;
         if (curve_.kind == CurveKind::fold) return {{p, q}};
         if (curve_.kind == CurveKind::period_doubling) return {{p, q}, {2 * p, 2 * q}};
@@ -149,7 +149,7 @@ class EdgeTeller {
     }
 
     [[nodiscard]] LabelEdge how_far_a_motion_lives(std::size_t i) const {
-        const OrbitPoint at{curve_.orbits[i], curve_.points[i].place};
+        const OrbitPoint at{curve_.points[i].orbit, curve_.points[i].place};
         const Place way = aside(i);
         const Beside beside = motions_beside(at, way);
         for (const OrbitPoint& stable : beside.stable) {

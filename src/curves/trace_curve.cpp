@@ -35,7 +35,6 @@ class HalfCurve {
           stepper_(rig, window.size(), conditions_of(seed.kind)) {}
 
     std::vector<CurvePoint> points;
-    std::vector<Orbit> orbits;
     std::vector<Special> specials;
     std::vector<Crossing> crossings;
     CurveEnd end = CurveEnd::lost;
@@ -98,10 +97,7 @@ class HalfCurve {
     [[nodiscard]] const Stepper& stepper() const { return stepper_; }
 
   private:
-    void keep(const OrbitPoint& point) {
-        points.push_back(curve_point(rig_, point, kind_));
-        orbits.push_back(point.orbit);
-    }
+    void keep(const OrbitPoint& point) { points.push_back(curve_point(rig_, point, kind_)); }
 
     std::optional<OrbitPoint> solve_with(const OrbitPoint& guess, const Condition& condition) const {
         return solve(rig_, guess, window_.size(), stepper_.conditions_and(condition));
@@ -260,6 +256,7 @@ CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) 
     const Monodromy product = monodromy(rig, point.orbit, point.place, Side::without_impact);
     CurvePoint result;
     result.place = point.place;
+    result.orbit = point.orbit;
     result.multiplier = product.multiplier();
     result.peak_force = peak_force(rig, point);
     result.residual = residual(point, equations(rig, point, conditions_of(kind)));
@@ -292,9 +289,6 @@ Curve trace_curve(const Rig& rig, const Seed& seed, const Window& window) {
     curve.points.assign(backward.points.rbegin(), backward.points.rend());
     curve.points.push_back(curve_point(rig, seed.point, seed.kind));
     curve.points.insert(curve.points.end(), forward.points.begin(), forward.points.end());
-    curve.orbits.assign(backward.orbits.rbegin(), backward.orbits.rend());
-    curve.orbits.push_back(seed.point.orbit);
-    curve.orbits.insert(curve.orbits.end(), forward.orbits.begin(), forward.orbits.end());
     curve.specials = backward.specials;
     curve.crossings = backward.crossings;
     curve.crossings.insert(curve.crossings.end(), forward.crossings.begin(), forward.crossings.end());

@@ -36,6 +36,7 @@ struct CurvePoint {
     double peak_force = 0;  // F/(k A0)
     double residual = 0;
     LabelEdge edge = LabelEdge::unknown;
+    Orbit orbit;  // not for the way between ranks
     // to tell curves apart
     double trace = 0;        // of the orbit's monodromy matrix
     double total_speed = 0;  // of all impacts
@@ -61,7 +62,6 @@ struct Curve {
     std::int64_t impacts = 0;  // of the orbit that is stable next to the curve
     std::int64_t period = 1;
     std::vector<CurvePoint> points;
-    std::vector<Orbit> orbits;  // of the points; not for the way between ranks
     std::vector<Special> specials;
     std::vector<Crossing> crossings;
     LabelEdge edge = LabelEdge::unknown;  // of all points; an edge is one across which a motion was followed

@@ -161,7 +161,7 @@ OrbitPoint orbit_at_special(const Curve& curve, SpecialKind kind) {
     const auto point = std::ranges::find_if(curve.points, [&](const CurvePoint& each) {
         return each.place.column == special->place.column && each.place.row == special->place.row;
     });
-    return {curve.orbits[static_cast<std::size_t>(point - curve.points.begin())], special->place};
+    return {point->orbit, special->place};
 }
 
 // A cell of a map of 128 by 128 cells.
@@ -177,9 +177,23 @@ TEST(CurvesSpecialPoints, WhereTwoGrazingsMeetTheOrbitTouchesTwiceWithoutSpeed) 
     EXPECT_EQ(motion.touches_without_speed(), 2);
     EXPECT_EQ(motion.impacts_faster_than(1e-3), orbit.orbit.impacts());
     for (const std::size_t other : {curve.points.size() / 3, curve.points.size() / 2}) {
-        const PlainMotion along(beam_of_170mm(), {curve.orbits[other], curve.points[other].place});
+        const PlainMotion along(beam_of_170mm(), {curve.points[other].orbit, curve.points[other].place});
         EXPECT_LT(along.off(), 1e-7);
         EXPECT_EQ(along.touches_without_speed(), 1);
+    }
+}
+
+// One multiplier of 1 and one of -1, or two on the unit circle, would need |det M| = 1.
+TEST(CurvesSpecialPoints, NoOrbitHasTwoMultipliersOnTheUnitCircle) {
+    const Curve curve = grazing_curve(cell(78, 2), cell(79, 2), 2);
+    const Rig rig(beam_of_170mm());
+    ASSERT_GT(curve.points.size(), 20U);
+    for (const CurvePoint& point : curve.points) {
+        for (const Side side : {Side::without_impact, Side::with_impact}) {
+            const Monodromy product = monodromy(rig, point.orbit, point.place, side);
+            EXPECT_LT(std::abs(product.determinant), 0.5);
+            EXPECT_NEAR(product.matrix.determinant(), product.determinant, 1e-9 * product.matrix.squaredNorm());
+        }
     }
 }
 
@@ -191,7 +205,7 @@ TEST(CurvesSpecialPoints, AGrazingWithoutAccelerationIsAnInflectionOfTheFlight) 
     EXPECT_EQ(motion.inflections_within(1e-5), 1);
     EXPECT_EQ(motion.impacts_faster_than(1e-3), orbit.orbit.impacts());
     const std::size_t middle = curve.points.size() / 2;
-    const PlainMotion along(beam_of_170mm(), {curve.orbits[middle], curve.points[middle].place});
+    const PlainMotion along(beam_of_170mm(), {curve.points[middle].orbit, curve.points[middle].place});
     EXPECT_EQ(along.inflections_within(1e-5), 0);
     EXPECT_EQ(along.touches_without_speed(), 1);
 }
