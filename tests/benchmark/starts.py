@@ -120,7 +120,7 @@ def rms(values):
 
 def picture(rows):
     """Errors against time, and what is missed."""
-    figure = new_figure(8.4, 2.7)
+    figure = new_figure(9.2, 2.9)
     seconds = [row.seconds for row in rows]
     left, right, last = figure.subplots(1, 3)
     left.loglog(seconds, [row.error for row in rows], "o-", color="black", label="starts of the program")
@@ -128,7 +128,8 @@ def picture(rows):
     right.semilogx(seconds, [100 * (1 - row.found) for row in rows], "o-", color="black")
     right.semilogx(seconds, [100 * (1 - row.expected) for row in rows], "--", color="#D55E00")
     for row in rows:
-        left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(3, 4), fontsize=7)
+        left.annotate(str(row.count), (row.seconds, row.error), textcoords="offset points", xytext=(-4, -3), ha="right",
+                      va="top", fontsize=7)
     left.set_ylabel("error of a basin share (rms)")
     right.set_ylabel("attractors missed (%)")
     last.semilogx(seconds, [row.attractors for row in rows], "o-", color="black")
