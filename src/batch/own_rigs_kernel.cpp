@@ -1,4 +1,5 @@
 // The kernel for lanes with rigs of their own: see kernel-inl.hpp.
+#define PETERKA_WITHOUT_SSE4
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,4 +1,5 @@
 // The kernel for lanes with rigs of their own and cubic springs, apart so that both are built at the same time.
+#define PETERKA_WITHOUT_SSE4
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE

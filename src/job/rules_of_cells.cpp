@@ -29,7 +29,7 @@ std::string lowest_gap_in_words(const Job& job) {
 }  // namespace
 
 std::string rule_of_rigid_stop(const Job& job) {
-    if (!std::holds_alternative<Restitution>(job.contact) || !has_rig(job) || !has_cells(job)) return "";
+    if (!is_rigid(job.contact) || !has_rig(job) || !has_cells(job)) return "";
     const auto numbers = numbers_at_corners(job);
     const auto depth = [](const CellNumbers& cell) { return cell.start.displacement_ratio - cell.gap_ratio(); };
     const CellNumbers& deepest = *std::ranges::max_element(numbers, {}, depth);

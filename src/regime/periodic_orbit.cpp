@@ -115,6 +115,14 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
     co_return found;
 }
 
+Task<bool> is_stable_orbit_near(StroboscopicMap& map, const Recurrence& trajectory, std::int64_t longest) {
+    for (std::int64_t q = 1; q <= longest; ++q) {
+        const auto orbit = co_await find_orbit(map, trajectory.closed(q, trajectory.closest_return(q)));
+        if (orbit && is_stable(*orbit)) co_return true;
+    }
+    co_return false;
+}
+
 ConvergenceTest::ConvergenceTest(const PeriodicOrbit& orbit, const Point& state, double noise)
     : orbit_(orbit),
       norm_(orbit.jacobian, orbit.multiplier),

@@ -45,6 +45,9 @@ std::size_t put_lowest_point_first(PeriodicOrbit& orbit);
 // state and on which the contacts are those of the trajectory's last cycles.
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                      std::int64_t q);
+// Whether Newton's method reaches a stable orbit of at most the longest period from where the trajectory nearly
+// closed.
+Task<bool> is_stable_orbit_near(StroboscopicMap& map, const Recurrence& trajectory, std::int64_t longest);
 
 // Decides whether a trajectory converges to an orbit. Over one period, the distance e0 to the orbit becomes e1;
 // where e1 - J e0 is small against what J contracts, in a norm in which it does contract, the distance shrinks

@@ -74,7 +74,8 @@ class Search {
                     if (is_chaotic()) {
                         if (!chaos_.asks_for_orbits(growth_))
                             co_return unproved(Regime::chaotic, Status::proved);
-                        if (co_await is_stable_orbit_near()) chaos_.wait_beside_an_orbit();
+                        if (co_await is_stable_orbit_near(map_, recurrence_, longest_orbit_near_))
+                            chaos_.wait_beside_an_orbit();
                     }
                 }
             }
@@ -128,14 +129,6 @@ class Search {
     [[nodiscard]] Status why_unresolved() const {
         if (conservative_) return Status::conservative;
         return ChaosClaim::looks_chaotic(growth_) ? Status::chaotic_so_far : Status::budget;
-    }
-    // Sought from where the trajectory nearly closed.
-    Task<bool> is_stable_orbit_near() {
-        for (std::int64_t q = 1; q <= longest_orbit_near_; ++q) {
-            const auto orbit = co_await find_orbit(map_, recurrence_.closed(q, recurrence_.closest_return(q)));
-            if (orbit && is_stable(*orbit)) co_return true;
-        }
-        co_return false;
     }
 
     // The known attractor to which a trajectory that recurs after q cycles has been seen to converge. Where one
