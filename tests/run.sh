@@ -23,4 +23,5 @@ else
     jobs/prepare.sh $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
 fi
 . jobs/mpi_environment.sh
-ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "${chosen[@]}"
+# One more than there are cores: some tests wait for what they have started.
+ctest --test-dir build --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" "${chosen[@]}"

@@ -1,10 +1,10 @@
 #include "curves/coarse_map.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "attractors/cell_crowd.hpp"
 #include "job/axis.hpp"
+#include "regime/same_orbit.hpp"
 
 namespace peterka::curves {
 
@@ -17,12 +17,11 @@ Site site_of(const regime::CellResult& cell, double gap) {
 
 // Each motion once: the first start that ends on it stands for it.
 void add_others(const std::vector<regime::CellResult>& ends, double gap, std::vector<Site>& sites) {
-    constexpr double same_force = 1e-6;
     for (const regime::CellResult& end : ends) {
         const Site site = site_of(end, gap);
         const bool is_known = std::ranges::any_of(sites, [&](const Site& known) {
-            return same_label(known, site) &&
-                   !(std::abs(known.peak_force - site.peak_force) > same_force * known.peak_force);
+            return same_label(known, site) && regime::coincide(known.orbit[0], site.orbit[0]) &&
+                   regime::coincide(known.orbit[1], site.orbit[1]);
         });
         if (site.regime == regime::Regime::periodic && !is_known) sites.push_back(site);
     }

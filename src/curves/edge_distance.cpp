@@ -7,6 +7,7 @@
 #include "curves/orbit_check.hpp"
 #include "curves/reshape.hpp"
 #include "curves/stroboscopic.hpp"
+#include "regime/same_orbit.hpp"
 
 namespace peterka::curves {
 
@@ -128,11 +129,10 @@ class Line {
     }
 
     [[nodiscard]] bool is_motion_of(const OrbitPoint& point, const Site& site) const {
-        constexpr double near = 1e-6;  // both are solved to 1e-11
         if (!site.is_periodic(most_period_) || site.period != point.orbit.period) return false;
         const double size = 1 + point.orbit.largest_speed();
         return std::ranges::any_of(stroboscopic_states(rig_, point), [&](const Stroboscopic& at) {
-            return (at.state - site.orbit).lpNorm<Eigen::Infinity>() < near * size;
+            return (at.state - site.orbit).lpNorm<Eigen::Infinity>() < regime::same_point * size;
         });
     }
 

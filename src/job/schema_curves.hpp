@@ -50,7 +50,7 @@ void describe_curves(Walker& file, Job& job) {
     file.rule({"curves", "axes"}, [&] { return rule_of_window(job); });
     file.rule({"axes"}, [&] { return rule_of_coarse_map(job); });
     describe_solver(file, job);
-    file.rule({"axes", "contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
+    file.rule({"contact", "hammer", "solver"}, [&] { return rule_of_curves(job); });
     describe_plain_output(file, job.output, "are for maps; curves have fields of their own; remove this key");
     describe_starts(file, job);
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");

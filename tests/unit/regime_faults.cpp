@@ -42,13 +42,19 @@ struct Case {
     trajectory::Detail detail = trajectory::Detail::force;
 };
 
-CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
+struct Solved {
+    CellResult result;
+    std::int64_t computed = 0;  // cycles, those ordered ahead and not needed in the end among them
+};
+
+Solved solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
     CycleDesk desk;
     CycleMap map = make_cycle_map(cell.oscillator, cell.settings);
     const auto search = find_steady_state(desk, cell.oscillator, testing::start_at(cell.oscillator), {},
                                           cell.settings, {cell.detail}, {});
     search.start();
-    for (std::int64_t n = 0; !search.done();) {
+    std::int64_t n = 0;
+    while (!search.done()) {
         const CycleOrder& order = desk.order();
         scene::State<double> from = order.from;
         std::vector<Cycle<double>> cycles;
@@ -61,7 +67,7 @@ CellResult solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = O
         }
         desk.serve(cycles);
     }
-    return search.result();
+    return {search.result(), n};
 }
 
 std::vector<Case> cases() {
@@ -85,18 +91,18 @@ class FaultyEngine : public ::testing::TestWithParam<Case> {};
 
 TEST_P(FaultyEngine, IsSeen) {
     const Case& cell = GetParam();
-    const CellResult sound = solve(cell);
+    const auto [sound, computed] = solve(cell);
     ASSERT_EQ(sound.status, Status::proved);
-    const std::int64_t last = sound.cycles - 1;
+    const std::int64_t last = computed - 1;
     for (std::int64_t broken = 0; broken <= last; ++broken) {
         const Fault& fault = faults[broken == last ? 0 : broken % std::ssize(faults)];
-        const CellResult cell_result = solve(cell, broken, fault.outcome);
-        SCOPED_TRACE("cycle " + std::to_string(broken) + " of " + std::to_string(sound.cycles));
+        const CellResult cell_result = solve(cell, broken, fault.outcome).result;
+        SCOPED_TRACE("cycle " + std::to_string(broken) + " of " + std::to_string(computed));
         if (cell_result.regime == Regime::failed) {
             EXPECT_EQ(cell_result.status, fault.status);
             EXPECT_TRUE(std::isnan(cell_result.peak_force));
             EXPECT_TRUE(std::isnan(cell_result.impact_rate));
-        } else {  // the cycle belonged to an attempt at an orbit; another one succeeded
+        } else {  // the cycle was not needed, or belonged to an attempt at an orbit, and another one succeeded
             EXPECT_LT(broken, last);
             EXPECT_EQ(cell_result.regime, sound.regime);
             EXPECT_EQ(cell_result.impacts, sound.impacts);

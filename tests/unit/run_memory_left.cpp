@@ -3,6 +3,7 @@
 #include "run/memory_left.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,8 @@ class ControlGroups : public ::testing::Test {
     }
     [[nodiscard]] std::int64_t left() const { return left_in_control_groups(folder_ / "proc"); }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "peterka_control_groups";
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / ("peterka_control_groups_" + std::to_string(getpid()));
 };
 
 TEST_F(ControlGroups, TheTightestOfAGroupAndThoseAboveItCounts) {

@@ -11,8 +11,9 @@ counts as one impact. Dots, since lines across a class look like stripes of anot
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
-from ..arrays import Reals
+from ..arrays import Integers, Reals
 from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.picture import picture
@@ -65,10 +66,11 @@ def _names_to_write(counts):
     return named
 
 
-def legend_entries(counts, observed_chaos):
-    """Legend entries of the classes that occur: those of an orbit p/q, and the others; chaos speaks of the cycles for
-    which it was observed, (fewest, most) or None."""
-    orbits, regimes = [], []
+def legend_entries(counts: Integers, observed_chaos: tuple[int, int] | None) -> tuple[list[Patch], list[Patch]]:
+    """Returns legend entries of the classes that occur: those of an orbit p/q, and the others. `counts` are the cells of each
+    class; chaos speaks of the cycles for which it was observed, (fewest, most) or None."""
+    orbits: list[Patch] = []
+    regimes: list[Patch] = []
     for n in np.flatnonzero(counts):
         entry, share = CLASSES[n], axes.percent(counts[n] / counts.sum())
         label = entry.label

@@ -88,7 +88,7 @@ def _handles(file):
         handles.append(Line2D([], [], label=direction_words(file, name), color=look.colour, linestyle=look.linestyle,
                               linewidth=look.linewidth))
         if any(_scattered(branch).any() for branch in file.branches if branch.direction == name):
-            handles.append(Line2D([], [], label=f"no period, {look.label}", color=look.colour, marker=look.marker,
+            handles.append(Line2D([], [], label=f"no period, {direction_words(file, name)}", color=look.colour, marker=look.marker,
                                   markersize=2.5, linestyle="none"))
     strongest = [(branch, branch.strongest_single()) for branch in file.branches]
     found = {branch.is_resonance(at) for branch, at in strongest if at is not None}
