@@ -174,9 +174,8 @@ std::vector<Begin> CellSearch::attractors_worth_knowing() {
         }
     }
     std::vector<Begin> searches;
-    for (std::size_t i = 0; i < learned_.size(); ++i) {
-        searches.emplace_back([this, i](CycleDesk& desk, std::vector<FoundAttractor>*) {
-            Learned& learned = learned_[i];
+    for (Learned& learned : learned_) {
+        searches.emplace_back([this, &learned](CycleDesk& desk, std::vector<FoundAttractor>*) {
             const FoundAttractor& found = known_[learned.known].found;
             return learned.proves ? find_places(desk, oscillator_of(found), found, &learned.places)
                                   : find_orbit(desk, oscillator_of(found), found, &learned.orbit);

@@ -107,7 +107,7 @@ Condition Condition::without_acceleration(std::size_t event) {
 Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<Condition>& conditions) {
     Equations result = equations_of(rig.at(point.place), point, conditions);
     const Unknowns unknowns(point.orbit);
-    for (const std::size_t axis : {0, 1}) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
         if (!rig.changes_along(axis)) continue;
         const double step = rig.step_of_difference(axis, point.place);
         const auto values_at = [&](double by) -> Eigen::VectorXd {
