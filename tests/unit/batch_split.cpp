@@ -10,7 +10,7 @@ namespace {
 using batch::BatchedCycleMap;
 using batch::Springs;
 
-constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // the spring's k (x + x^3) in metres, over k A0
+using testing::paper_cubic;
 
 Comparison compare_split(const scene::Oscillator<double>& rig, const std::vector<BatchCell>& cells, int kicks,
                          int cycles) {

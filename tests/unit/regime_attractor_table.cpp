@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <tuple>
 #include <vector>
 
+#include "known_attractors.hpp"
 #include "regime/scalar_engine.hpp"
 #include "rig.hpp"
 
@@ -13,31 +13,14 @@ namespace peterka::regime {
 namespace {
 
 using testing::beam_150mm;
+using testing::found_from;
 using testing::paper_rig;
+using testing::solve_knowing;
 
 constexpr double many = 1e4;  // starts for each that was run in full
 
 scene::Oscillator<double> coexisting() {
     return paper_rig(beam_150mm, 1.8, 1.6);
-}
-
-std::vector<FoundAttractor> found_from(const scene::Oscillator<double>& oscillator, double displacement,
-                                       double velocity, const EngineSettings& settings = {}) {
-    std::vector<FoundAttractor> found;
-    CycleDesk desk;
-    std::ignore =
-        complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity), {},
-                                   settings, Measures{}, {nullptr, &found}),
-                 desk);
-    return found;
-}
-
-CellResult solve_knowing(const AttractorTable& known, const scene::Oscillator<double>& oscillator,
-                         double displacement, double velocity) {
-    CycleDesk desk;
-    return complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity),
-                                      {}, {}, Measures{}, {&known, nullptr}),
-                    desk);
 }
 
 TEST(AttractorTable, AStartThatFallsIntoANeighbourhoodTakesTheAttractorsValues) {

@@ -12,10 +12,9 @@ namespace peterka::regime {
 namespace {
 
 using testing::beam_170mm;
+using testing::paper_cubic;
 using testing::paper_rig;
 using testing::start_at;
-
-constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // k3 A0^2/k of k (x + x^3), x in metres
 
 struct Place {
     double frequency_ratio;

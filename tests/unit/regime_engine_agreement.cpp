@@ -27,7 +27,7 @@ using testing::ReferenceCell;
 
 using Map = std::function<Cycle<double>(const State<double>&, Recorder<double>*)>;
 
-struct Engine {
+struct CycleEngine {
     std::string name;
     double error;  // relative, at most
     std::function<Map(const Oscillator<double>&)> map_of;
@@ -36,7 +36,7 @@ struct Engine {
 constexpr double tolerance = 1e-6;
 constexpr double rounding = 1e-10;
 
-Engine integrated(const std::string& name, Integrator integrator) {
+CycleEngine integrated(const std::string& name, Integrator integrator) {
     return {name, tolerance, [integrator](const Oscillator<double>& oscillator) -> Map {
                 // std::function wants to copy
                 auto map = std::make_shared<IntegratedCycleMap>(oscillator, integrator, tolerance);
@@ -45,7 +45,7 @@ Engine integrated(const std::string& name, Integrator integrator) {
             }};
 }
 
-std::vector<Engine> engines() {
+std::vector<CycleEngine> engines() {
     return {{"exact", rounding,
              [](const Oscillator<double>& oscillator) -> Map { return ExactCycleMap<double>(oscillator); }},
             {"split", rounding,
@@ -116,7 +116,7 @@ TEST(EngineAgreement, HoldsOnEveryReferenceCell) {
         if (cell.impacts == 0) continue;
         SCOPED_TRACE(cell.name);
         std::vector<std::vector<Quantity>> found;
-        for (const Engine& engine : all) {
+        for (const CycleEngine& engine : all) {
             const Orbit orbit = orbit_of(engine.map_of(cell.oscillator), cell);
             ASSERT_TRUE(orbit.found) << engine.name;
             EXPECT_EQ(orbit.totals.impacts, cell.impacts) << engine.name;

@@ -14,10 +14,9 @@ namespace peterka::regime {
 namespace {
 
 using testing::beam_170mm;
+using testing::paper_cubic;
 using testing::paper_rig;
 using testing::start_at;
-
-constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // k3 A0^2/k with k3 = k * 1 m^-2
 
 struct EngineCase {
     Engine engine;

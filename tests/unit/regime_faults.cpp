@@ -112,11 +112,11 @@ TEST_P(FaultyEngine, IsSeen) {
     }
 }
 
-std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+std::string name_of_case(const ::testing::TestParamInfo<Case>& info) {
     return info.param.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Search, FaultyEngine, ::testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Search, FaultyEngine, ::testing::ValuesIn(cases()), name_of_case);
 
 }  // namespace
 }  // namespace peterka::regime

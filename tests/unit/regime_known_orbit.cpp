@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "known_attractors.hpp"
 #include "regime/attractor_table.hpp"
 #include "regime/same_orbit.hpp"
 #include "regime/scalar_engine.hpp"
@@ -18,18 +18,9 @@ namespace {
 
 using testing::beam_150mm;
 using testing::beam_170mm;
+using testing::found_from;
 using testing::paper_rig;
-
-std::vector<FoundAttractor> found_from(const scene::Oscillator<double>& oscillator, double displacement,
-                                       double velocity) {
-    std::vector<FoundAttractor> found;
-    CycleDesk desk;
-    std::ignore =
-        complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity), {},
-                                   {}, Measures{}, {nullptr, &found}),
-                 desk);
-    return found;
-}
+using testing::solve_knowing;
 
 std::optional<KnownOrbit> orbit_of(const scene::Oscillator<double>& oscillator, const FoundAttractor& found) {
     CycleDesk desk;
@@ -45,14 +36,6 @@ AttractorTable knowing(const scene::Oscillator<double>& oscillator, const FoundA
     EXPECT_TRUE(orbit.has_value());
     if (orbit) table.add(oscillator, found, std::move(*orbit));
     return table;
-}
-
-CellResult solve_knowing(const AttractorTable& known, const scene::Oscillator<double>& oscillator,
-                         double displacement, double velocity) {
-    CycleDesk desk;
-    return complete(find_steady_state(desk, oscillator, testing::start_at(oscillator, displacement, velocity),
-                                      {}, {}, Measures{}, {&known, nullptr}),
-                    desk);
 }
 
 // Beside no impact, and beside an orbit of another period.

@@ -16,6 +16,7 @@ struct BeamSpring {
 };
 inline constexpr BeamSpring beam_170mm{4.50, 0.06};
 inline constexpr BeamSpring beam_150mm{5.25, 0.08};
+inline constexpr double paper_cubic = 0.89e-3 * 0.89e-3;  // A0^2 k3/k for k3 = k * 1 m^-2
 
 inline scene::Oscillator<double> paper_rig(BeamSpring beam, double frequency_ratio, double gap_ratio) {
     const double mass = 0.298;

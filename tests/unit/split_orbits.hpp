@@ -10,8 +10,6 @@
 
 namespace peterka::testing {
 
-inline constexpr double paper_cubic = 7.921e-7;  // A0^2 k3/k for k3 = k * 1 m^-2
-
 struct Place {
     double frequency;
     double gap;

@@ -17,12 +17,12 @@ namespace {
 using testing::beam_170mm;
 using testing::paper_rig;
 
-struct Collision {
+struct RecordedCollision {
     double damping_ratio;  // of the contact
     double restitution;
 };
 
-class RecordedImpact : public ::testing::TestWithParam<Collision> {};
+class RecordedImpact : public ::testing::TestWithParam<RecordedCollision> {};
 
 // So stiff a stop that the beam spring and the cart do nothing during the collision.
 TEST_P(RecordedImpact, IsThatOfAFreeMass) {
@@ -50,9 +50,9 @@ TEST_P(RecordedImpact, IsThatOfAFreeMass) {
 }
 
 INSTANTIATE_TEST_SUITE_P(DampingRatios, RecordedImpact,
-                         ::testing::Values(Collision{0, 1}, Collision{0.1, 0.74407939772178},
-                                           Collision{0.2, 0.57174002758478}, Collision{0.5, 0.29843605919227},
-                                           Collision{1, std::exp(-2.0)}, Collision{2, 0.04776873250562}));
+                         ::testing::Values(RecordedCollision{0, 1}, RecordedCollision{0.1, 0.74407939772178},
+                                           RecordedCollision{0.2, 0.57174002758478}, RecordedCollision{0.5, 0.29843605919227},
+                                           RecordedCollision{1, std::exp(-2.0)}, RecordedCollision{2, 0.04776873250562}));
 
 // Over any number of cycles: the change of energy is what the drive brings in, less what damper and stop take.
 // The impulses of the impacts make up the change of momentum that spring, damper and drive leave over.

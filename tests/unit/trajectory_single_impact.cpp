@@ -11,12 +11,12 @@ namespace {
 
 using testing::observed;
 
-struct Collision {
+struct SpringDashpotCollision {
     double damping_ratio;  // of the contact
     double restitution;
 };
 
-class SingleImpact : public ::testing::TestWithParam<Collision> {
+class SingleImpact : public ::testing::TestWithParam<SpringDashpotCollision> {
   protected:
     // So stiff a stop that the beam spring and the cart do nothing during the collision.
     static constexpr double stiffness = 1e26;
@@ -57,9 +57,9 @@ TEST_P(SingleImpact, PeaksAsTheFormulaSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(DampingRatios, SingleImpact,
-                         ::testing::Values(Collision{0, 1}, Collision{0.1, 0.74407939772178},
-                                           Collision{0.2, 0.57174002758478}, Collision{0.5, 0.29843605919227},
-                                           Collision{1, std::exp(-2.0)}, Collision{2, 0.04776873250562}));
+                         ::testing::Values(SpringDashpotCollision{0, 1}, SpringDashpotCollision{0.1, 0.74407939772178},
+                                           SpringDashpotCollision{0.2, 0.57174002758478}, SpringDashpotCollision{0.5, 0.29843605919227},
+                                           SpringDashpotCollision{1, std::exp(-2.0)}, SpringDashpotCollision{2, 0.04776873250562}));
 
 }  // namespace
 }  // namespace peterka::trajectory
