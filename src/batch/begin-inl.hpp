@@ -72,7 +72,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
         }
         if constexpr (keeps_legs) store(zero, lanes_[Field::leg_start] + i);
         if constexpr (jacobian) store_jacobian({all(1), zero, zero, all(1)}, lanes_, i);
-        const Moment start{delta, velocity, zero, all(1)};
+        const Moments start{delta, velocity, zero, all(1)};
         push(index, zero, zero, start, in_use & contact, cubic ? queues_.held_contacts : queues_.contacts);
         push(index, zero, zero, start, in_use & unloaded, cubic ? queues_.held_releases : queues_.releases);
         // idle lanes, and numbers that are none

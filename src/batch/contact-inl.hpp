@@ -32,7 +32,7 @@ class ContactOf {
   public:
     using Point = ContactPoint;
 
-    HWY_INLINE ContactOf(const Lanes& lanes, const Cells& cells, const Moment& start)
+    HWY_INLINE ContactOf(const Lanes& lanes, const Cells& cells, const Moments& start)
         : cells_(cells),
           start_(start),
           re_(gather(lanes[Field::contact_re], cells.index)),
@@ -68,7 +68,7 @@ class ContactOf {
                 neg_mul_add(cells_.drive, forced_slope, own_jerk),
                 mul_sub(b, own_jerk, square * own_curvature)};  // of the forcing, nothing that matters
     }
-    [[nodiscard]] HWY_INLINE Moment moment(const Point& p) const {
+    [[nodiscard]] HWY_INLINE Moments moment(const Point& p) const {
         const V steady = mul_add(re_, p.sine, im_ * p.cosine);
         const V steady_velocity = cells_.eta * mul_sub(re_, p.cosine, im_ * p.sine);
         return {p.x + steady + static_position_, p.v + steady_velocity, p.sine, p.cosine};
@@ -136,7 +136,7 @@ class ContactOf {
     }
 
     const Cells& cells_;
-    const Moment& start_;
+    const Moments& start_;
     V re_, im_;  // steady response
     V static_position_;
     V x_, v_;                // homogeneous part at the start

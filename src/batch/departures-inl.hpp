@@ -22,7 +22,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release_all() {
 
 // The stop doesn't press, and the hammer is on its way out: it leaves, and flies on to a grid point.
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells, V time, const Moment& m,
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells, V time, const Moments& m,
                                                              Mask which, Gathered& track) {
     const V zero = all(0);
     const Flight flight(cells, m);
@@ -55,7 +55,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
     const V grid_point =
         cubic ? all(until_) : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
     const V length = mul_sub(grid_point, cells.step, time);
-    const Moment end = end_of(flight, length);
+    const Moments end = end_of(flight, length);
     const Mask goes_on = length <= leaving;  // the cycle, or with kicks the step, ends before it is out
     const V margin = hull_margin(fourth, length);
     const Hull hull(m.delta, m.velocity, end.delta, end.velocity, length, margin);
@@ -96,7 +96,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
     const Found force = seek_force(cells, w.moment, length, fourth, every());
     const Mask resumes = force.found & (force.moment.delta > zero);
     const Mask has_left = force.found & (force.moment.delta < zero);
-    const Moment end = end_of(flight, length);
+    const Moments end = end_of(flight, length);
     const Mask quiet = ~(force.found | force.unsure);
     const Mask flies = quiet & (end.delta < zero);
     const Mask held = quiet & (end.delta >= zero) & (grid_point >= all(until_));

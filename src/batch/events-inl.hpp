@@ -17,9 +17,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike_all(int n) {
         const Index lanes = take(queues_.crossings);
         const Cells cells = cells_of(lanes);
         const V time = all(n) * cells.step;
-        const Moment start{gather(lanes_.delta(1 - next_), lanes), gather(lanes_.velocity(1 - next_), lanes),
-                           all(grid_.sine[static_cast<std::size_t>(n)]),
-                           all(grid_.cosine[static_cast<std::size_t>(n)])};
+        const Moments start{gather(lanes_.delta(1 - next_), lanes), gather(lanes_.velocity(1 - next_), lanes),
+                            all(grid_.sine[static_cast<std::size_t>(n)]),
+                            all(grid_.cosine[static_cast<std::size_t>(n)])};
         const Found found = strike(cells, start, gather(lanes_.delta(next_), lanes),
                                    gather(lanes_.velocity(next_), lanes), gather(lanes_[Field::margin], lanes));
         const Mask which = found.found;
@@ -68,7 +68,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
     const Mask touches = found.found;
     const Mask stays_below = ~(found.unsure | touches);
     if (any(stays_below)) {
-        const Moment end = end_of(flight, length);
+        const Moments end = end_of(flight, length);
         const Mask below = end.delta < all(0);
         arrive(cells, end.delta, end.velocity, w.end, fourth, stays_below & below);
         leave_to_twin(cells, ~below & stays_below);
@@ -96,7 +96,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, 
 
 // The hammer meets the stop.
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V time, const Moment& m,
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V time, const Moments& m,
                                                            Mask which, Gathered& track) {
     const V drive = cells.drive;
     // a touch so slow that rounding decides about it
@@ -126,7 +126,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V
 // Those of the touches that are over soon, or but for the next kick would be, and what follows. Long in one
 // piece: each part of it would be handed the contact, its release and what the others narrowed the lanes to.
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moment& m,
+HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
                                                                    Mask which, Gathered& track) {
     const V drive = cells.drive;
     const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
@@ -179,7 +179,7 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& 
         if constexpr (jacobian) track.carry(contact.flow_for(duration), is_short);
         Mask leaves = is_short;
         if constexpr (cubic) {
-            const Moment last = contact.moment(point);
+            const Moments last = contact.moment(point);
             hold(cells, last.delta, last.velocity, is_short & goes_on, queues_.held_contacts);
             leaves = leaves & ~goes_on;
         }
@@ -217,7 +217,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
 
     const Mask stays = ~end.found & sure;
     if (any(stays)) {
-        const Moment last = contact.moment(contact.at(length));
+        const Moments last = contact.moment(contact.at(length));
         if constexpr (cubic) {
             hold(cells, last.delta, last.velocity, stays, queues_.held_contacts);
         } else {

@@ -20,10 +20,10 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // A point of a trajectory: where the hammer is, and the forcing's phase.
-struct Moment {
+struct Moments {
     V delta, velocity, sine, cosine;
 };
-HWY_INLINE Moment choose(Mask which, const Moment& yes, const Moment& no) {
+HWY_INLINE Moments choose(Mask which, const Moments& yes, const Moments& no) {
     return {choose(which, yes.delta, no.delta), choose(which, yes.velocity, no.velocity),
             choose(which, yes.sine, no.sine), choose(which, yes.cosine, no.cosine)};
 }
@@ -112,7 +112,7 @@ struct CellsOf {
 struct Derivatives {
     V second, third, fourth;
 };
-HWY_INLINE Derivatives derivatives(const auto& cells, const Moment& m) {
+HWY_INLINE Derivatives derivatives(const auto& cells, const Moments& m) {
     const V damping = all(-2 * cells.rig.damping_ratio);
     const V wave = cells.drive * m.sine;
     const V second =
@@ -127,11 +127,11 @@ HWY_INLINE Derivatives derivatives(const auto& cells, const Moment& m) {
 struct Rise {
     V value, slope, second, third, fourth;
 };
-HWY_INLINE Rise rise_of_position(const Moment& m, const Derivatives& d) {
+HWY_INLINE Rise rise_of_position(const Moments& m, const Derivatives& d) {
     return {m.delta, m.velocity, d.second, d.third, d.fourth};
 }
 // Of the force over the stop's stiffness: where it rises while delta > 0, the stop presses again.
-HWY_INLINE Rise rise_of_force(const auto& cells, const Moment& m, const Derivatives& d) {
+HWY_INLINE Rise rise_of_force(const auto& cells, const Moments& m, const Derivatives& d) {
     const V lag = all(cells.rig.lag);
     const V square = cells.drive * cells.drive;
     const V fifth = mul_add(all(-2 * cells.rig.damping_ratio), d.fourth,
@@ -157,7 +157,7 @@ HWY_INLINE Matrix2 soon_flow(const auto& cells, V t) {
 template <class Cells>
 class Flight {
   public:
-    HWY_INLINE Flight(const Cells& cells, const Moment& start)
+    HWY_INLINE Flight(const Cells& cells, const Moments& start)
         : cells_(cells),
           start_(start),
           x_(start.delta - cells.static_position - mul_add(cells.re, start.sine, cells.im * start.cosine)),
@@ -179,11 +179,11 @@ class Flight {
         return mul_add(cells_.drive * cells_.drive, swing, cells_.square * cells_.square * amplitude_bound());
     }
 
-    [[nodiscard]] HWY_INLINE Moment at(V t) const {
+    [[nodiscard]] HWY_INLINE Moments at(V t) const {
         return at(t, sine_cosine(cells_.rate * t), sine_cosine(cells_.eta * t));
     }
     // Within one step of the grid.
-    [[nodiscard]] HWY_INLINE Moment soon(V t) const {
+    [[nodiscard]] HWY_INLINE Moments soon(V t) const {
         return at(t, small_sine_cosine(cells_.rate * t), small_sine_cosine(cells_.eta * t));
     }
 
@@ -191,7 +191,7 @@ class Flight {
     [[nodiscard]] HWY_INLINE V quadrature() const {
         return mul_add(all(cells_.rig.damping_ratio), x_, v_) * cells_.inverse_rate;
     }
-    [[nodiscard]] HWY_INLINE Moment at(V t, SineCosine own, SineCosine forcing) const {
+    [[nodiscard]] HWY_INLINE Moments at(V t, SineCosine own, SineCosine forcing) const {
         const V exponent = all(-cells_.rig.damping_ratio) * t;
         const V decay = cells_.rig.weakly_damped ? small_exp(exponent) : exp_of(exponent);
         const Matrix2 f = flow(own, decay, all(cells_.rig.damping_ratio), cells_.square, cells_.inverse_rate);
@@ -203,7 +203,7 @@ class Flight {
     }
 
     const Cells& cells_;
-    const Moment& start_;
+    const Moments& start_;
     V x_, v_;  // homogeneous part at the start
 };
 

@@ -112,9 +112,9 @@ class Kernel {
     HWY_ATTR void stay();
     HWY_ATTR void release_all();
     HWY_ATTR void turn();
-    HWY_ATTR void touch(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);
-    HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);
-    HWY_ATTR void release(const Cells& cells, V time, const Moment& m, Mask which, Gathered& track);
+    HWY_ATTR void touch(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR void release(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
     HWY_ATTR void finish();
     HWY_ATTR void kick_held(double part);
     HWY_ATTR void kick_held(Queue& held, Queue& ready, bool pressed, double part);
@@ -151,11 +151,11 @@ class Kernel {
     HWY_INLINE Matrix2 flown(const Cells& cells, V length) const {
         return cubic ? soon_flow(cells, length) : flight_flow(cells, length);
     }
-    HWY_INLINE static Moment end_of(const Flight<Cells>& flight, V length) {
+    HWY_INLINE static Moments end_of(const Flight<Cells>& flight, V length) {
         return cubic ? flight.soon(length) : flight.at(length);
     }
     // An elastic stop lets go at delta = 0, give or take a rounding error.
-    HWY_ATTR static Moment let_go(const Moment& m) {
+    HWY_ATTR static Moments let_go(const Moments& m) {
         return {max(m.delta, all(0)), m.velocity, m.sine, m.cosine};
     }
     HWY_ATTR void leave_to_twin(const Cells& cells, Mask which) {

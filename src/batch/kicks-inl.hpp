@@ -18,7 +18,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hold(const Cells& cells, V 
                                                           Queue& held) {
     if (!any(which)) return;
     const auto point = static_cast<std::size_t>(until_);
-    const Moment m{delta, velocity, all(grid_.sine[point]), all(grid_.cosine[point])};
+    const Moments m{delta, velocity, all(grid_.sine[point]), all(grid_.cosine[point])};
     push(cells.index, all(until_), all(until_) * cells.step, m, real_ & which, held);
     put(all(never), lanes_[Field::next], cells.index, which);
 }
@@ -47,7 +47,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::kick_held(Queue& held, Queu
         const Mask presses = force > all(0);
         const Mask same = (w.moment.delta >= all(0)) & (pressed ? presses : ~presses);
         leave_to_twin(cells, ~same);
-        const Moment kicked{w.moment.delta, velocity, w.moment.sine, w.moment.cosine};
+        const Moments kicked{w.moment.delta, velocity, w.moment.sine, w.moment.cosine};
         push(w.lanes, w.end, w.time, kicked, real_ & same, ready);
     }
 }

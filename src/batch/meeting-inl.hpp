@@ -31,7 +31,7 @@ HWY_INLINE Meeting meet(const auto& cells, const Rise& rise) {
     return {t, (reach < all(1e-3)) & (rise.slope > all(0))};
 }
 // At the stop, delta = 0.
-HWY_INLINE Moment meeting_moment(const auto& cells, const Moment& m, const Derivatives& d, V t) {
+HWY_INLINE Moments meeting_moment(const auto& cells, const Moments& m, const Derivatives& d, V t) {
     const V high = mul_add(t * all(1.0 / 6), d.fourth, d.third * all(0.5));
     const V x = cells.eta * t;
     const V z = x * x;
@@ -43,13 +43,13 @@ HWY_INLINE Moment meeting_moment(const auto& cells, const Moment& m, const Deriv
 
 struct Found {
     V time;  // since the stretch began
-    Moment moment;
+    Moments moment;
     Mask found;   // comes through zero there, for the first time
     Mask unsure;  // neither found nor surely absent
 };
 
 // A flight that starts below zero and ends a step of the grid later above it.
-HWY_INLINE Found strike(const auto& cells, const Moment& start, V delta1, V velocity1, V margin) {
+HWY_INLINE Found strike(const auto& cells, const Moments& start, V delta1, V velocity1, V margin) {
     // guess: Newton's method on the cubic through both ends
     const V h = cells.step;
     const V rise = delta1 - start.delta;
@@ -70,7 +70,7 @@ HWY_INLINE Found strike(const auto& cells, const Moment& start, V delta1, V velo
 
     const Flight flight(cells, start);
     V time = s * h;
-    Moment m = flight.soon(time);
+    Moments m = flight.soon(time);
     Derivatives d = derivatives(cells, m);
     Meeting meeting = meet(cells, rise_of_position(m, d));
     for (int n = 0; n < 3 && !everywhere(meeting.sure); ++n) {
@@ -81,7 +81,7 @@ HWY_INLINE Found strike(const auto& cells, const Moment& start, V delta1, V velo
         const Meeting next = meet(cells, rise_of_position(m, d));
         meeting = {choose(meeting.sure, meeting.time, next.time), meeting.sure | next.sure};
     }
-    const Moment end = meeting_moment(cells, m, d, meeting.time);
+    const Moments end = meeting_moment(cells, m, d, meeting.time);
     time = time + meeting.time;
 
     // proof that it is the first: the hull of the flight up to there stays below zero
@@ -99,14 +99,14 @@ HWY_INLINE Found strike(const auto& cells, const Moment& start, V delta1, V velo
 // and the bound on what bends it. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later, where
 // it is zero.
 template <class RiseOf, class Land>
-HWY_INLINE Found seek(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which,
+HWY_INLINE Found seek(const auto& cells, const Moments& start, V length, V fourth_derivative, Mask which,
                       RiseOf rise_of, Land land) {
     const V zero = all(0);
     const Flight flight(cells, start);
     V time = zero;
-    Moment m = start;
+    Moments m = start;
     V end_time = zero;
-    Moment end = start;
+    Moments end = start;
     Mask active = which;
     Mask found = none();
     Mask unsure = none();
@@ -157,21 +157,23 @@ HWY_INLINE Found seek(const auto& cells, const Moment& start, V length, V fourth
     return {end_time, end, found, unsure | active};
 }
 // The hammer's next touch.
-HWY_INLINE Found seek_touch(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which) {
+HWY_INLINE Found seek_touch(const auto& cells, const Moments& start, V length, V fourth_derivative,
+                            Mask which) {
     return seek(
         cells, start, length, fourth_derivative, which,
-        [](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
-        [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
+        [](const Moments& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
+        [&](const Moments& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
 }
 // From where the stop doesn't press: the next moment at which it would, if it is still reached.
-HWY_INLINE Found seek_force(const auto& cells, const Moment& start, V length, V fourth_derivative, Mask which) {
+HWY_INLINE Found seek_force(const auto& cells, const Moments& start, V length, V fourth_derivative,
+                            Mask which) {
     const V fourth = fourth_derivative * mul_add(all(cells.rig.lag), max(cells.eta, cells.frequency), all(1));
     return seek(
         cells, start, length, fourth, which,
-        [&](const Moment& m, const Derivatives& d) HWY_ATTR { return rise_of_force(cells, m, d); },
-        [&](const Moment& m, const Derivatives& d, V t) HWY_ATTR {
-            const Moment end = meeting_moment(cells, m, d, t);
-            return Moment{all(-cells.rig.lag) * end.velocity, end.velocity, end.sine, end.cosine};
+        [&](const Moments& m, const Derivatives& d) HWY_ATTR { return rise_of_force(cells, m, d); },
+        [&](const Moments& m, const Derivatives& d, V t) HWY_ATTR {
+            const Moments end = meeting_moment(cells, m, d, t);
+            return Moments{all(-cells.rig.lag) * end.velocity, end.velocity, end.sine, end.cosine};
         });
 }
 

@@ -24,7 +24,7 @@ HWY_INLINE void push(Index lanes, Mask which, Crossings& list) {
     }
 }
 
-HWY_INLINE void push(Index lanes, V end, V time, const Moment& m, Mask which, Queue& queue) {
+HWY_INLINE void push(Index lanes, V end, V time, const Moments& m, Mask which, Queue& queue) {
     if (!any(which)) return;
     const Numbers lane(lanes);
     const Numbers ends(end);
@@ -57,7 +57,7 @@ struct Waiting {
     Index lanes;
     Mask real;
     V end, time;
-    Moment moment;
+    Moments moment;
 };
 HWY_INLINE V take_field(std::vector<double>& field, std::size_t from, std::size_t count) {
     double* number = field.data() + from;

@@ -20,6 +20,9 @@ bool is_rigid(const Contact& contact) {
 bool has_closed_form(const Contact& contact) {
     return std::visit([](const auto& stop) { return stop.has_closed_form; }, contact);
 }
+bool is_dashpot_alone(const Contact& contact) {
+    return std::visit([](const auto& stop) { return stop.is_dashpot_alone(); }, contact);
+}
 
 double Hammer::stiffness() const {
     if (stiffness_n_per_m) return *stiffness_n_per_m;

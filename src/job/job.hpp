@@ -49,6 +49,7 @@ struct Cart {
 
 // Each law of the stop is a struct: its word in the file, what it is, and its keys.
 // - is_rigid: it turns the hammer round at once, by forces beyond any bound
+// - is_dashpot_alone: it has no spring, and never pushes the hammer back
 // - has_closed_form: between events the motion is linear, so that `exact` and `split` carry it
 enum class ContactLaw { kelvin_voigt, restitution, hunt_crossley };
 
@@ -60,6 +61,7 @@ struct KelvinVoigt {
     static constexpr bool has_closed_form = true;
     double stiffness_n_per_m = 0;
     double damping_ns_per_m = 0;
+    [[nodiscard]] bool is_dashpot_alone() const { return stiffness_n_per_m == 0 && damping_ns_per_m > 0; }
     friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
 };
 
@@ -70,6 +72,7 @@ struct Restitution {
     static constexpr bool is_rigid = true;
     static constexpr bool has_closed_form = true;
     double coefficient = 0;  // r
+    [[nodiscard]] static bool is_dashpot_alone() { return false; }
     friend bool operator==(const Restitution&, const Restitution&) = default;
 };
 
@@ -82,6 +85,7 @@ struct HuntCrossley {
     double stiffness_n_per_m_pow_n = 0;  // K
     double exponent = 1.5;               // n
     double dissipation_s_per_m = 0;      // D
+    [[nodiscard]] static bool is_dashpot_alone() { return false; }
     friend bool operator==(const HuntCrossley&, const HuntCrossley&) = default;
 };
 
@@ -90,6 +94,7 @@ using Contact = std::variant<KelvinVoigt, Restitution, HuntCrossley>;
 [[nodiscard]] ContactLaw law_of(const Contact& contact);
 [[nodiscard]] bool is_rigid(const Contact& contact);
 [[nodiscard]] bool has_closed_form(const Contact& contact);
+[[nodiscard]] bool is_dashpot_alone(const Contact& contact);
 
 // `points` values from `from` to `to`, both included, evenly spaced (or evenly in the logarithm).
 struct Axis {

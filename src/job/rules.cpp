@@ -201,20 +201,17 @@ std::string rule_of_curves(const Job& job) {
         return "curves need contact.law = \"kelvin_voigt\" or \"restitution\"; they rest on the closed form of "
                "the motion, which a nonlinear stop has not; take one of these laws";
     }
-    const auto* voigt = std::get_if<KelvinVoigt>(&job.contact);
-    if (voigt != nullptr && voigt->stiffness_n_per_m == 0 && voigt->damping_ns_per_m > 0) {
+    if (is_dashpot_alone(job.contact)) {
         return "contact.stiffness_n_per_m = 0; a dashpot alone never pushes the hammer back, and no impact "
-               "ends; "
-               "give a stiffness";
+               "ends; give a stiffness";
     }
     const bool keeps_cubic = job.solver.omit_tolerance == 0 && job.hammer.cubic_stiffness_n_per_m3 != 0;
     const EngineChoice engine = job.solver.engine;
     if (keeps_cubic || (engine != EngineChoice::automatic && engine != EngineChoice::exact)) {
         return "curves leave the cubic part of the springs out; they rest on the closed form of the motion, "
-               "which "
-               "those springs have not; leave solver.engine at \"auto\" and solver.omit_tolerance above 0, or "
-               "set "
-               "hammer.cubic_stiffness_n_per_m3 to 0";
+               "which those springs have not; leave solver.engine at \"auto\" and solver.omit_tolerance above "
+               "0, "
+               "or set hammer.cubic_stiffness_n_per_m3 to 0";
     }
     return {};
 }

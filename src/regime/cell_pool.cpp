@@ -25,8 +25,9 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 
 }  // namespace
 
-struct CellPool::Cell : Reused {
-    Cell(const Begin& begin, Findings findings, std::int64_t its_number)
+// A search in hand.
+struct CellPool::Member : Reused {
+    Member(const Begin& begin, Findings findings, std::int64_t its_number)
         : number(its_number), search(begin(desk, findings == Findings::handed_on ? &found : nullptr)) {}
 
     std::int64_t number;
@@ -110,7 +111,7 @@ struct CellPool::Group {
     Request request;
     Batch kind;
     batch::BatchedCycleMap map;
-    std::vector<std::unique_ptr<Cell>> cells;  // by slot of the map
+    std::vector<std::unique_ptr<Member>> cells;  // by slot of the map
     // Of several cycles: those of a slot side by side, and largest values over them.
     std::vector<trajectory::Cycle<double>> course;
     std::vector<double> largest_force;
@@ -149,7 +150,7 @@ void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
 }
 
 void CellPool::add(const Begin& begin, std::int64_t number) {
-    auto cell = std::make_unique<Cell>(begin, findings_, number);
+    auto cell = std::make_unique<Member>(begin, findings_, number);
     ++in_hand_;
     ++searches_;
     const Stopwatch stopwatch;
@@ -172,7 +173,7 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
     return Batch{batch::Springs::split, steps};
 }
 
-CellPool::Group& CellPool::group_for(const Cell& cell) {
+CellPool::Group& CellPool::group_for(const Member& cell) {
     const Request request = cell.request();
     const auto suits = [&](const Group& group) {
         return group.request == request && group.kind == *cell.batch;
@@ -184,7 +185,7 @@ CellPool::Group& CellPool::group_for(const Cell& cell) {
 }
 
 // Puts a cell whose search waits where its order is served.
-void CellPool::enter(std::unique_ptr<Cell> cell) {
+void CellPool::enter(std::unique_ptr<Member> cell) {
     if (cell->engine != cell->desk.engines_used()) {
         cell->engine = cell->desk.engines_used();
         cell->batch = batch_of(cell->desk);
@@ -196,7 +197,7 @@ void CellPool::enter(std::unique_ptr<Cell> cell) {
     }
 }
 
-void CellPool::enqueue(std::unique_ptr<Cell> cell) {
+void CellPool::enqueue(std::unique_ptr<Member> cell) {
     const scene::Oscillator<double>& oscillator = cell->desk.oscillator();
     Group& group = group_for(*cell);
     if (scene_.rigs_differ()) {
@@ -232,7 +233,7 @@ void CellPool::advance(Group& group) {
 }
 
 void CellPool::serve(Group& group, std::size_t slot) {
-    Cell& cell = *group.cells[slot];
+    Member& cell = *group.cells[slot];
     group.tell(slot);
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
@@ -240,20 +241,20 @@ void CellPool::serve(Group& group, std::size_t slot) {
     group.map.set_state(slot, cell.desk.order().from);
 }
 
-std::unique_ptr<CellPool::Cell> CellPool::take_out(Group& group, std::size_t slot) {
-    std::unique_ptr<Cell> cell = std::move(group.cells[slot]);
+std::unique_ptr<CellPool::Member> CellPool::take_out(Group& group, std::size_t slot) {
+    std::unique_ptr<Member> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
     group.cells.pop_back();
     cell->seconds += group.charged - cell->charged_before;
     return cell;
 }
 
-std::unique_ptr<CellPool::Cell> CellPool::leave(Group& group, std::size_t slot) {
+std::unique_ptr<CellPool::Member> CellPool::leave(Group& group, std::size_t slot) {
     group.map.remove(slot);
     return take_out(group, slot);
 }
 
-void CellPool::put_in(Group& group, std::unique_ptr<Cell> cell) {
+void CellPool::put_in(Group& group, std::unique_ptr<Member> cell) {
     cell->charged_before = group.charged;
     group.cells.push_back(std::move(cell));
 }
@@ -268,7 +269,7 @@ void CellPool::move(Group& from, std::size_t slot) {
 
 void CellPool::serve_alone() {
     const Stopwatch stopwatch;
-    Cell& cell = *alone_.front();
+    Member& cell = *alone_.front();
     if (!cell.scalar) cell.scalar.emplace();
     const auto stays = [&] {
         return !cell.search.done() && cell.engine == cell.desk.engines_used() && !cell.fits_batch();
@@ -278,13 +279,13 @@ void CellPool::serve_alone() {
     } while (stays() && stopwatch.seconds() < seconds_alone);
     cell.seconds += stopwatch.seconds();
     if (stays()) return;
-    std::unique_ptr<Cell> front = std::move(alone_.front());
+    std::unique_ptr<Member> front = std::move(alone_.front());
     alone_.pop_front();
     if (front->search.done()) return finish(*front);
     enter(std::move(front));
 }
 
-void CellPool::finish(const Cell& cell) {
+void CellPool::finish(const Member& cell) {
     --in_hand_;
     take_({cell.number, cell.search.result(), cell.seconds, cell.found});
 }

@@ -61,7 +61,7 @@ class CellPool {
     void step();
 
   private:
-    struct Cell;
+    struct Member;
     struct Group;  // a batch and the cells in it
 
     // What all cells of a batch share, besides the rig where there is one.
@@ -77,17 +77,17 @@ class CellPool {
         std::size_t cycles;  // at once
         friend bool operator==(const Request&, const Request&) = default;
     };
-    [[nodiscard]] Group& group_for(const Cell& cell);
-    void enter(std::unique_ptr<Cell> cell);
-    void enqueue(std::unique_ptr<Cell> cell);
+    [[nodiscard]] Group& group_for(const Member& cell);
+    void enter(std::unique_ptr<Member> cell);
+    void enqueue(std::unique_ptr<Member> cell);
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
     void move(Group& from, std::size_t slot);
-    std::unique_ptr<Cell> leave(Group& group, std::size_t slot);
-    std::unique_ptr<Cell> take_out(Group& group, std::size_t slot);
-    void put_in(Group& group, std::unique_ptr<Cell> cell);
-    void finish(const Cell& cell);
+    std::unique_ptr<Member> leave(Group& group, std::size_t slot);
+    std::unique_ptr<Member> take_out(Group& group, std::size_t slot);
+    void put_in(Group& group, std::unique_ptr<Member> cell);
+    void finish(const Member& cell);
 
     const scene::Scene& scene_;
     const AttractorTable& known_;
@@ -95,7 +95,7 @@ class CellPool {
     Findings findings_;
     FreeCells free_;
     std::list<Group> groups_;
-    std::deque<std::unique_ptr<Cell>> alone_;
+    std::deque<std::unique_ptr<Member>> alone_;
     std::size_t in_hand_ = 0;
     std::int64_t searches_ = 0;
 };
