@@ -22,7 +22,9 @@ KINDS = {
     "map with starts": jobs.small_map(5, 3) + "[starts]\ncount = 4\nattractors = 2\n[output]\nfields = [\"critical_kick\"]\n",
     "basin": jobs.small_basin(5),
     "curves": jobs.small_curves(8),
+    "curves with distances": jobs.small_curves(8) + "[curves]\nedge_distance = true\n",
     "sweep": jobs.small_sweep(3, "up", "[1.5]"),
+    "sweep with starts": jobs.small_sweep(3, "both", "[1.5]") + "[starts]\ncount = 4\nattractors = 2\n",
     "trace": jobs.trace(2.0, settings="cycles = 2"),
     "study": jobs.small_label_study(2),
 }
