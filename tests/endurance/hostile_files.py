@@ -32,6 +32,8 @@ def draw_and_throw_away(figure, path):
 def programs(kind, path):
     """(name, arguments) of all that read such a file."""
     yield "draw", [path, *PICTURES]
+    if kind == "map with starts":
+        yield "operating_point", [path, "--hz", "0.5", "--mm", "0.1", *PICTURES]
     if kind in ("map", "basin"):
         yield "compare", [path, f"{kind}_sound.h5", *PICTURES]
     if kind == "map":

@@ -4,11 +4,12 @@ import shutil
 
 import h5py
 import numpy as np
+from attractor_samples import write_attractors
 from curves_samples import write_curves
 from picture_samples import PLAIN, write_audit, write_basin, write_map
 from sealing import SealedFile
 from study_samples import write_labels, write_stability, write_work_precision
-from sweep_samples import write_sweep
+from sweep_samples import write_sweep, write_sweep_with_starts
 from trace_samples import write_trace
 
 JOB = """
@@ -40,8 +41,10 @@ def full_basin(path):
 
 KINDS = {
     "map": full_map,
+    "map with starts": lambda path: write_attractors(path, job=JOB),
     "basin": full_basin,
     "sweep": lambda path: write_sweep(path, job=JOB),
+    "sweep with starts": write_sweep_with_starts,
     "trace": lambda path: write_trace(path, job=JOB),
     "precision": write_work_precision,
     "labels": write_labels,

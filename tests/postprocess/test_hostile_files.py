@@ -19,6 +19,10 @@ CASES = [
     ("draw", "sweep", "attribute cart_amplitude_m: 1e-308"), ("draw", "trace", "force_ratio: one of 1e308"),
     ("draw", "trace", "spectrum/frequency: 1e308"), ("scaling", "map", "run/tile_seconds: 1e308"),
     ("scaling", "map", "run/solve_seconds: 1e308"), ("scaling", "map", "run/ranks: largest"),
+    ("draw", "map with starts", "basin_share: 1e308"), ("draw", "map with starts", "attractor_regime: largest"),
+    ("draw", "map with starts", "no start_attractor"), ("draw", "sweep with starts", "basin_share: longer"),
+    ("operating_point", "map with starts", "attractor_peak_force_ratio: 1e308"),
+    ("operating_point", "map with starts", "attractor_regime: unsigned"),
     ("compare", "map", "peak_force_ratio: 1e308"), ("compare", "map", "regime: unsigned"),
 ]
 ARGUMENTS = {"scaling": ["--cells", "1e3", "--ranks", "10"], "compare": ["map_sound.h5"]}

@@ -51,8 +51,10 @@ TEST_P(RecordedImpact, IsThatOfAFreeMass) {
 
 INSTANTIATE_TEST_SUITE_P(DampingRatios, RecordedImpact,
                          ::testing::Values(RecordedCollision{0, 1}, RecordedCollision{0.1, 0.74407939772178},
-                                           RecordedCollision{0.2, 0.57174002758478}, RecordedCollision{0.5, 0.29843605919227},
-                                           RecordedCollision{1, std::exp(-2.0)}, RecordedCollision{2, 0.04776873250562}));
+                                           RecordedCollision{0.2, 0.57174002758478},
+                                           RecordedCollision{0.5, 0.29843605919227},
+                                           RecordedCollision{1, std::exp(-2.0)},
+                                           RecordedCollision{2, 0.04776873250562}));
 
 // Over any number of cycles: the change of energy is what the drive brings in, less what damper and stop take.
 // The impulses of the impacts make up the change of momentum that spring, damper and drive leave over.

@@ -57,9 +57,12 @@ TEST_P(SingleImpact, PeaksAsTheFormulaSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(DampingRatios, SingleImpact,
-                         ::testing::Values(SpringDashpotCollision{0, 1}, SpringDashpotCollision{0.1, 0.74407939772178},
-                                           SpringDashpotCollision{0.2, 0.57174002758478}, SpringDashpotCollision{0.5, 0.29843605919227},
-                                           SpringDashpotCollision{1, std::exp(-2.0)}, SpringDashpotCollision{2, 0.04776873250562}));
+                         ::testing::Values(SpringDashpotCollision{0, 1},
+                                           SpringDashpotCollision{0.1, 0.74407939772178},
+                                           SpringDashpotCollision{0.2, 0.57174002758478},
+                                           SpringDashpotCollision{0.5, 0.29843605919227},
+                                           SpringDashpotCollision{1, std::exp(-2.0)},
+                                           SpringDashpotCollision{2, 0.04776873250562}));
 
 }  // namespace
 }  // namespace peterka::trajectory
