@@ -150,8 +150,7 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
     }
     return fmt::format(
         "\n{}\n{} curves, {} points, residual {:.1e} at most: of the orbit's equations over 1 + its largest "
-        "velocity, "
-        "and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}",
+        "velocity, and of det(M -+ I) = 0 over the size of M's factors\n{}{}{}{}{}{}",
         title, found.curves.size(), readable_count(static_cast<std::int64_t>(points)), largest,
         table_of_curves(found), specials_text(found), edges_text(found.edges), label_edges_text(job, found),
         distances_text(job, found), borders_in_words(scene, found));

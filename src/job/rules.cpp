@@ -46,15 +46,13 @@ std::string rule_of_engine(const Hammer& hammer, const Contact& contact, const S
     if (closed_form && !has_closed_form(contact)) {
         return fmt::format(
             "solver.engine = \"{}\" has no law \"{}\"; its closed form is that of a linear contact; "
-            "use "
-            "\"auto\", \"cvode\" or \"arkode\"",
+            "use \"auto\", \"cvode\" or \"arkode\"",
             name(solver.engine), name(law_of(contact)));
     }
     if (hammer.cubic_stiffness_n_per_m3 == 0 || solver.engine != EngineChoice::exact) return {};
     return fmt::format(
         "solver.engine = \"exact\" has no cubic spring, and hammer.cubic_stiffness_n_per_m3 = {}; its closed "
-        "form is "
-        "that of a linear one; use \"auto\", which leaves the term out where that is safe, or set the "
+        "form is that of a linear one; use \"auto\", which leaves the term out where that is safe, or set the "
         "stiffness to 0",
         toml_text(hammer.cubic_stiffness_n_per_m3));
 }
@@ -97,9 +95,8 @@ std::string rule_of_samples(const Job& job) {
         motions == 1 ? "each" : fmt::format("of each of {} motions, those on all attractors", motions);
     return fmt::format(
         "a branch has {} points with up to {} samples {}; a rank keeps a branch in memory until it is whole, "
-        "so "
-        "their product is at most {}, where each point counts as {} samples at least; give fewer points{} or "
-        "sweep.samples",
+        "so their product is at most {}, where each point counts as {} samples at least; give fewer "
+        "points{} or sweep.samples",
         job.columns.points, job.sweep.samples, of_what, most, least_samples,
         motions == 1 ? "" : ", starts.attractors");
 }
@@ -120,8 +117,7 @@ std::string rule_of_interval(std::string_view name, const std::vector<double>& i
 std::string rule_of_kick(const Job& job) {
     if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0) return {};
     return "output.fields asks for critical_kick, which is one of each attractor; only a job with [starts] "
-           "looks for "
-           "those; set starts.count, or remove the field";
+           "looks for those; set starts.count, or remove the field";
 }
 
 std::string rule_of_cells(const Study& study) {
@@ -137,8 +133,7 @@ std::string rule_of_cells(const Study& study) {
 std::string rule_of_study(const Contact& contact) {
     if (law_of(contact) == ContactLaw::kelvin_voigt) return {};
     return "a study needs contact.law = \"kelvin_voigt\"; it compares ways to follow a spring and a dashpot, "
-           "and "
-           "brings other stops along where it needs them; give the stop's stiffness and damping";
+           "and brings other stops along where it needs them; give the stop's stiffness and damping";
 }
 
 std::string rule_of_trace(const Job& job) {
@@ -187,8 +182,7 @@ std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table) {
     if (cell.map.empty() && (cell.row >= 0 || cell.column >= 0)) {
         return fmt::format(
             "{0}.row and {0}.column name a cell of a map file; {0}.map names no file; add map = \"FILE.h5\", "
-            "or "
-            "remove them",
+            "or remove them",
             table);
     }
     if ((cell.row >= 0) == (cell.column >= 0)) return {};
@@ -210,8 +204,7 @@ std::string rule_of_curves(const Job& job) {
     if (keeps_cubic || (engine != EngineChoice::automatic && engine != EngineChoice::exact)) {
         return "curves leave the cubic part of the springs out; they rest on the closed form of the motion, "
                "which those springs have not; leave solver.engine at \"auto\" and solver.omit_tolerance above "
-               "0, "
-               "or set hammer.cubic_stiffness_n_per_m3 to 0";
+               "0, or set hammer.cubic_stiffness_n_per_m3 to 0";
     }
     return {};
 }

@@ -82,8 +82,7 @@ std::string impacts_in_words(const trace::Trace& trace, const Scales& scales) {
     if (std::isnan(impact.record.peak_force)) return text;
     text += fmt::format(
         "                   jump at touch {}, peak {} {:.4g} ms later, pressed for {:.4g} ms, "
-        "impulse "
-        "{:.4g} Ns\n",
+        "impulse {:.4g} Ns\n",
         readable_amount(trace::force_at_touch(oscillator, impact.speed) * newton, "N"),
         readable_amount(impact.record.peak_force * newton, "N", 6),
         1000 * (trace.hardest->peak.time - impact.time) * per_omega,
