@@ -21,6 +21,7 @@ CASES = [
     ("scaling", "map", "run/solve_seconds: 1e308"), ("scaling", "map", "run/ranks: largest"),
     ("draw", "map with starts", "basin_share: 1e308"), ("draw", "map with starts", "attractor_regime: largest"),
     ("draw", "map with starts", "no start_attractor"), ("draw", "sweep with starts", "basin_share: longer"),
+    ("draw", "sweep with starts", "peak_force_ratio: infinite"),
     ("operating_point", "map with starts", "attractor_peak_force_ratio: 1e308"),
     ("operating_point", "map with starts", "attractor_regime: unsigned"),
     ("compare", "map", "peak_force_ratio: 1e308"), ("compare", "map", "regime: unsigned"),

@@ -42,7 +42,7 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
     for gap, ax in panels.items():
         points = measured.at_gap(gap)
         x, forces = every_attractor.forces(file, gap)
-        top = max([forces.max(initial=0.0), *(np.nanmax(np.nan_to_num(branch.force)) for branch in file.at_gap(gap))]
+        top = max([forces.max(initial=0.0), *(_largest_of(branch) for branch in file.at_gap(gap))]
                   + [point.force + point.errors.get("force", 0.0) for point in points if point.force is not None])
         bottom, top = _limits(file, gap, 1.05 * top if top > 0 else 1)
         every_attractor.draw(ax, x, forces)
@@ -58,8 +58,12 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
 
 def _largest(file):
     """Force of all branches and attractors."""
-    branches = (branch.force.max(initial=0.0, where=np.isfinite(branch.force)) for branch in file.branches)
-    return float(max(*branches, *(every_attractor.forces(file, gap)[1].max(initial=0.0) for gap in file.gaps)))
+    return float(max(*(_largest_of(branch) for branch in file.branches),
+                     *(every_attractor.forces(file, gap)[1].max(initial=0.0) for gap in file.gaps)))
+
+
+def _largest_of(branch):
+    return branch.force.max(initial=0.0, where=np.isfinite(branch.force))
 
 
 def _second_scale(file):
