@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "map_file/make_layout.hpp"
+#include "parallel/checked.hpp"
 #include "parallel/collective.hpp"
 
 namespace peterka::map_file {
@@ -25,8 +26,15 @@ void ParallelFile::settle() {
     parallel::together(communicator_, [&] { check_(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "H5Fflush"); });
 }
 
+// H5Fclose would write the superblock as it is there already. Where that fails, the rank that does so goes on
+// to MPI_File_close, and the others wait for it before that, for ever (H5AC__run_sync_point of HDF5 1.10).
 void ParallelFile::close() {
-    parallel::together(communicator_, [&] { check_(H5Fclose(file_.release()), "H5Fclose"); });
+    parallel::together(communicator_, [&] {
+        void* mpi_file = nullptr;
+        check_(H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, &mpi_file), "H5Fget_vfd_handle");
+        parallel::checked("MPI_File_close", MPI_File_close(static_cast<MPI_File*>(mpi_file)));
+        file_.release();
+    });
 }
 
 }  // namespace peterka::map_file

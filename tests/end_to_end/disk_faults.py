@@ -48,10 +48,24 @@ class Kind:
     def __init__(self, name, folder):
         self.name = name
         self.folder = folder
+        self.begun = None
         self.right = folder / "right.h5"
         jobs.write(folder, KINDS[name])
         launch.run("run", "job.toml", "--quiet", "--output", self.right, cwd=folder)
-        self.calls = {call: self._count(call) for call in CALLS}
+        self.calls = {call: self.count(call) for call in CALLS}
+
+    def begin_with_what_is_left_after(self, call, number, how):
+        """So does each run from now on."""
+        self._clear()
+        assert run(self.folder, call=call, at=number, how=how).returncode == 3
+        self.begun = (self.folder / NAME).read_bytes()
+
+    def count(self, call, **where):
+        self._clear()
+        report = self.folder / "count"
+        report.write_text("0")
+        assert run(self.folder, call=call, count=report, **where).returncode == 0
+        return int(report.read_text())
 
     def fails(self, call, number, how, **where):
         """What is wrong with what came of it; nothing where all is as it should be. `where`: so many ranks, on which."""
@@ -82,13 +96,8 @@ class Kind:
             return ""
         return f"leaves {left} behind" if left and finished.returncode == 0 else ""
 
-    def _count(self, call):
-        self._clear()
-        report = self.folder / "count"
-        report.write_text("0")
-        assert run(self.folder, call=call, count=report).returncode == 0
-        return int(report.read_text())
-
     def _clear(self):
         for path in self.folder.glob(NAME + "*"):
             path.unlink()
+        if self.begun is not None:
+            (self.folder / NAME).write_bytes(self.begun)

@@ -1,11 +1,13 @@
 // A library to be loaded before all others (LD_PRELOAD): one call to the system fails, as on a failing or full
 // disk.
 //
-//     FAULTY_CALL   write, read, fsync, truncate, allocate, rename, unlink or lock: which kind
-//     FAULTY_AT     its number, from 1, among the calls of this kind that concern FAULTY_PATH
-//     FAULTY_HOW    ENOSPC, EIO, EDQUOT, EINTR; "short": half of the bytes; "persistent ENOSPC", ...: from
-//     there on FAULTY_PATH   part of the path of the files FAULTY_COUNT  a file to which the number of these
-//     calls is written at the end, if there were any FAULTY_RANK   of the MPI ranks this one alone
+// * FAULTY_CALL: write, read, fsync, truncate, allocate, rename, unlink or lock: which kind
+// * FAULTY_AT: its number, from 1, among the calls of this kind that concern FAULTY_PATH
+// * FAULTY_HOW: ENOSPC, EIO, EDQUOT, EINTR; "short": half of the bytes; "persistent ENOSPC", ...: from there on
+// * FAULTY_PATH: part of the path of the files
+// * FAULTY_COUNT: a file to which the number of these calls is written at the end, if there were any
+// * FAULTY_RANK: of the MPI ranks this one alone
+//
 // Nothing else changes. Calls of a kind are counted under all their names.
 #include <dlfcn.h>
 #include <fcntl.h>

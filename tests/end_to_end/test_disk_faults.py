@@ -49,3 +49,11 @@ def test_one_of_two_ranks_meets_it(tmp_path):
     tried = [basin.fails(call, number, how, ranks=2, rank=1)
              for call, number, how in (("read", 100, "EIO"), ("read", 170, "EIO"), ("write", 80, "persistent ENOSPC"))]
     assert [problem for problem in tried if problem] == []
+
+
+def test_the_last_write_of_two_ranks_fails(tmp_path):
+    """HDF5's ranks would wait for each other in different places if it were HDF5's, while it closes the file."""
+    kind = disk_faults.Kind("map with starts", tmp_path)
+    kind.begin_with_what_is_left_after("fsync", kind.calls["fsync"] - 3, "EIO")  # all tiles: who has them is chance
+    at_root = {"ranks": 2, "rank": 0}
+    assert kind.fails("write", kind.count("write", **at_root), "EIO", **at_root) == ""

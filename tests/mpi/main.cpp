@@ -7,6 +7,8 @@
 
 #include <cstdio>
 
+#include "hdf5/checked.hpp"
+
 namespace {
 
 // For all ranks but the first, which tells the progress.
@@ -20,6 +22,7 @@ class FailuresOnly : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
+    peterka::hdf5::leave_open_files_alone();
     MPI_Init(&argc, &argv);
     testing::InitGoogleTest(&argc, argv);
     int rank = 0;
