@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -24,80 +25,88 @@
 
 namespace {
 
-const char* setting(const char* name) {
-    const char* const value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
-
 template <class Function>
 Function next(const char* name) {
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-bool concerns(const char* path) {
-    const char* const wanted = setting("FAULTY_PATH");
-    return path != nullptr && *wanted != '\0' && std::strstr(path, wanted) != nullptr;
-}
+// Read once, when the library is loaded: threads of MPI write and read, too, while it sets variables.
+struct Settings {
+    static std::string value(const char* name) {
+        const char* const value = std::getenv(name);
+        return value == nullptr ? "" : value;
+    }
+    static int error(const std::string& name) {
+        static const std::map<std::string, int> errors{
+            {"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EDQUOT", EDQUOT}, {"EINTR", EINTR}};
+        return name.empty() || name == "short" ? 0 : errors.at(name);
+    }
 
-bool concerns(int descriptor) {
-    std::array<char, 64> link{};
-    std::array<char, PATH_MAX> path{};
-    std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", descriptor);
-    return readlink(link.data(), path.data(), path.size() - 1) > 0 && concerns(path.data());
-}
+    std::string call = value("FAULTY_CALL");
+    long at = std::atol(value("FAULTY_AT").c_str());
+    std::string how = value("FAULTY_HOW");
+    bool lasts = how.starts_with("persistent ");
+    int error_number = error(lasts ? how.substr(how.find(' ') + 1) : how);  // 0: the call is short
+    std::string path = value("FAULTY_PATH");
+    std::string count = value("FAULTY_COUNT");
+    bool mine = value("FAULTY_RANK").empty() || value("FAULTY_RANK") == value("OMPI_COMM_WORLD_RANK");
+};
 
 class Faults {
   public:
     enum class Verdict { sound, fails, is_short };
 
-    Verdict judge(const char* call, bool concerned) {
-        const int before = errno;
-        const Verdict verdict =
-            concerned && mine() && call == std::string(setting("FAULTY_CALL")) ? count() : Verdict::sound;
-        if (verdict != Verdict::fails) errno = before;
-        return verdict;
+    [[nodiscard]] bool concern(const char* path) const {
+        return set_.mine && path != nullptr && !set_.path.empty() &&
+               std::strstr(path, set_.path.c_str()) != nullptr;
     }
-    ~Faults() {
-        const char* const report = setting("FAULTY_COUNT");
-        if (*report == '\0' || !mine() || calls_ == 0) return;  // so does what MPI starts beside the program
-        if (std::FILE* file = std::fopen(report, "w")) {
-            std::fprintf(file, "%ld\n", calls_);
+    [[nodiscard]] bool concern(int descriptor) const {
+        if (!set_.mine || set_.path.empty()) return false;
+        const int before = errno;
+        std::array<char, 64> link{};
+        std::array<char, PATH_MAX> path{};
+        std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", descriptor);
+        const ssize_t length = readlink(link.data(), path.data(), path.size() - 1);
+        errno = before;
+        return length > 0 && concern(path.data());
+    }
+    // Sets errno where the call fails.
+    Verdict judge(const char* call, bool concerned) {
+        if (!concerned || call != set_.call) return Verdict::sound;
+        ++calls_;
+        if (set_.at == 0 || (set_.lasts ? calls_ < set_.at : calls_ != set_.at)) return Verdict::sound;
+        if (set_.error_number == 0) return Verdict::is_short;
+        errno = set_.error_number;
+        return Verdict::fails;
+    }
+    void report() const {
+        if (set_.count.empty() || calls_ == 0) return;  // so does what MPI starts beside the program
+        if (std::FILE* file = std::fopen(set_.count.c_str(), "w")) {
+            std::fprintf(file, "%ld\n", calls_.load());
             std::fclose(file);
         }
     }
 
   private:
-    static bool mine() {
-        const char* const rank = setting("FAULTY_RANK");
-        return *rank == '\0' || std::strcmp(rank, setting("OMPI_COMM_WORLD_RANK")) == 0;
-    }
-    Verdict count() {
-        ++calls_;
-        std::string how = setting("FAULTY_HOW");
-        const std::string persistent = "persistent ";
-        const bool lasts = how.rfind(persistent, 0) == 0;
-        if (lasts) how = how.substr(persistent.size());
-        const long at = std::atol(setting("FAULTY_AT"));
-        if (at == 0 || (lasts ? calls_ < at : calls_ != at)) return Verdict::sound;
-        if (how == "short") return Verdict::is_short;
-        static const std::map<std::string, int> errors{
-            {"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EDQUOT", EDQUOT}, {"EINTR", EINTR}};
-        errno = errors.at(how);
-        return Verdict::fails;
-    }
-    long calls_ = 0;
+    Settings set_;
+    std::atomic<long> calls_ = 0;
 };
 
+// Never destroyed: threads go on to the end.
 Faults& faults() {
-    static Faults all;
+    static Faults& all = *new Faults;
     return all;
 }
+const struct FromLoadToExit {
+    FromLoadToExit() { faults(); }
+    ~FromLoadToExit() { faults().report(); }
+} from_load_to_exit;
 
 using Verdict = Faults::Verdict;
 
 template <class Function>
 ssize_t transfer(const char* call, int descriptor, size_t size, Function&& go_on) {
-    switch (faults().judge(call, concerns(descriptor))) {
+    switch (faults().judge(call, faults().concern(descriptor))) {
         case Verdict::fails:
             return -1;
         case Verdict::is_short:
@@ -143,38 +152,38 @@ ssize_t pread64(int fd, void* data, size_t size, off64_t at) {
 }
 int fsync(int fd) {
     static const auto real = next<int (*)(int)>("fsync");
-    return plain("fsync", concerns(fd), [&] { return real(fd); });
+    return plain("fsync", faults().concern(fd), [&] { return real(fd); });
 }
 int ftruncate(int fd, off_t size) {
     static const auto real = next<int (*)(int, off_t)>("ftruncate");
-    return plain("truncate", concerns(fd), [&] { return real(fd, size); });
+    return plain("truncate", faults().concern(fd), [&] { return real(fd, size); });
 }
 int ftruncate64(int fd, off64_t size) {
     static const auto real = next<int (*)(int, off64_t)>("ftruncate64");
-    return plain("truncate", concerns(fd), [&] { return real(fd, size); });
+    return plain("truncate", faults().concern(fd), [&] { return real(fd, size); });
 }
 int posix_fallocate(int fd, off_t from, off_t size) {
     static const auto real = next<int (*)(int, off_t, off_t)>("posix_fallocate");
-    const bool fails = plain("allocate", concerns(fd), [] { return 0; }) != 0;
+    const bool fails = plain("allocate", faults().concern(fd), [] { return 0; }) != 0;
     return fails ? errno : real(fd, from, size);
 }
 int posix_fallocate64(int fd, off64_t from, off64_t size) {
     static const auto real = next<int (*)(int, off64_t, off64_t)>("posix_fallocate64");
-    const bool fails = plain("allocate", concerns(fd), [] { return 0; }) != 0;
+    const bool fails = plain("allocate", faults().concern(fd), [] { return 0; }) != 0;
     return fails ? errno : real(fd, from, size);
 }
 // under another name here, for fcntl.h has a struct of this one
 int lock_file(int fd, int operation) __asm__("flock");
 int lock_file(int fd, int operation) {
     static const auto real = next<int (*)(int, int)>("flock");
-    return plain("lock", concerns(fd), [&] { return real(fd, operation); });
+    return plain("lock", faults().concern(fd), [&] { return real(fd, operation); });
 }
 int rename(const char* from, const char* to) {
     static const auto real = next<int (*)(const char*, const char*)>("rename");
-    return plain("rename", concerns(from), [&] { return real(from, to); });
+    return plain("rename", faults().concern(from), [&] { return real(from, to); });
 }
 int unlink(const char* path) {
     static const auto real = next<int (*)(const char*)>("unlink");
-    return plain("unlink", concerns(path), [&] { return real(path); });
+    return plain("unlink", faults().concern(path), [&] { return real(path); });
 }
 }
