@@ -148,31 +148,21 @@ void BatchedCycleMap::add(const Forcing& f, double cubic, double gap, const scen
     if (!f.fit) ++twin_only_count_;
 }
 
-void BatchedCycleMap::copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to) {
-    for (std::size_t n = 0; n < fields_; ++n) lanes_.arrays[n][to] = from.lanes_.arrays[n][slot];
-    if (!rig_) oscillators_[to] = from.oscillators_[slot];
-    twin_only_[to] = from.twin_only_[slot];
-    pattern_[to] = from.pattern_[slot];
-    outcome_[to] = from.outcome_[slot];
+void BatchedCycleMap::copy_slot(std::size_t slot, std::size_t to) {
+    for (std::size_t n = 0; n < fields_; ++n) lanes_.arrays[n][to] = lanes_.arrays[n][slot];
+    if (!rig_) oscillators_[to] = oscillators_[slot];
+    twin_only_[to] = twin_only_[slot];
+    pattern_[to] = pattern_[slot];
+    outcome_[to] = outcome_[slot];
 }
 
 void BatchedCycleMap::remove(std::size_t slot) {
     if (twin_only_[slot]) --twin_only_count_;
     const std::size_t last = size_ - 1;
-    if (slot != last) copy_slot(*this, last, slot);
+    if (slot != last) copy_slot(last, slot);
     twins_[slot] = std::move(twins_[last]);
     twins_[last] = nullptr;
     use_lanes(last);
-}
-
-void BatchedCycleMap::take(BatchedCycleMap& other, std::size_t slot) {
-    const std::size_t here = size_;
-    if (here == capacity()) make_room(2 * here);
-    use_lanes(here + 1);
-    copy_slot(other, slot, here);
-    if (twin_only_[here]) ++twin_only_count_;
-    twins_[here] = std::move(other.twins_[slot]);
-    other.remove(slot);
 }
 
 BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {

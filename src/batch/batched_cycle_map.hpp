@@ -53,8 +53,6 @@ class BatchedCycleMap {
     void add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state);
     // Takes a cell out; the last one takes its slot.
     void remove(std::size_t slot);
-    // Takes a cell over from another batch with the same rig, or rigs too, steps and springs, to slot size().
-    void take(BatchedCycleMap& other, std::size_t slot);
     void set_state(std::size_t slot, const scene::State<double>& state);
 
     // One cycle of all cells.
@@ -94,7 +92,7 @@ class BatchedCycleMap {
     [[nodiscard]] scene::Oscillator<double> oscillator_of(double frequency, double gap) const;
     void add(const Forcing& forcing, double cubic, double gap, const scene::State<double>& state);
     void make_room(std::size_t capacity);
-    void copy_slot(const BatchedCycleMap& from, std::size_t slot, std::size_t to);
+    void copy_slot(std::size_t slot, std::size_t to);
     void use_lanes(std::size_t size);
     [[nodiscard]] Twin twin_of(std::size_t slot) const;
     void run_twin(std::size_t slot, Wanted wanted);

@@ -14,11 +14,9 @@ namespace peterka::regime {
 
 namespace {
 
-// Many cells fill the vectors of a batch, few stay in the cache: with so many no more are taken.
-constexpr std::size_t capacity = 128;
-// A group waits until it has so many, of those that go several cycles at once so many.
-constexpr std::size_t enough_near = 64;
-constexpr std::size_t enough_far = 128;
+// A group waits until it has so many: many fill the vectors of a batch, few stay in the cache. With so many in
+// groups that don't wait no more are taken.
+constexpr std::size_t enough = 128;
 constexpr std::size_t most_in_hand = 768;  // with all that wait
 constexpr std::size_t most_alone = 32;     // waiting cells, beyond which no more are taken
 constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
@@ -40,83 +38,58 @@ struct CellPool::Member : Reused {
     double seconds = 0;
     double charged_before = 0;  // by each cell of the group, when this one came
 
-    [[nodiscard]] Request request() const { return {desk.order().recorder != nullptr, desk.order().cycles}; }
+    std::vector<trajectory::Cycle<double>, ReusingAllocator<trajectory::Cycle<double>>>
+        course;  // the cycles of the order, so far
+    // Over these.
+    double largest_force = 0;
+    double largest_displacement = 0;
+
     // A batch measures peak forces at most.
     [[nodiscard]] bool fits_batch() const {
-        return batch && !(request().measures && desk.order().recorder->records_contacts());
+        const trajectory::Recorder<double>* recorder = desk.order().recorder;
+        return batch && !(recorder != nullptr && recorder->records_contacts());
     }
 };
 
 struct CellPool::Group {
-    Group(const Request& its_request, const scene::Oscillator<double>& rig, const Batch& batch)
-        : request(its_request), kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
+    Group(const scene::Oscillator<double>& rig, const Batch& batch)
+        : kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
     // Of cells with rigs of their own.
-    Group(const Request& its_request, const Batch& batch)
-        : request(its_request), kind(batch), map(few_cells, batch.steps, batch.springs) {}
+    explicit Group(const Batch& batch) : kind(batch), map(few_cells, batch.steps, batch.springs) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
-    // Of searches that didn't end soon.
-    [[nodiscard]] bool goes_far() const { return request.cycles >= Growth::block_cycles; }
-    [[nodiscard]] bool is_full() const {
-        // linear springs are what most cells have, and so the first to be many
-        const bool many_come = kind.springs == batch::Springs::linear;
-        return cells.size() >= (goes_far() && many_come ? enough_far : enough_near);
-    }
+    [[nodiscard]] bool is_full() const { return cells.size() >= enough; }
 
-    // Carries all cells through the cycles that they wait for.
-    void advance() {
-        if (request.cycles == 1) return map.advance({.measure = request.measures, .jacobian = true});
-        if (course.size() < cells.size() * request.cycles) course.resize(cells.size() * request.cycles);
-        largest_force.assign(cells.size(), 0);
-        largest_displacement.assign(cells.size(), 0);
-        for (std::size_t n = 0; n < request.cycles; ++n) {
-            map.advance({.measure = request.measures, .jacobian = true});
-            for (std::size_t slot = 0; slot < cells.size(); ++slot) {
-                trajectory::Cycle<double>& cycle = course[slot * request.cycles + n];
-                cycle = map.cycle(slot);
-                // a cell that failed idles below the stop
-                if (cycle.outcome != trajectory::Cycle<double>::Outcome::done) map.set_state(slot, {-1, 0});
-                if (!request.measures) continue;
-                largest_force[slot] = std::max(largest_force[slot], map.peak_force(slot));
-                largest_displacement[slot] = std::max(largest_displacement[slot], map.displacement_bound(slot));
-            }
-        }
+    // Carries all cells through a cycle. Some always want it measured, and groups of their own would be
+    // smaller.
+    void advance() { map.advance({.measure = true, .jacobian = true}); }
+    // Takes down the cycle of a slot; whether no other is to follow in its order.
+    [[nodiscard]] bool record(std::size_t slot) {
+        Member& cell = *cells[slot];
+        cell.course.push_back(map.cycle(slot));
+        cell.largest_force = std::max(cell.largest_force, map.peak_force(slot));
+        cell.largest_displacement = std::max(cell.largest_displacement, map.displacement_bound(slot));
+        return cell.course.size() == cell.desk.order().cycles ||
+               cell.course.back().outcome != trajectory::Cycle<double>::Outcome::done;
     }
-    // Tells the search in a slot what they were; of a cycle behind one that failed, nothing.
+    // Tells the search in a slot what they were.
     void tell(std::size_t slot) {
-        CycleDesk& desk = cells[slot]->desk;
-        trajectory::Recorder<double>* recorder = desk.order().recorder;
-        if (request.cycles == 1) {
-            const trajectory::Cycle<double> cycle = map.cycle(slot);
-            if (request.measures) {
-                recorder->cycles(cycle.impacts, map.peak_force(slot), map.displacement_bound(slot));
-            }
-            return desk.serve({&cycle, 1});
-        }
-        auto cycles = std::span(course).subspan(slot * request.cycles, request.cycles);
-        const auto failed = std::ranges::find_if(cycles, [](const trajectory::Cycle<double>& cycle) {
-            return cycle.outcome != trajectory::Cycle<double>::Outcome::done;
-        });
-        if (failed != cycles.end())
-            cycles = cycles.first(static_cast<std::size_t>(failed - cycles.begin()) + 1);
-        if (request.measures) {
+        Member& cell = *cells[slot];
+        if (trajectory::Recorder<double>* recorder = cell.desk.order().recorder) {
             int impacts = 0;
-            for (const auto& cycle : cycles) impacts += cycle.impacts;
-            recorder->cycles(impacts, largest_force[slot], largest_displacement[slot]);
+            for (const auto& cycle : cell.course) impacts += cycle.impacts;
+            recorder->cycles(impacts, cell.largest_force, cell.largest_displacement);
         }
-        desk.serve(cycles);
+        cell.desk.serve(cell.course);
+        cell.course.clear();
+        cell.largest_force = cell.largest_displacement = 0;
     }
 
-    Request request;
     Batch kind;
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Member>> cells;  // by slot of the map
-    // Of several cycles: those of a slot side by side, and largest values over them.
-    std::vector<trajectory::Cycle<double>> course;
-    std::vector<double> largest_force;
-    std::vector<double> largest_displacement;
-    double charged = 0;  // by each cell that was there all the time [s]
+    double charged = 0;                          // by each cell that was there all the time [s]
     double last_step_seconds = 0;
 };
 
@@ -128,12 +101,9 @@ bool CellPool::has_room() const {
     if (alone_.size() >= most_alone || in_hand_ >= most_in_hand) return false;
     std::size_t waiting = 0;
     for (const Group& group : groups_) {
-        if (!group.is_full())
-            waiting += group.cells.size();
-        else if (group.goes_far())
-            return false;
+        if (!group.is_full()) waiting += group.cells.size();
     }
-    return in_hand_ - waiting < capacity;
+    return in_hand_ - waiting < enough;
 }
 
 void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
@@ -174,14 +144,10 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
 }
 
 CellPool::Group& CellPool::group_for(const Member& cell) {
-    const Request request = cell.request();
-    const auto suits = [&](const Group& group) {
-        return group.request == request && group.kind == *cell.batch;
-    };
-    const auto found = std::ranges::find_if(groups_, suits);
+    const auto found = std::ranges::find(groups_, *cell.batch, &Group::kind);
     if (found != groups_.end()) return *found;
-    if (scene_.rigs_differ()) return groups_.emplace_back(request, *cell.batch);
-    return groups_.emplace_back(request, cell.desk.oscillator(), *cell.batch);
+    if (scene_.rigs_differ()) return groups_.emplace_back(*cell.batch);
+    return groups_.emplace_back(cell.desk.oscillator(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
@@ -192,12 +158,8 @@ void CellPool::enter(std::unique_ptr<Member> cell) {
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
-    } else {
-        enqueue(std::move(cell));
+        return;
     }
-}
-
-void CellPool::enqueue(std::unique_ptr<Member> cell) {
     const scene::Oscillator<double>& oscillator = cell->desk.oscillator();
     Group& group = group_for(*cell);
     if (scene_.rigs_differ()) {
@@ -205,7 +167,8 @@ void CellPool::enqueue(std::unique_ptr<Member> cell) {
     } else {
         group.map.add(oscillator.frequency, oscillator.gap, cell->desk.order().from);
     }
-    put_in(group, std::move(cell));
+    cell->charged_before = group.charged;
+    group.cells.push_back(std::move(cell));
 }
 
 void CellPool::step() {
@@ -227,8 +190,10 @@ void CellPool::advance(Group& group) {
     group.charged += group.last_step_seconds / static_cast<double>(group.cells.size());
     const Stopwatch stopwatch;
     group.advance();
-    // from the back: the cell that takes the slot of one that leaves has been served already
-    for (std::size_t slot = group.cells.size(); slot-- > 0;) serve(group, slot);
+    // from the back: the cell that takes the slot of one that leaves has had its turn already
+    for (std::size_t slot = group.cells.size(); slot-- > 0;) {
+        if (group.record(slot)) serve(group, slot);
+    }
     group.last_step_seconds = stopwatch.seconds();
 }
 
@@ -237,34 +202,16 @@ void CellPool::serve(Group& group, std::size_t slot) {
     group.tell(slot);
     if (cell.search.done()) return finish(*leave(group, slot));
     if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
-    if (cell.request() != group.request) return move(group, slot);
     group.map.set_state(slot, cell.desk.order().from);
 }
 
-std::unique_ptr<CellPool::Member> CellPool::take_out(Group& group, std::size_t slot) {
+std::unique_ptr<CellPool::Member> CellPool::leave(Group& group, std::size_t slot) {
+    group.map.remove(slot);
     std::unique_ptr<Member> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
     group.cells.pop_back();
     cell->seconds += group.charged - cell->charged_before;
     return cell;
-}
-
-std::unique_ptr<CellPool::Member> CellPool::leave(Group& group, std::size_t slot) {
-    group.map.remove(slot);
-    return take_out(group, slot);
-}
-
-void CellPool::put_in(Group& group, std::unique_ptr<Member> cell) {
-    cell->charged_before = group.charged;
-    group.cells.push_back(std::move(cell));
-}
-
-// To the batch of its new request.
-void CellPool::move(Group& from, std::size_t slot) {
-    Group& to = group_for(*from.cells[slot]);
-    to.map.take(from.map, slot);
-    to.map.set_state(to.map.size() - 1, from.cells[slot]->desk.order().from);
-    put_in(to, take_out(from, slot));
 }
 
 void CellPool::serve_alone() {

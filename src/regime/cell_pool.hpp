@@ -56,8 +56,8 @@ class CellPool {
     // Begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
 
-    // Carries each batch that has become large through the cycles that its cells wait for, or the largest where
-    // none has; the foremost of the cells outside batches through a few.
+    // Carries each batch that has become large through a cycle, or the largest where none has; the foremost of
+    // the cells outside batches through a few.
     void step();
 
   private:
@@ -71,22 +71,12 @@ class CellPool {
         friend bool operator==(const Batch&, const Batch&) = default;
     };
     static std::optional<Batch> batch_of(const CycleDesk& desk);
-    // Of a group: peak forces cost time, and cells that go far are seldom looked at.
-    struct Request {
-        bool measures;
-        std::size_t cycles;  // at once
-        friend bool operator==(const Request&, const Request&) = default;
-    };
     [[nodiscard]] Group& group_for(const Member& cell);
     void enter(std::unique_ptr<Member> cell);
-    void enqueue(std::unique_ptr<Member> cell);
     void advance(Group& group);
     void serve(Group& group, std::size_t slot);
     void serve_alone();
-    void move(Group& from, std::size_t slot);
     std::unique_ptr<Member> leave(Group& group, std::size_t slot);
-    std::unique_ptr<Member> take_out(Group& group, std::size_t slot);
-    void put_in(Group& group, std::unique_ptr<Member> cell);
     void finish(const Member& cell);
 
     const scene::Scene& scene_;

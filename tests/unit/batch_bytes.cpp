@@ -54,10 +54,10 @@ class Batch {
         cell_in_.pop_back();
     }
     void take(Batch& other, std::size_t slot) {
-        map_.take(other.map_, slot);
-        cell_in_.push_back(other.cell_in_[slot]);
-        other.cell_in_[slot] = other.cell_in_.back();
-        other.cell_in_.pop_back();
+        const std::size_t cell = other.cell_in_[slot];
+        map_.add(cells_[cell].frequency, cells_[cell].gap, other.map_.state(slot));
+        cell_in_.push_back(cell);
+        other.remove(slot);
     }
     void advance(int cycles) {
         for (int cycle = 0; cycle < cycles; ++cycle) map_.advance({.measure = true, .jacobian = true});
