@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "regime/growth.hpp"
 #include "regime/solve_cell.hpp"
 #include "support/reused_memory.hpp"
 #include "support/stopwatch.hpp"
