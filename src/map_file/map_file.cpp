@@ -204,7 +204,7 @@ void MapFile::seal() {
 }
 
 void MapFile::close() {
-    { const TileStore closing = std::move(tiles_); }  // HDF5 refuses to close a file with datasets open
+    { const TileStore closing = std::move(tiles_); }  // while there is a file to close them in
     file_.close();
 }
 

@@ -1,10 +1,12 @@
 #include "map_file/parallel_file.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 #include "map_file/make_layout.hpp"
-#include "parallel/checked.hpp"
 #include "parallel/collective.hpp"
+#include "support/errors.hpp"
 
 namespace peterka::map_file {
 
@@ -32,8 +34,12 @@ void ParallelFile::close() {
     parallel::together(communicator_, [&] {
         void* mpi_file = nullptr;
         check_(H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, &mpi_file), "H5Fget_vfd_handle");
-        parallel::checked("MPI_File_close", MPI_File_close(static_cast<MPI_File*>(mpi_file)));
         file_.release();
+        if (MPI_File_close(static_cast<MPI_File*>(mpi_file)) == MPI_SUCCESS) return;
+        throw Failure(ExitCode::output,
+                      fmt::format("{}: MPI_File_close failed; its disk may be failing. Run the same command "
+                                  "again.",
+                                  check_.path().string()));
     });
 }
 

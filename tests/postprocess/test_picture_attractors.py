@@ -9,7 +9,7 @@ from peterka.files.opened import NotDrawable
 from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
-from picture_samples import colour_named, Drawn, write_map
+from picture_samples import Drawn, colour_named, write_map
 
 
 def seen(file, figure, folder):
