@@ -22,8 +22,6 @@ import ratios
 from bench import JOB, Bench  # makes the package of postprocess known
 from labels import CHAOTIC, NO_IMPACT, PERIODIC, SUSTAINED, Labels
 
-from peterka.studies.study_file import StudyFile
-from peterka.studies.study_words import work_precision_table
 
 HUGE = 8192
 PLANNED = 65536
@@ -58,7 +56,7 @@ def main():
     arguments.page.parent.mkdir(parents=True, exist_ok=True)
 
     sections = [introduction(bench, arguments.quick)]
-    for measure in (engines, work_precision, maps, decisions, refinement, costs, dealing, memory, huge, scaling):
+    for measure in (engines, maps, decisions, refinement, costs, dealing, memory, huge, scaling):
         if measure is huge and not arguments.huge:
             continue
         section = measure(bench, sizes, arguments.page.parent)
@@ -95,18 +93,6 @@ def engines(bench, sizes, _page):
         markdown(["engine", "µs per cycle and cell", "error in peak force", "times as fast as CVODE"], table),
         "\n".join(line for line in lines[1:] if ":" in line),
     ]).strip()
-
-
-def work_precision(bench, _sizes, page):
-    file = bench.results / "study_work_precision.h5"
-    bench.output("mpirun", "-n", 1, bench.build / "peterka", "run", "jobs/study_work_precision.toml", "--output", file,
-                 "--fresh", "--quiet")
-    bench.output(sys.executable, "postprocess/draw.py", file, "--output-dir", bench.results / "pictures", "--formats",
-                 "png")
-    shutil.copyfile(bench.results / "pictures" / "study_work_precision.png", page / "study_work_precision.png")
-    with StudyFile(file) as study:
-        table = work_precision_table(study.table)
-    return "\n\n".join(["## Work and precision", table, "![work and precision](study_work_precision.png)"])
 
 
 def maps(bench, sizes, _page):
