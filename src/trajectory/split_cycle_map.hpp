@@ -131,11 +131,13 @@ using RigidSplitMap = SplitCycleMap<Real, RigidLegs<Real>>;
 // that kicks fall into the contact E/kappa h^2. The rule takes about four times that, and a third of the
 // tolerance for each power. Close to a bifurcation any error grows.
 //
-// Few different numbers, 16 at least, so that many cells share one and can march together.
+// Few different numbers, so that many cells share one and can march together.
+inline constexpr int fewest_split_steps = 10;
 inline constexpr int most_split_steps = 512;
 
-// Rounded up to a multiple of 16, and above 64 to a power of two or three quarters of one.
+// Rounded up to the fewest or a multiple of 16, and above 64 to a power of two or three quarters of one.
 inline int rounded_split_steps(int steps) {
+    if (steps <= fewest_split_steps) return fewest_split_steps;
     const auto size = std::bit_ceil(static_cast<unsigned>(steps));
     const int unit = std::max(16, static_cast<int>(size / 4));
     return (steps + unit - 1) / unit * unit;

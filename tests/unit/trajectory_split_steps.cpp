@@ -69,8 +69,8 @@ TEST(SplitSteps, AreFewDifferentNumbers) {
         EXPECT_LE(rounded, steps <= 64 ? steps + 15 : steps * 3 / 2);
         EXPECT_EQ(rounded_split_steps(rounded), rounded);
     }
-    EXPECT_EQ(numbers.size(), 10U);
-    EXPECT_EQ(*numbers.begin(), 16);
+    EXPECT_EQ(numbers.size(), 11U);
+    EXPECT_EQ(*numbers.begin(), fewest_split_steps);
     EXPECT_EQ(*numbers.rbegin(), most_split_steps);
 }
 
