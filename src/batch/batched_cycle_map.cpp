@@ -57,17 +57,12 @@ BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size
       fields_(fields),
       grid_(steps_per_cycle),
       slab_(nullptr, deallocate),
-      queues_(0),
       forcings_(frequencies_kept) {
     make_room(capacity);
 }
 
 BatchedCycleMap::BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs)
-    : springs_(springs),
-      fields_(fields_with_rigs),
-      grid_(steps_per_cycle),
-      slab_(nullptr, deallocate),
-      queues_(0) {
+    : springs_(springs), fields_(fields_with_rigs), grid_(steps_per_cycle), slab_(nullptr, deallocate) {
     make_room(capacity);
 }
 
@@ -81,7 +76,7 @@ void BatchedCycleMap::make_room(std::size_t capacity) {
         lanes_.arrays[n] = array;
     }
     slab_ = std::move(slab);
-    queues_ = Queues(rounded_up(capacity));
+    queues_.make_room(rounded_up(capacity));
     pattern_.resize(rounded_up(capacity));
     lanes_.pattern = pattern_.data();
     outcome_.resize(rounded_up(capacity));
@@ -98,8 +93,8 @@ scene::Oscillator<double> BatchedCycleMap::oscillator_of(double frequency, doubl
 }
 
 void BatchedCycleMap::set_state(std::size_t slot, const scene::State<double>& state) {
-    lanes_.delta(0)[slot] = state[0];
-    lanes_.velocity(0)[slot] = state[1];
+    lanes_[Field::delta][slot] = state[0];
+    lanes_[Field::velocity][slot] = state[1];
 }
 
 const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, double gap) {
@@ -111,7 +106,7 @@ const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, doubl
 
 // The kernel marches over whole vectors; lanes past the last cell stay idle.
 void BatchedCycleMap::use_lanes(std::size_t size) {
-    for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_[Field::in_use][slot] = 0;
+    for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_[Field::next][slot] = never;
     size_ = size;
     lanes_.size = size;
 }
@@ -142,7 +137,7 @@ void BatchedCycleMap::add(const Forcing& f, double cubic, double gap, const scen
     lanes_[Field::static_position][slot] = -below_stop;
     lanes_[Field::forced_delta_constant][slot] = -below_stop + f[Field::e00] * below_stop;
     lanes_[Field::forced_velocity_constant][slot] = f[Field::e10] * below_stop;
-    lanes_[Field::in_use][slot] = f.fit ? 1 : 0;
+    lanes_[Field::next][slot] = f.fit ? grid_.steps : never;
     twin_only_[slot] = !f.fit;
     twins_[slot] = nullptr;
     if (!f.fit) ++twin_only_count_;
@@ -160,6 +155,10 @@ void BatchedCycleMap::remove(std::size_t slot) {
     if (twin_only_[slot]) --twin_only_count_;
     const std::size_t last = size_ - 1;
     if (slot != last) copy_slot(last, slot);
+    if (slot != last && !is_at_end(last)) {
+        for (Queue* queue : queues_.events())
+            queue->rename(static_cast<std::int64_t>(last), static_cast<std::int64_t>(slot));
+    }
     twins_[slot] = std::move(twins_[last]);
     twins_[last] = nullptr;
     use_lanes(last);
@@ -174,6 +173,7 @@ BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
 
 void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     ++left_to_twin_;
+    if (!twin_only_[slot]) lanes_[Field::next][slot] = grid_.steps;
     if (!twins_[slot]) twins_[slot] = twin_of(slot);
     trajectory::Recorder<double> recorder;
     const auto cycle = twins_[slot]({lanes_[Field::start_delta][slot], lanes_[Field::start_velocity][slot]},
@@ -200,19 +200,17 @@ void BatchedCycleMap::advance(Wanted wanted) {
     } else {
         run_own_rigs_cycle(grid_, lanes_, queues_, wanted);
     }
-    if (grid_.steps % 2 == 1) {
-        std::copy_n(lanes_.delta(1), lanes_.size, lanes_.delta(0));
-        std::copy_n(lanes_.velocity(1), lanes_.size, lanes_.velocity(0));
-    }
     last_ = wanted;
-    cycles_ += static_cast<std::int64_t>(size_);
     std::fill_n(outcome_.begin(), size_, Outcome::done);
     for (std::size_t n = 0; n < queues_.twin.size; ++n) {
         run_twin(static_cast<std::size_t>(queues_.twin.lane[n]), wanted);
     }
     if (twin_only_count_ == 0) return;
     for (std::size_t slot = 0; slot < size_; ++slot) {
-        if (twin_only_[slot]) run_twin(slot, wanted);
+        if (!twin_only_[slot]) continue;
+        lanes_[Field::start_delta][slot] = lanes_[Field::delta][slot];
+        lanes_[Field::start_velocity][slot] = lanes_[Field::velocity][slot];
+        run_twin(slot, wanted);
     }
 }
 

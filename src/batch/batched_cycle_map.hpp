@@ -2,7 +2,8 @@
 //
 // Cells sit side by side in slots 0 to size() - 1; each has its own forcing and gap, and all share springs'
 // damping and stop (the rig), or each has its own of these, too. One call carries all of them through one
-// forcing cycle. What the kernel can't do surely (resonance, stops that don't oscillate, grazing) the scalar
+// forcing cycle, or, which is faster, on for about one: then each comes to the end of its cycle when it does.
+// What the kernel can't do surely (resonance, stops that don't oscillate, grazing) the scalar
 // twin does; `left_to_twin` counts it. A cell's result depends on the cell and its state alone, not on its slot
 // or its neighbours.
 //
@@ -51,14 +52,20 @@ class BatchedCycleMap {
     void add(double frequency, double gap, const scene::State<double>& state);
     // The same with its rig, where each has its own.
     void add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state);
-    // Takes a cell out; the last one takes its slot.
+    // Takes a cell out that is at its cycle's end; the last one takes its slot.
     void remove(std::size_t slot);
+    // The same condition.
     void set_state(std::size_t slot, const scene::State<double>& state);
 
-    // One cycle of all cells.
+    // Cells at their cycle's end begin the next one. Wanted always the same, until all are at their end.
     void advance(Wanted wanted);
+    // Whether the cell has come to the end of its cycle; a new one is there, too.
+    [[nodiscard]] bool is_at_end(std::size_t slot) const {
+        const double next = lanes_[Field::next][slot];
+        return twin_only_[slot] || (next >= grid_.steps && next < never);
+    }
 
-    // What it gave. A Jacobian that wasn't wanted is the identity.
+    // What it gave, at its end. A Jacobian that wasn't wanted is the identity.
     [[nodiscard]] trajectory::Cycle<double> cycle(std::size_t slot) const;
     // Where wanted: the largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
     [[nodiscard]] double peak_force(std::size_t slot) const { return lanes_[Field::peak_force][slot]; }
@@ -66,10 +73,9 @@ class BatchedCycleMap {
         return lanes_[Field::largest_displacement][slot];
     }
     [[nodiscard]] scene::State<double> state(std::size_t slot) const {
-        return {lanes_.delta(0)[slot], lanes_.velocity(0)[slot]};
+        return {lanes_[Field::delta][slot], lanes_[Field::velocity][slot]};
     }
 
-    [[nodiscard]] std::int64_t cycles() const { return cycles_; }
     [[nodiscard]] std::int64_t left_to_twin() const { return left_to_twin_; }
 
   private:
@@ -114,7 +120,6 @@ class BatchedCycleMap {
     std::vector<scene::Oscillator<double>> oscillators_;  // where each has its own rig
     std::vector<Forcing> forcings_;  // of the frequencies met last: neighbours in a map share them
     std::size_t twin_only_count_ = 0;
-    std::int64_t cycles_ = 0;
     std::int64_t left_to_twin_ = 0;
 };
 

@@ -13,7 +13,8 @@ namespace peterka::batch::HWY_NAMESPACE {
 
 // How far the flights of a vector of lanes swing, and the margin that their bound keeps.
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, V delta, V velocity) const {
+HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, V delta, V velocity,
+                                                                 Mask which) const {
     const auto& rig = rig_at(i);
     const V gap = load(lanes_[Field::gap] + i);
     const V eta = load(lanes_[Field::frequency] + i);
@@ -26,7 +27,8 @@ HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, 
     const V square = eta * eta;
     const V stiff = cubic ? load(lanes_[Field::flight_square] + i) : all(1);
     const V fourth = mul_add(square * square, load(lanes_[Field::swing] + i), stiff * stiff * amplitude);
-    store(hull_margin(fourth, load(lanes_[Field::step] + i)), lanes_[Field::margin] + i);
+    double* margin = lanes_[Field::margin] + i;
+    store(choose(which, hull_margin(fourth, load(lanes_[Field::step] + i)), load(margin)), margin);
     return amplitude;
 }
 
@@ -35,14 +37,18 @@ template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
     const V zero = all(0);
     queues_.twin.size = 0;
-    next_ = 0;
     real_ = every();
+    const auto set = [&](Mask which, V x, double* to)
+                         HWY_ATTR { store(everywhere(which) ? x : choose(which, x, load(to)), to); };
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
+        const V next = load(lanes_[Field::next] + i);
+        const Mask ended = (next >= all(steps_)) & (next < all(never));
+        if (!any(ended)) continue;
         const Index index = index_from(i);
-        const V delta = load(lanes_.delta(0) + i);
-        const V velocity = load(lanes_.velocity(0) + i);
-        store(delta, lanes_[Field::start_delta] + i);
-        store(velocity, lanes_[Field::start_velocity] + i);
+        const V delta = load(lanes_[Field::delta] + i);
+        const V velocity = load(lanes_[Field::velocity] + i);
+        set(ended, delta, lanes_[Field::start_delta] + i);
+        set(ended, velocity, lanes_[Field::start_velocity] + i);
 
         const auto& rig = rig_at(i);
         const V force = mul_add(all(rig.stiffness), delta, all(rig.damping) * velocity);
@@ -50,39 +56,42 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
         const Mask flight = (delta < zero) | (at_stop & (velocity <= zero));
         const Mask contact = ~flight & ((force > zero) | at_stop);
         const Mask unloaded = ~(flight | contact);
-        const Mask in_use = load(lanes_[Field::in_use] + i) > zero;
-        const V amplitude = begin_flight(i, delta, velocity);
-        store(choose(flight, zero, all(never)), lanes_[Field::next] + i);
+        const V amplitude = begin_flight(i, delta, velocity, ended);
+        // numbers that are none
+        const Mask finite = abs(amplitude) < all(1e100);
+        push(index, ended & ~finite, queues_.twin);
+        set(ended, choose(flight & finite, zero, all(never)), lanes_[Field::next] + i);
 
         const auto phase = choose(
             flight, patterns(trajectory::Phase::flight),
             choose(contact, patterns(trajectory::Phase::contact), patterns(trajectory::Phase::unloaded)));
-        store(phase, lanes_.pattern + i);
-        store(zero, lanes_[Field::impacts] + i);
-        store(choose(contact, all(1), zero), lanes_[Field::touched] + i);
-        store(choose(flight, all(1), zero), lanes_[Field::separated] + i);
+        store(choose(ended, phase, load(lanes_.pattern + i)), lanes_.pattern + i);
+        set(ended, zero, lanes_[Field::impacts] + i);
+        set(ended, choose(contact, all(1), zero), lanes_[Field::touched] + i);
+        set(ended, choose(flight, all(1), zero), lanes_[Field::separated] + i);
         if constexpr (measure) {
-            store(zero, lanes_[Field::peak_force] + i);
-            store(zero, lanes_[Field::largest_displacement] + i);
+            set(ended, zero, lanes_[Field::peak_force] + i);
+            set(ended, zero, lanes_[Field::largest_displacement] + i);
         }
         if constexpr (Gathered::bounds_legs) {
             const V u = delta + load(lanes_[Field::gap] + i);
-            store(amplitude, lanes_[Field::leg_amplitude] + i);
-            store(sqrt(mul_add(u, u, velocity * velocity)), lanes_[Field::leg_energy] + i);
+            set(ended, amplitude, lanes_[Field::leg_amplitude] + i);
+            set(ended, sqrt(mul_add(u, u, velocity * velocity)), lanes_[Field::leg_energy] + i);
         }
-        if constexpr (keeps_legs) store(zero, lanes_[Field::leg_start] + i);
-        if constexpr (jacobian) store_jacobian({all(1), zero, zero, all(1)}, lanes_, i);
+        if constexpr (keeps_legs) set(ended, zero, lanes_[Field::leg_start] + i);
+        if constexpr (jacobian) {
+            const Matrix2 identity{all(1), zero, zero, all(1)};
+            store_jacobian(everywhere(ended) ? identity : choose(ended, identity, load_jacobian(lanes_, i)),
+                           lanes_, i);
+        }
         const Moments start{delta, velocity, zero, all(1)};
-        push(index, zero, zero, start, in_use & contact, cubic ? queues_.held_contacts : queues_.contacts);
-        push(index, zero, zero, start, in_use & unloaded, cubic ? queues_.held_releases : queues_.releases);
-        // idle lanes, and numbers that are none
-        const Mask idle = ~in_use;
-        if (any(idle)) store(choose(idle, all(never), load(lanes_[Field::next] + i)), lanes_[Field::next] + i);
-        const Mask finite = abs(amplitude) < all(1e100);
-        const Mask wild = ~finite & in_use;
-        if (any(wild)) {
-            push(index, wild, queues_.twin);
-            store(choose(wild, all(never), load(lanes_[Field::next] + i)), lanes_[Field::next] + i);
+        const Mask goes = ended & finite;
+        if constexpr (cubic) {
+            push(index, zero, zero, start, goes & contact, queues_.held_contacts);
+            push(index, zero, zero, start, goes & unloaded, queues_.held_releases);
+        } else {
+            push(index, all(steps_), zero, start, goes & contact, queues_.contacts);
+            push(index, all(steps_), zero, start, goes & unloaded, queues_.releases);
         }
     }
 }
@@ -92,11 +101,14 @@ template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::finish() {
     const V zero = all(0);
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
+        const V next = load(lanes_[Field::next] + i);
+        const Mask ended = (next >= all(steps_)) & (next < all(never));
+        if (!any(ended)) continue;
         const V impacts = load(lanes_[Field::impacts] + i);
         store(choose(impacts > zero, all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);
         if constexpr (measure || jacobian) {
             const V start = load(lanes_[Field::leg_start] + i);
-            const Mask flies = start >= zero;
+            const Mask flies = ended & (start >= zero);
             const V duration = mul_sub(all(steps_), load(lanes_[Field::step] + i), start);
             if constexpr (measure) {
                 const V eta = load(lanes_[Field::frequency] + i);

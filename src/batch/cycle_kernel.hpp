@@ -10,8 +10,9 @@
 
 namespace peterka::batch {
 
-// Carries every lane from forcing phase 0 to forcing phase 0; the state is in delta(0) and velocity(0) before,
-// and in delta(steps % 2) and velocity(steps % 2) after. Lanes in queues.twin were left to the scalar engine.
+// Carries lanes from forcing phase 0 to forcing phase 0. Each that has come to the end of its cycle begins
+// another one; whether all come to its end, too, is a part of what is wanted. Lanes in queues.twin were left to
+// the scalar engine.
 void run_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted);
 
 // "fma" or "plain": results of machines with the same arithmetic have the same bytes.

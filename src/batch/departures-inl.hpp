@@ -16,14 +16,14 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release_all() {
     const Waiting w = take(queues_.releases);
     const Cells cells = cells_of(w.lanes);
     Gathered track(lanes_, w.lanes);
-    release(cells, w.time, w.moment, every(), track);
+    release(cells, w.time, w.moment, w.end, every(), track);
     track.keep(lanes_, w.lanes);
 }
 
 // The stop doesn't press, and the hammer is on its way out: it leaves, and flies on to a grid point.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells, V time, const Moments& m,
-                                                             Mask which, Gathered& track) {
+                                                             V until, Mask which, Gathered& track) {
     const V zero = all(0);
     const Flight flight(cells, m);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
@@ -48,12 +48,11 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
         track.leg_energy = choose(which, sqrt(mul_add(u, u, speed * speed)), track.leg_energy);
     }
     if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
-    push(cells.index, zero, time, m, real_ & ~sure & which, queues_.turns);
+    push(cells.index, until, time, m, real_ & ~sure & which, queues_.turns);
     which = which & sure;
 
     // to the first grid point after it is out
-    const V grid_point =
-        cubic ? all(until_) : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
+    const V grid_point = cubic ? until : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
     const V length = mul_sub(grid_point, cells.step, time);
     const Moments end = end_of(flight, length);
     const Mask goes_on = length <= leaving;  // the cycle, or with kicks the step, ends before it is out
@@ -64,7 +63,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
     Mask free = which & (goes_on | below);
     if constexpr (cubic) {
         const Mask held = which & goes_on & (end.delta >= zero);
-        hold(cells, end.delta, end.velocity, held, queues_.held_releases);
+        hold(cells, end.delta, end.velocity, until, held, queues_.held_releases);
         if constexpr (measure) {
             track.raise_displacement(hull.displacement_bound(cells.gap, m.delta, margin), which);
         }
@@ -91,7 +90,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
     const Flight flight(cells, w.moment);
     const V zero = all(0);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
-    const V grid_point = cubic ? all(until_) : min(floor(w.time * cells.per_step) + all(4), all(steps_));
+    const V grid_point = cubic ? w.end : min(floor(w.time * cells.per_step) + all(4), w.end);
     const V length = mul_sub(grid_point, cells.step, w.time);
     const Found force = seek_force(cells, w.moment, length, fourth, every());
     const Mask resumes = force.found & (force.moment.delta > zero);
@@ -99,7 +98,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
     const Moments end = end_of(flight, length);
     const Mask quiet = ~(force.found | force.unsure);
     const Mask flies = quiet & (end.delta < zero);
-    const Mask held = quiet & (end.delta >= zero) & (grid_point >= all(until_));
+    const Mask held = quiet & (end.delta >= zero) & (grid_point >= w.end);
     Gathered track(lanes_, w.lanes);
     if constexpr (measure && cubic) {
         const V margin = hull_margin(fourth, length);
@@ -109,7 +108,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
 
     if constexpr (cubic) {
         if constexpr (jacobian) track.carry(flown(cells, length), flies | held);
-        hold(cells, end.delta, end.velocity, held, queues_.held_releases);
+        hold(cells, end.delta, end.velocity, w.end, held, queues_.held_releases);
         arrive(cells, end.delta, end.velocity, grid_point, fourth, flies);
     } else {
         arrive(cells, end.delta, end.velocity, grid_point, fourth, flies | held);
@@ -129,7 +128,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
         if constexpr (keeps_legs) track.leg_start = choose(resumes, time, track.leg_start);
         track.pattern = choose(resumes, append(track.pattern, trajectory::Phase::contact), track.pattern);
         put(all(1), lanes_[Field::touched], cells.index, resumes);
-        push(cells.index, zero, time, force.moment, real_ & resumes, queues_.contacts);
+        push(cells.index, w.end, time, force.moment, real_ & resumes, queues_.contacts);
     }
     leave_to_twin(cells, ~(resumes | has_left | flies | held));
     track.keep(lanes_, w.lanes);

@@ -12,43 +12,47 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike_all(int n) {
-    while (queues_.crossings.size > 0) {
-        const Index lanes = take(queues_.crossings);
-        const Cells cells = cells_of(lanes);
-        const V time = all(n) * cells.step;
-        const Moments start{gather(lanes_.delta(1 - next_), lanes), gather(lanes_.velocity(1 - next_), lanes),
-                            all(grid_.sine[static_cast<std::size_t>(n)]),
-                            all(grid_.cosine[static_cast<std::size_t>(n)])};
-        const Found found = strike(cells, start, gather(lanes_.delta(next_), lanes),
-                                   gather(lanes_.velocity(next_), lanes), gather(lanes_[Field::margin], lanes));
-        const Mask which = found.found;
-        push(lanes, all(n + 1), time, start, ~which & real_, queues_.hops);
-        if (any(which)) {
-            Gathered track(lanes_, lanes);
-            touch(cells, time + found.time, found.moment, which, track);
-            track.keep(lanes_, lanes);
-        }
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike() {
+    const Waiting w = take(queues_.crossings);
+    const Cells cells = cells_of(w.lanes);
+    const Found found =
+        first_meeting(cells, w.moment, gather(lanes_[Field::delta], w.lanes),
+                      gather(lanes_[Field::velocity], w.lanes), gather(lanes_[Field::margin], w.lanes));
+    const Mask which = found.found;
+    push(w.lanes, w.end, w.time, w.moment, ~which & real_, queues_.hops);
+    if (any(which)) {
+        Gathered track(lanes_, w.lanes);
+        touch(cells, w.time + found.time, found.moment, until(w), which, track);
+        track.keep(lanes_, w.lanes);
     }
 }
 
 template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain() {
+HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain(std::size_t fill) {
+    const auto is_ripe = [&](const Queue& queue) {
+        return queue.size >= fill || (queue.size > 0 && queue.passes >= longest_wait);
+    };
     // each round carries its lanes on in time; what goes on for longer is left to the twin
     for (int round = 0; round < 100'000; ++round) {
-        if (queues_.hops.size > 0) {
+        if (is_ripe(queues_.crossings)) {
+            strike();
+        } else if (is_ripe(queues_.hops)) {
             hop();
-        } else if (queues_.contacts.size > 0) {
+        } else if (is_ripe(queues_.contacts)) {
             stay();
-        } else if (queues_.releases.size > 0) {
+        } else if (is_ripe(queues_.releases)) {
             release_all();
-        } else if (queues_.turns.size > 0) {
+        } else if (is_ripe(queues_.turns)) {
             turn();
+        } else if (cubic && is_ripe(queues_.held_contacts)) {
+            kick_held(queues_.held_contacts, queues_.contacts, true);
+        } else if (cubic && is_ripe(queues_.held_releases)) {
+            kick_held(queues_.held_releases, queues_.releases, false);
         } else {
             return;
         }
     }
-    for (Queue* queue : {&queues_.hops, &queues_.contacts, &queues_.releases, &queues_.turns}) {
+    for (Queue* queue : queues_.events()) {
         while (queue->size > 0) {
             const Waiting w = take(*queue);
             leave_to_twin(cells_of(w.lanes), every());
@@ -80,7 +84,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
     }
     if (any(touches)) {
         Gathered track(lanes_, w.lanes);
-        touch(cells, w.time + found.time, found.moment, touches, track);
+        touch(cells, w.time + found.time, found.moment, until(w), touches, track);
         track.keep(lanes_, w.lanes);
     }
 }
@@ -88,8 +92,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, V delta, V velocity,
                                                             V grid_point, V fourth_derivative, Mask which) {
-    put(delta, lanes_.delta(next_), cells.index, which);
-    put(velocity, lanes_.velocity(next_), cells.index, which);
+    put(delta, lanes_[Field::delta], cells.index, which);
+    put(velocity, lanes_[Field::velocity], cells.index, which);
     put(grid_point, lanes_[Field::next], cells.index, which);
     put(hull_margin(fourth_derivative, cells.step), lanes_[Field::margin], cells.index, which);
 }
@@ -97,7 +101,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, 
 // The hammer meets the stop.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V time, const Moments& m,
-                                                           Mask which, Gathered& track) {
+                                                           V until, Mask which, Gathered& track) {
     const V drive = cells.drive;
     // a touch so slow that rounding decides about it
     const V scale = drive + abs(cells.gap) + all(1);
@@ -119,15 +123,15 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V
     if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
 
     Mask is_short = none();
-    if constexpr (!own) is_short = touch_shortly(cells, time, m, which, track);
-    push(cells.index, all(0), time, m, real_ & ~is_short & which, queues_.contacts);
+    if constexpr (!own) is_short = touch_shortly(cells, time, m, until, which, track);
+    push(cells.index, until, time, m, real_ & ~is_short & which, queues_.contacts);
 }
 
 // Those of the touches that are over soon, or but for the next kick would be, and what follows. Long in one
 // piece: each part of it would be handed the contact, its release and what the others narrowed the lanes to.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
-                                                                   Mask which, Gathered& track) {
+                                                                   V until, Mask which, Gathered& track) {
     const V drive = cells.drive;
     const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
@@ -145,7 +149,7 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& 
     const Mask ends_before = time + all(rig_.latest_exit) < all(steps_) * cells.step;
     const Mask small_angle = cells.eta * all(rig_.latest_exit) < all(0.78);  // pi/4, the range of the series
     // up to the next kick
-    const V left = mul_sub(all(until_), cells.step, time);
+    const V left = mul_sub(until, cells.step, time);
     const Mask may_be_short = (cubic ? like_unforced : like_unforced & ends_before) & small_angle;
     Mask is_short = which & may_be_short;
     if (any(is_short)) {
@@ -180,11 +184,11 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& 
         Mask leaves = is_short;
         if constexpr (cubic) {
             const Moments last = contact.moment(point);
-            hold(cells, last.delta, last.velocity, is_short & goes_on, queues_.held_contacts);
+            hold(cells, last.delta, last.velocity, until, is_short & goes_on, queues_.held_contacts);
             leaves = leaves & ~goes_on;
         }
         track.pattern = choose(leaves, append(track.pattern, trajectory::Phase::unloaded), track.pattern);
-        release(cells, time + end.time, let_go(contact.moment(end.point)), leaves, track);
+        release(cells, time + end.time, let_go(contact.moment(end.point)), until, leaves, track);
     }
     return is_short;
 }
@@ -195,7 +199,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
     const Contact contact(lanes_, cells, w.moment);
-    const V length = mul_sub(all(until_), cells.step, w.time);
+    const V length = mul_sub(w.end, cells.step, w.time);
     const V zero = all(0);
     Sought end = seek(cells, contact, 0, all(-1), zero, contact.start(), length, every());
     Mask sure = ~end.unsure;
@@ -219,7 +223,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
     if (any(stays)) {
         const Moments last = contact.moment(contact.at(length));
         if constexpr (cubic) {
-            hold(cells, last.delta, last.velocity, stays, queues_.held_contacts);
+            hold(cells, last.delta, last.velocity, w.end, stays, queues_.held_contacts);
         } else {
             arrive(cells, last.delta, last.velocity, all(steps_), zero, stays);
             if constexpr (keeps_legs) track.leg_start = choose(stays, all(-1), track.leg_start);
@@ -227,7 +231,7 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
     }
     const Mask leaves = sure & end.found;
     track.pattern = choose(leaves, append(track.pattern, trajectory::Phase::unloaded), track.pattern);
-    if (any(leaves)) release(cells, w.time + end.time, let_go(contact.moment(end.point)), leaves, track);
+    if (any(leaves)) release(cells, w.time + end.time, let_go(contact.moment(end.point)), w.end, leaves, track);
     track.keep(lanes_, w.lanes);
 }
 

@@ -2,11 +2,12 @@
 //
 // All lanes march together over a grid of forcing phases. A step of free flight is one affine map of (delta,
 // delta') per lane; its flag test asks whether the lane can have come above the stop meanwhile (Hull,
-// flight-inl.hpp). The few lanes that are flagged are gathered from the whole batch into full vectors, and
-// these are carried through entry, contact and release to the grid point after that, where they march on with
-// the others:
+// flight-inl.hpp). The few lanes that are flagged wait, each kind in a queue, until there are enough of them to
+// fill a vector or the march has come round often enough. Then they are gathered from the whole batch, and
+// carried through entry, contact and release to the grid point after that. When the march comes there, in this
+// round or the next one, they join it:
 //
-//   step        every lane in flight            -> crossings, hops
+//   step        every lane at its grid point    -> crossings, hops
 //   strike      crossings: above at step's end  -> touch, or hops
 //   touch       an impact begins                -> short contact and release, or contacts
 //   stay        contacts of any length          -> release, or the cycle's end
@@ -15,8 +16,8 @@
 //   hop         flights that may rise above     -> touch, or nothing happened
 //
 // With a cubic spring (`cubic`; see trajectory/split_cycle_map.hpp) each grid point brings a kick, and events
-// are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick,
-// as a contact of any length. The linear equations are each lane's own.
+// are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick
+// (kick_held), as a contact of any length. The linear equations are each lane's own.
 //
 // Each decision is proved (no event is taken for the first, or for absent, on the strength of samples); where a
 // proof fails the lane is left to the scalar twin (trajectory/exact_cycle_map.hpp or split_cycle_map.hpp),
@@ -27,7 +28,9 @@
 // batch together in full vectors; short contacts by Newton's method from guesses (touch 37 -> 11 ns per cycle);
 // two vectors at once, which hide each other's latency (a sixth of the time); a tenth by 10 steps per cycle
 // instead of 16 where they suffice; a series for weak damping and no blending of full vectors (8 %); flags
-// collected as bits (3 %). The number of slots hardly matters from 256 to 2048: many fill the vectors, few stay
+// collected as bits (3 %). Events that wait for others, also beyond a round of the march: with 128 slots each
+// vector of a map's crossings holds 13 lanes instead of 9, one of its long contacts 4 instead of 2, and a cycle
+// takes a fifth less time. The number of slots hardly matters from 256 to 2048: many fill the vectors, few stay
 // in the cache. With AVX2: lanes pushed one by one (a fifth; GCC copies the table of a vector's compression to
 // the stack each time), single loads instead of gathers (a twentieth). In maps, where slow departures are many,
 // turn() is worth a tenth.
@@ -68,23 +71,24 @@ class Kernel {
                                                                                 grid_(grid),
                                                                                 lanes_(lanes),
                                                                                 queues_(queues),
-                                                                                steps_(grid.steps),
-                                                                                until_(steps_) {}
+                                                                                steps_(grid.steps) {}
     Kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues) requires(!own)
-        : rig_(rig), grid_(grid), lanes_(lanes), queues_(queues), steps_(grid.steps), until_(steps_) {}
+        : rig_(rig), grid_(grid), lanes_(lanes), queues_(queues), steps_(grid.steps) {}
 
-    HWY_ATTR void run() {
+    HWY_ATTR void run(bool whole) {
         begin();
-        if constexpr (!cubic) drain();
-        for (int n = 0; n < grid_.steps; ++n) {
-            if constexpr (cubic) {
-                until_ = n + 1;
-                kick_held(n == 0 ? 0.5 : 1);
+        const std::size_t fill = std::clamp(lanes_.size / widest_vector, std::size_t{1}, most_fill);
+        drain(fill);
+        for (int n = earliest();; n = earliest()) {
+            for (; n < grid_.steps; ++n) {
+                step(n);
+                drain(fill);
             }
-            step(n);
-            strike_all(n);
-            drain();
+            if (!whole) break;
+            drain(1);
+            if (earliest() == grid_.steps) break;
         }
+        for (Queue* queue : queues_.events()) queue->passes = queue->size > 0 ? queue->passes + 1 : 0;
         if constexpr (cubic) {
             finish_kicks();
         } else {
@@ -95,29 +99,34 @@ class Kernel {
   private:
     using Gathered = Track<measure, jacobian, cubic>;
     static constexpr bool keeps_legs = Gathered::keeps_legs;
+    // Lanes that an event must have to be worth its vectors, in a large batch, and how long they wait for
+    // others where cycles needn't be whole.
+    static constexpr std::size_t most_fill = 8;
+    static constexpr int longest_wait = 4;
     using Whose = std::conditional_t<own, OwnRigs, const Rig&>;
     using Cells = CellsOf<Whose>;
     using Contact = ContactOf<cubic, Cells>;
 
     HWY_ATTR void begin();
-    HWY_INLINE V begin_flight(std::size_t i, V delta, V velocity) const;
+    HWY_INLINE V begin_flight(std::size_t i, V delta, V velocity, Mask which) const;
+    [[nodiscard]] HWY_ATTR int earliest() const;
     HWY_ATTR void step(int n);
     HWY_INLINE V kick(const Lanes& lanes, std::size_t i, Mask active, V cubic_part) const;
     HWY_INLINE Flags fly(const Lanes& lanes, std::size_t i, Mask active, const Forced& forced,
                          V kick_slope) const;
     HWY_ATTR void enqueue(std::size_t first_lane, int n, Flags flags);
-    HWY_ATTR void strike_all(int n);
-    HWY_ATTR void drain();
+    HWY_ATTR void strike();
+    HWY_ATTR void drain(std::size_t fill);
     HWY_ATTR void hop();
     HWY_ATTR void stay();
     HWY_ATTR void release_all();
     HWY_ATTR void turn();
-    HWY_ATTR void touch(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
-    HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
-    HWY_ATTR void release(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR void touch(const Cells& cells, V time, const Moments& m, V until, Mask which, Gathered& track);
+    HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moments& m, V until, Mask which,
+                                Gathered& track);
+    HWY_ATTR void release(const Cells& cells, V time, const Moments& m, V until, Mask which, Gathered& track);
     HWY_ATTR void finish();
-    HWY_ATTR void kick_held(double part);
-    HWY_ATTR void kick_held(Queue& held, Queue& ready, bool pressed, double part);
+    HWY_ATTR void kick_held(Queue& held, Queue& ready, bool pressed);
     HWY_ATTR void finish_kicks();
 
     HWY_ATTR Cells cells_of(Index lanes) const {
@@ -136,17 +145,15 @@ class Kernel {
             return rig_;
         }
     }
-    // Takes lanes off a list; from then on `real_` says which of them are no padding.
-    HWY_ATTR Index take(Crossings& list) {
-        const Taken taken = batch::HWY_NAMESPACE::take(list);
-        real_ = taken.real;
-        return taken.lanes;
-    }
+    // Takes lanes off a queue; from then on `real_` says which of them are no padding.
     HWY_ATTR Waiting take(Queue& queue) {
         const Waiting waiting = batch::HWY_NAMESPACE::take(queue);
         real_ = waiting.real;
+        queue.passes = 0;
         return waiting;
     }
+    // The grid point up to which events are to be followed that begin in a flight.
+    HWY_INLINE V until(const Waiting& flight) const { return cubic ? flight.end : all(steps_); }
     // The flow of a stretch of flight, and its end. With a cubic spring no stretch is longer than a step.
     HWY_INLINE Matrix2 flown(const Cells& cells, V length) const {
         return cubic ? soon_flow(cells, length) : flight_flow(cells, length);
@@ -168,7 +175,7 @@ class Kernel {
     }
     HWY_ATTR void arrive(const Cells& cells, V delta, V velocity, V grid_point, V fourth_derivative,
                          Mask which);
-    HWY_ATTR void hold(const Cells& cells, V delta, V velocity, Mask which, Queue& held);
+    HWY_ATTR void hold(const Cells& cells, V delta, V velocity, V grid_point, Mask which, Queue& held);
 
     struct None {};
     std::conditional_t<own, None, const Rig&> rig_;
@@ -176,27 +183,25 @@ class Kernel {
     const Lanes& lanes_;
     Queues& queues_;
     double steps_;
-    double until_;          // grid point up to which events are followed now
-    Mask real_ = every();   // of the vector of lanes in hand: not padding
-    std::size_t next_ = 0;  // which of the two states is that of the coming grid point
+    Mask real_ = every();  // of the vector of lanes in hand: not padding
 };
 
 template <bool cubic>
 HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     constexpr bool own = false;
     if (wanted.measure && wanted.jacobian)
-        return Kernel<true, true, cubic, own>(rig, grid, lanes, queues).run();
-    if (wanted.measure) return Kernel<true, false, cubic, own>(rig, grid, lanes, queues).run();
-    if (wanted.jacobian) return Kernel<false, true, cubic, own>(rig, grid, lanes, queues).run();
-    return Kernel<false, false, cubic, own>(rig, grid, lanes, queues).run();
+        return Kernel<true, true, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
+    if (wanted.measure) return Kernel<true, false, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
+    if (wanted.jacobian) return Kernel<false, true, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
+    return Kernel<false, false, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
 }
 
 // Of lanes with rigs of their own, the Jacobian always: who wants only states has one rig.
 template <bool cubic>
 HWY_ATTR void run_own_kernel(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     constexpr bool own = true;
-    if (wanted.measure) return Kernel<true, true, cubic, own>(grid, lanes, queues).run();
-    return Kernel<false, true, cubic, own>(grid, lanes, queues).run();
+    if (wanted.measure) return Kernel<true, true, cubic, own>(grid, lanes, queues).run(wanted.whole);
+    return Kernel<false, true, cubic, own>(grid, lanes, queues).run(wanted.whole);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

@@ -1,6 +1,7 @@
 // The cells of a batch as a structure of arrays: one lane per cell.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +10,7 @@
 namespace peterka::batch {
 
 constexpr std::size_t widest_vector = 16;  // lanes that the kernel takes at once, at most
-constexpr double never = 1e9;              // as a grid point: the lane takes no part in this cycle
+constexpr double never = 1e9;              // as a grid point: beyond any
 
 // The arrays of a batch, a number for each lane. Grid point n is the forcing phase 2 pi n/steps.
 enum class Field : std::uint8_t {
@@ -46,13 +47,12 @@ enum class Field : std::uint8_t {
     forced_velocity_sine,
     forced_velocity_cosine,
 
-    // The state at the current grid point and at the next; which of the two is which alternates.
-    delta_0,
-    delta_1,
-    velocity_0,
-    velocity_1,
-    in_use,  // 1, or 0: another engine's or nobody's
-    next,    // grid point from which the lane is in flight again
+    // The state at the lane's grid point, and where its last step of flight began.
+    delta,
+    velocity,
+    delta_before,
+    velocity_before,
+    next,    // grid point of a lane in flight; `never` while an event holds it; the last, or beyond, at its end
     margin,  // of the flag test: what a step's cubic may be wrong by, over s^2 (1 - s)^2, over 6
     start_delta,
     start_velocity,
@@ -87,7 +87,7 @@ constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
 constexpr std::size_t fields_with_rigs = index_of(Field::damping) + 1;
 // Those that don't change from cycle to cycle: the first of them depend on the gap always.
 constexpr std::size_t gap_fields = index_of(Field::frequency);
-constexpr std::size_t cell_fields = index_of(Field::delta_0);
+constexpr std::size_t cell_fields = index_of(Field::delta);
 
 struct Lanes {
     std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
@@ -95,22 +95,17 @@ struct Lanes {
     std::uint64_t* pattern = nullptr;  // of the cycle's events
 
     double* operator[](Field field) const { return arrays[index_of(field)]; }
-    [[nodiscard]] double* delta(std::size_t which) const { return (*this)[after(Field::delta_0, which)]; }
-    [[nodiscard]] double* velocity(std::size_t which) const { return (*this)[after(Field::velocity_0, which)]; }
     // Row by row.
     [[nodiscard]] double* jacobian(std::size_t n) const { return (*this)[after(Field::jacobian_00, n)]; }
 };
 
 // Moments of lanes that wait for the same treatment.
 struct Queue {
-    explicit Queue(std::size_t lanes)
-        : lane(lanes + 2 * widest_vector),
-          end(lane.size()),
-          time(lane.size()),
-          delta(lane.size()),
-          velocity(lane.size()),
-          sine(lane.size()),
-          cosine(lane.size()) {}
+    // Room for so many lanes; those in it stay.
+    void make_room(std::size_t lanes) {
+        lane.resize(lanes + 2 * widest_vector);
+        for (auto* field : {&end, &time, &delta, &velocity, &sine, &cosine}) field->resize(lane.size());
+    }
 
     struct Entry {
         double end, time, delta, velocity, sine, cosine;
@@ -125,10 +120,15 @@ struct Queue {
         cosine[size] = entry.cosine;
         ++size;
     }
+    // What waits for lane `which` waits for another one now.
+    void rename(std::int64_t which, std::int64_t to) {
+        std::replace(lane.begin(), lane.begin() + static_cast<std::ptrdiff_t>(size), which, to);
+    }
 
     std::size_t size = 0;
+    int passes = 0;  // of the march, since one was taken
     std::vector<std::int64_t> lane;
-    std::vector<double> end;   // grid point up to which it was already followed
+    std::vector<double> end;   // grid point up to which it is to be followed, or was already
     std::vector<double> time;  // tau since the cycle began
     std::vector<double> delta;
     std::vector<double> velocity;
@@ -136,31 +136,28 @@ struct Queue {
     std::vector<double> cosine;
 };
 
-// Lanes that cross the stop within the present step.
-struct Crossings {
-    explicit Crossings(std::size_t lanes) : lane(lanes + 2 * widest_vector) {}
+// Lanes alone.
+struct LaneList {
     std::size_t size = 0;
     std::vector<std::int64_t> lane;
 };
 
 struct Queues {
-    explicit Queues(std::size_t lanes)
-        : crossings(lanes),
-          hops(lanes),
-          contacts(lanes),
-          releases(lanes),
-          turns(lanes),
-          held_contacts(lanes),
-          held_releases(lanes),
-          twin(lanes) {}
-    Crossings crossings;  // above the stop at the end of a step
+    void make_room(std::size_t lanes) {
+        for (Queue* queue : events()) queue->make_room(lanes);
+        twin.lane.resize(lanes + 2 * widest_vector);
+    }
+    Queue crossings;      // above the stop at the end of a step
     Queue hops;           // may rise above it within a stretch of flight
     Queue contacts;       // of any length
     Queue releases;       // above the stop, which doesn't press
     Queue turns;          // the same, but they leave slowly
     Queue held_contacts;  // with a cubic spring: those that wait for the kick at a grid point
     Queue held_releases;
-    Crossings twin;  // left to the scalar engine in this cycle
+    [[nodiscard]] std::array<Queue*, 7> events() {
+        return {&crossings, &hops, &contacts, &releases, &turns, &held_contacts, &held_releases};
+    }
+    LaneList twin;  // left to the scalar engine in this cycle
 };
 
 // The forcing's phases at the grid points.
@@ -174,6 +171,9 @@ struct Grid {
 struct Wanted {
     bool measure = false;   // peak force and a bound of |u|
     bool jacobian = false;  // of the cycle
+    // All lanes come to their cycle's end. Otherwise some events may wait for more of their kind, to fill the
+    // vectors, and the next call goes on with them.
+    bool whole = true;
 };
 
 }  // namespace peterka::batch

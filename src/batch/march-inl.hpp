@@ -1,4 +1,4 @@
-// How all lanes in flight march from grid point to grid point: see kernel-inl.hpp, which includes this.
+// How lanes in flight march from grid point to grid point: see kernel-inl.hpp, which includes this.
 #if defined(PETERKA_BATCH_MARCH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_MARCH_INL_HPP
 #undef PETERKA_BATCH_MARCH_INL_HPP
@@ -14,11 +14,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// From grid point n to the next.
+// The first grid point from which a lane is to march; the cycle's end where none is.
+template <bool measure, bool jacobian, bool cubic, bool own>
+HWY_ATTR int Kernel<measure, jacobian, cubic, own>::earliest() const {
+    const double* next = lanes_[Field::next];
+    double point = steps_;
+    for (std::size_t i = 0; i < lanes_.size; ++i) point = std::min(point, next[i]);
+    return static_cast<int>(point);
+}
+
+// All lanes that are there, from grid point n to the next.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::step(int n) {
-    next_ = 1 - next_;
-    real_ = every();
     const auto point = static_cast<std::size_t>(n);
     const Forced forced{all(grid_.sine[point]), all(grid_.cosine[point])};
     const V here = all(n);
@@ -30,7 +37,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::step(int n) {
     for (std::size_t word = 0; word < size; word += 64) {
         Flags flags;
         for (std::size_t i = word; i < std::min(word + 64, size); i += width()) {
-            const Mask active = load(lanes[Field::next] + i) <= here;
+            const Mask active = load(lanes[Field::next] + i) == here;
+            if (!any(active)) continue;
             V kick_slope = all(0);
             if constexpr (cubic && own) cubic_part = all(part * rig_at(i).cubic);
             if constexpr (cubic) kick_slope = kick(lanes, i, active, cubic_part);
@@ -47,12 +55,14 @@ template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_INLINE V Kernel<measure, jacobian, cubic, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
                                                          V cubic_part) const {
     const Kick kick(cubic_part * load(lanes[Field::step] + i), load(lanes[Field::gap] + i),
-                    load(lanes.delta(1 - next_) + i));
-    double* velocity = lanes.velocity(1 - next_) + i;
+                    load(lanes[Field::delta] + i));
+    double* velocity = lanes[Field::velocity] + i;
     const V before = load(velocity);
     store(choose(active, before - kick.speed, before), velocity);
     double* margin = lanes[Field::margin] + i;
-    store(mul_add(abs(kick.speed), load(lanes[Field::margin_per_speed] + i), load(margin)), margin);
+    const V usual = load(margin);
+    store(choose(active, mul_add(abs(kick.speed), load(lanes[Field::margin_per_speed] + i), usual), usual),
+          margin);
     return choose(active, kick.slope, all(0));
 }
 
@@ -60,8 +70,8 @@ HWY_INLINE V Kernel<measure, jacobian, cubic, own>::kick(const Lanes& lanes, std
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, std::size_t i, Mask active,
                                                             const Forced& forced, V kick_slope) const {
-    const V x0 = load(lanes.delta(1 - next_) + i);
-    const V v0 = load(lanes.velocity(1 - next_) + i);
+    const V x0 = load(lanes[Field::delta] + i);
+    const V v0 = load(lanes[Field::velocity] + i);
     const V margin = load(lanes[Field::margin] + i);
     const auto forced_part = [&](Field by_sine, Field by_cosine, Field constant) HWY_ATTR {
         const V slow = mul_add(load(lanes[by_cosine] + i), forced.cosine, load(lanes[constant] + i));
@@ -81,8 +91,12 @@ HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, 
     const V inside = max(max(hull.b1, hull.b2), hull.b3);
     const Mask above = active & (x1 > all(0));
     const Mask between = active & (inside > all(0));
-    store(choose(active, x1, x0), lanes.delta(next_) + i);
-    store(choose(active, v1, v0), lanes.velocity(next_) + i);
+    store(x0, lanes[Field::delta_before] + i);
+    store(v0, lanes[Field::velocity_before] + i);
+    store(choose(active, x1, x0), lanes[Field::delta] + i);
+    store(choose(active, v1, v0), lanes[Field::velocity] + i);
+    const V next = load(lanes[Field::next] + i);
+    store(choose(active, choose(above | between, all(never), next + all(1)), next), lanes[Field::next] + i);
     if constexpr (cubic && measure) {
         const V gap = load(lanes[Field::gap] + i);
         const V highest = min(max(inside, max(x0, x1)), all(0));  // in flight it stays below the stop
@@ -101,23 +115,19 @@ HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, 
 // Those of up to 64 lanes that events stop in the step after grid point n.
 template <bool measure, bool jacobian, bool cubic, bool own>
 HWY_ATTR void Kernel<measure, jacobian, cubic, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
-    const auto lane_of = [&](std::uint64_t left) {
-        return first_lane + static_cast<std::size_t>(std::countr_zero(left));
+    const auto point = static_cast<std::size_t>(n);
+    const auto put_in = [&](Queue& queue, std::uint64_t left) {
+        for (; left != 0; left &= left - 1) {
+            const std::size_t lane = first_lane + static_cast<std::size_t>(std::countr_zero(left));
+            const double time = n * lanes_[Field::step][lane];
+            queue.add(static_cast<std::int64_t>(lane),
+                      {n + 1.0, time, lanes_[Field::delta_before][lane], lanes_[Field::velocity_before][lane],
+                       grid_.sine[point], grid_.cosine[point]});
+            if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time;
+        }
     };
-    const auto time_of = [&](std::size_t lane) { return n * lanes_[Field::step][lane]; };
-    for (std::uint64_t left = flags.rises; left != 0; left &= left - 1) {
-        const std::size_t lane = lane_of(left);
-        queues_.crossings.lane[queues_.crossings.size++] = static_cast<std::int64_t>(lane);
-        if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time_of(lane);
-    }
-    for (std::uint64_t left = flags.hops; left != 0; left &= left - 1) {
-        const std::size_t lane = lane_of(left);
-        const auto point = static_cast<std::size_t>(n);
-        queues_.hops.add(static_cast<std::int64_t>(lane),
-                         {n + 1.0, time_of(lane), lanes_.delta(1 - next_)[lane],
-                          lanes_.velocity(1 - next_)[lane], grid_.sine[point], grid_.cosine[point]});
-        if constexpr (cubic && jacobian) lanes_[Field::leg_start][lane] = time_of(lane);
-    }
+    put_in(queues_.crossings, flags.rises);
+    put_in(queues_.hops, flags.hops);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

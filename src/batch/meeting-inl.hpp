@@ -49,7 +49,7 @@ struct Found {
 };
 
 // A flight that starts below zero and ends a step of the grid later above it.
-HWY_INLINE Found strike(const auto& cells, const Moments& start, V delta1, V velocity1, V margin) {
+HWY_INLINE Found first_meeting(const auto& cells, const Moments& start, V delta1, V velocity1, V margin) {
     // guess: Newton's method on the cubic through both ends
     const V h = cells.step;
     const V rise = delta1 - start.delta;

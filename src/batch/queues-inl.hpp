@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // Few lanes of a vector are pushed at a time, so these go one by one.
-HWY_INLINE void push(Index lanes, Mask which, Crossings& list) {
+HWY_INLINE void push(Index lanes, Mask which, LaneList& list) {
     if (!any(which)) return;
     const Numbers lane(lanes);
     for (std::uint64_t left = bits(which); left != 0; left &= left - 1) {
@@ -41,21 +41,9 @@ HWY_INLINE void push(Index lanes, V end, V time, const Moments& m, Mask which, Q
 
 // A vector of lanes, padded with copies of the first: these compute and store what it does, but must queue
 // nothing.
-struct Taken {
-    Index lanes;
-    Mask real;  // no padding
-};
-HWY_INLINE Taken take(Crossings& list) {
-    const std::size_t count = std::min(width(), list.size);
-    list.size -= count;
-    std::int64_t* lane = list.lane.data() + list.size;
-    std::fill(lane + count, lane + width(), lane[0]);
-    return {load(lane), first(count)};
-}
-
 struct Waiting {
     Index lanes;
-    Mask real;
+    Mask real;  // no padding
     V end, time;
     Moments moment;
 };

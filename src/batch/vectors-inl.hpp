@@ -61,6 +61,9 @@ HWY_INLINE V load(const double* from) {
 HWY_INLINE Index load(const std::int64_t* from) {
     return {hn::LoadU(IndexTag(), from), hn::LoadU(IndexTag(), from + half())};
 }
+HWY_INLINE Pattern load(const std::uint64_t* from) {
+    return {hn::LoadU(PatternTag(), from), hn::LoadU(PatternTag(), from + half())};
+}
 HWY_INLINE void store(V x, double* to) {
     hn::StoreU(x.a, Tag(), to);
     hn::StoreU(x.b, Tag(), to + half());
@@ -117,6 +120,10 @@ Numbers(Index)->Numbers<std::int64_t>;
 HWY_INLINE Index index_from(std::size_t first) {
     const auto lowest = hn::Add(hn::Iota(IndexTag(), 0), hn::Set(IndexTag(), static_cast<std::int64_t>(first)));
     return {lowest, hn::Add(lowest, hn::Set(IndexTag(), static_cast<std::int64_t>(half())))};
+}
+// Of whole numbers.
+HWY_INLINE Index index_of(V numbers) {
+    return {hn::ConvertTo(IndexTag(), numbers.a), hn::ConvertTo(IndexTag(), numbers.b)};
 }
 HWY_INLINE Mask first(std::size_t count) {
     return {hn::FirstN(Tag(), count), hn::FirstN(Tag(), count > half() ? count - half() : 0)};

@@ -62,7 +62,7 @@ struct CellPool::Group {
 
     // Carries all cells through a cycle. Some always want it measured, and groups of their own would be
     // smaller.
-    void advance() { map.advance({.measure = true, .jacobian = true}); }
+    void advance() { map.advance({.measure = true, .jacobian = true, .whole = false}); }
     // Takes down the cycle of a slot; whether no other is to follow in its order.
     [[nodiscard]] bool record(std::size_t slot) {
         Member& cell = *cells[slot];
@@ -191,7 +191,7 @@ void CellPool::advance(Group& group) {
     group.advance();
     // from the back: the cell that takes the slot of one that leaves has had its turn already
     for (std::size_t slot = group.cells.size(); slot-- > 0;) {
-        if (group.record(slot)) serve(group, slot);
+        if (group.map.is_at_end(slot) && group.record(slot)) serve(group, slot);
     }
     group.last_step_seconds = stopwatch.seconds();
 }
