@@ -29,7 +29,7 @@
 // two vectors at once, which hide each other's latency (a sixth of the time); a tenth by 10 steps per cycle
 // instead of 16 where they suffice; a series for weak damping and no blending of full vectors (8 %); flags
 // collected as bits (3 %). Events that wait for others, also beyond a round of the march: with 128 slots each
-// vector of a map's crossings holds 13 lanes instead of 9, one of its long contacts 4 instead of 2, and a cycle
+// vector of a map's crossings holds 12 lanes instead of 9, one of its long contacts 5 instead of 2, and a cycle
 // takes a fifth less time. The number of slots hardly matters from 256 to 2048: many fill the vectors, few stay
 // in the cache. With AVX2: lanes pushed one by one (a fifth; GCC copies the table of a vector's compression to
 // the stack each time), single loads instead of gathers (a twentieth). In maps, where slow departures are many,
@@ -77,7 +77,7 @@ class Kernel {
 
     HWY_ATTR void run(bool whole) {
         begin();
-        const std::size_t fill = std::clamp(lanes_.size / widest_vector, std::size_t{1}, most_fill);
+        const std::size_t fill = std::clamp(lanes_.size / lanes_per_fill, std::size_t{1}, most_fill);
         drain(fill);
         for (int n = earliest();; n = earliest()) {
             for (; n < grid_.steps; ++n) {
@@ -99,9 +99,10 @@ class Kernel {
   private:
     using Gathered = Track<measure, jacobian, cubic>;
     static constexpr bool keeps_legs = Gathered::keeps_legs;
-    // Lanes that an event must have to be worth its vectors, in a large batch, and how long they wait for
-    // others where cycles needn't be whole.
-    static constexpr std::size_t most_fill = 8;
+    // How many lanes an event must have to be worth its vectors: one in so many of the batch, and in a large
+    // one so many; and for how many rounds of the march fewer wait where cycles needn't be whole.
+    static constexpr std::size_t lanes_per_fill = 8;
+    static constexpr std::size_t most_fill = 12;
     static constexpr int longest_wait = 4;
     using Whose = std::conditional_t<own, OwnRigs, const Rig&>;
     using Cells = CellsOf<Whose>;

@@ -83,16 +83,28 @@ std::int64_t coarse_map_bytes(const job::Job& job) {
 // Forcing cycles of a cell with [starts], as counted on the window of the paper's rig of 170 mm (24 x 24 cells:
 // 57 a start of 64; 12 x 12 cells: 78 of 16): some dozen starts run in full, later ones end on what these
 // found. Kicks, tried in 24 sizes from each point of an orbit, took 75,000 there, and a third of that where
-// most cells have two attractors. A rigid stop takes half as many cycles or more.
+// most cells have two attractors.
 double cycles_of_starts(const job::Job& job) {
     const auto count = static_cast<double>(job.starts.count);
     const double kicks = job.output.has(job::OptionalField::critical_kick) ? 40'000 : 0;
     return 47 * count + 50 * std::min(count, 12.0) + kicks;
 }
 
-// With all that goes with it, on one core with AVX-512; with AVX2 it takes about 1.5 times as long. Engines
-// without a batch, and strong cubic springs, take many times as long.
-constexpr double microseconds_of_a_cycle = 0.33;
+// What such a cycle takes, with all that goes with it, on one core with AVX-512, as measured (with AVX2 the
+// first takes 1.5 times as long): in the batch; there with the cubic spring kept, whose many kicks depend on
+// the reach; in closed form one by one, on a rigid stop, which takes half as many cycles again; by integrators,
+// 130 to 320 on the stops tried.
+double microseconds_of_a_cycle(const job::Job& job) {
+    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
+    const job::EngineChoice engine = job.solver.engine;
+    const bool integrates = engine == job::EngineChoice::cvode || engine == job::EngineChoice::arkode ||
+                            regime::has_nonlinear_contact(rig);
+    if (integrates) return 200;
+    if (!regime::may_use_batch(rig, job.solver)) return 1.3;
+    const bool keeps_cubic =
+        rig.cubic != 0 && (engine == job::EngineChoice::split || job.solver.omit_tolerance == 0);
+    return keeps_cubic ? 2.6 : 0.33;
+}
 
 }  // namespace
 
@@ -120,7 +132,7 @@ std::string starts_price(const job::Job& job) {
     const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
     const double cells = static_cast<double>(job.cells()) / shared;
     const double starts = static_cast<double>(job.starts.count) * cells;
-    const double seconds = cells * cycles_of_starts(job) * microseconds_of_a_cycle * 1e-6;
+    const double seconds = cells * cycles_of_starts(job) * microseconds_of_a_cycle(job) * 1e-6;
     const std::string words =
         cells < enough
             ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",

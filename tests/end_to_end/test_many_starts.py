@@ -2,6 +2,8 @@
 
 import math
 import random
+import re
+import shutil
 import tomllib
 from pathlib import Path
 
@@ -193,6 +195,24 @@ def test_check_prices_starts(tmp_path):
     # 80 cells of 1728 cycles, 0.33 us each, in the mean
     assert "24 in each cell, 1.92e+03 in all: from 2.3 ms to 456.2 ms of one core" in few.stdout, few.stdout
     assert launch.told_megabytes(many) > launch.told_megabytes(plain) + 100
+
+
+def test_check_prices_starts_by_what_carries_them(tmp_path):
+    """1.05 million starts on the batch, with the cubic spring kept, on a rigid stop, and by an integrator."""
+    def told(*sets):
+        settings = [word for one in sets for word in ("--set", one)]
+        checked = launch.run("check", JOBS / "attractors_170mm.toml", *settings, cwd=tmp_path)
+        return re.search(r"in all: some (.+) of one core", checked.stdout)[1]
+
+    shutil.copy(JOBS / "rigid_170mm.toml", tmp_path / "rigid.toml")
+    shutil.copytree(JOBS / "rigs", tmp_path / "rigs")
+    rigid = launch.run("check", "rigid.toml", "--set", "axes.frequency_ratio.points=128", "--set", "axes.gap_ratio.points=128",
+                       "--set", "starts.count=64", "--set", "starts.displacement_ratio=[-4.0,-0.01]",
+                       "--set", "starts.velocity_ratio=[-4.0,4.0]", cwd=tmp_path)
+    assert told() == "19.5 s"  # 3608 cycles a cell, 0.33 us each
+    assert told("solver.omit_tolerance=0.0") == "2 min 34 s"  # 2.6
+    assert "in all: some 1 min 17 s of one core" in rigid.stdout, rigid.stdout  # 1.3
+    assert told('solver.engine="cvode"') == "3 h 17 min"  # 200
 
 
 def test_check_prices_critical_kicks(tmp_path):
