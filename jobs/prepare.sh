@@ -44,5 +44,7 @@ fi
 # `cmake -B build -DCMAKE_UNITY_BUILD=OFF`, which stays as it is.
 unity=ON
 ! grep -qs '^CMAKE_UNITY_BUILD:[A-Z]*=OFF$' build/CMakeCache.txt || unity=OFF
-configure build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=$tests -DCMAKE_UNITY_BUILD=$unity -DPETERKA_UNITY_TESTS=ON
+# Warnings end the build of who changes the code, PETERKA_WARNINGS_AS_ERRORS=ON, and not that of who has a newer compiler.
+configure build -G Ninja -DPETERKA_WARNINGS_AS_ERRORS="${PETERKA_WARNINGS_AS_ERRORS:-OFF}" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=$tests \
+    -DCMAKE_UNITY_BUILD=$unity -DPETERKA_UNITY_TESTS=ON
 cmake --build build

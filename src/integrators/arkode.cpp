@@ -1,5 +1,3 @@
-#include <arkode/arkode_arkstep.h>
-
 #include <cmath>
 
 #include "integrators/steppers.hpp"
@@ -9,7 +7,7 @@ namespace peterka::integrators {
 namespace {
 
 void require_arkode(int flag, const char* call) {
-    sundials_library::require(flag, call, ARKStepGetReturnFlagName);
+    sundials_library::require(flag, call, ARKodeGetReturnFlagName);
 }
 
 void* create(ArkodeStepper::Method method, N_Vector unknowns, SUNContext context) {
@@ -21,9 +19,9 @@ void* create(ArkodeStepper::Method method, N_Vector unknowns, SUNContext context
 
 ArkodeStepper::ArkodeStepper(SundialsLeg& leg, Method method)
     : method_(method),
-      unknowns_(sundials_library::make_vector(leg_unknowns, context_)),
-      dense_(unknowns_.get(), context_),
-      looking_dense_(unknowns_.get(), context_) {
+      unknowns_(sundials_library::make_vector(leg_unknowns, context_.get())),
+      dense_(unknowns_.get(), context_.get()),
+      looking_dense_(unknowns_.get(), context_.get()) {
     store({}, unknowns_.get());
     solver_ = make_solver(leg, dense_);
     looking_ = make_solver(leg, looking_dense_);
@@ -31,23 +29,22 @@ ArkodeStepper::ArkodeStepper(SundialsLeg& leg, Method method)
 
 sundials_library::Memory ArkodeStepper::make_solver(SundialsLeg& leg,
                                                     const sundials_library::DenseSolver& dense) const {
-    sundials_library::Memory owner(create(method_, unknowns_.get(), context_), {ARKStepFree});
+    sundials_library::Memory owner(create(method_, unknowns_.get(), context_.get()), {ARKodeFree});
     void* solver = owner.get();
     sundials_library::require_object(solver, "ARKStepCreate");
-    require_arkode(ARKStepSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr),
-                   "ARKStepSetErrHandlerFn");
-    require_arkode(ARKStepSetUserData(solver, &leg), "ARKStepSetUserData");
-    require_arkode(ARKStepWFtolerances(solver, leg_weights), "ARKStepWFtolerances");
-    require_arkode(ARKStepSetMaxErrTestFails(solver, most_retries), "ARKStepSetMaxErrTestFails");
-    require_arkode(ARKStepSetMaxConvFails(solver, most_retries), "ARKStepSetMaxConvFails");
+    require_arkode(sundials_library::silence_arkode(solver), "ARKStepSetErrHandlerFn");
+    require_arkode(ARKodeSetUserData(solver, &leg), "ARKodeSetUserData");
+    require_arkode(ARKodeWFtolerances(solver, leg_weights), "ARKodeWFtolerances");
+    require_arkode(ARKodeSetMaxErrTestFails(solver, most_retries), "ARKodeSetMaxErrTestFails");
+    require_arkode(ARKodeSetMaxConvFails(solver, most_retries), "ARKodeSetMaxConvFails");
     if (method_ == Method::implicit_5) {
         require_arkode(ARKStepSetTableNum(solver, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE),
                        "ARKStepSetTableNum");
-        require_arkode(ARKStepSetLinearSolver(solver, dense.solver.get(), dense.matrix.get()),
-                       "ARKStepSetLinearSolver");
-        require_arkode(ARKStepSetJacFn(solver, leg_jacobian), "ARKStepSetJacFn");
-        require_arkode(ARKStepSetLSetupFrequency(solver, 1), "ARKStepSetLSetupFrequency");
-        require_arkode(ARKStepSetJacEvalFrequency(solver, 1), "ARKStepSetJacEvalFrequency");
+        require_arkode(ARKodeSetLinearSolver(solver, dense.solver.get(), dense.matrix.get()),
+                       "ARKodeSetLinearSolver");
+        require_arkode(ARKodeSetJacFn(solver, leg_jacobian), "ARKodeSetJacFn");
+        require_arkode(ARKodeSetLSetupFrequency(solver, 1), "ARKodeSetLSetupFrequency");
+        require_arkode(ARKodeSetJacEvalFrequency(solver, 1), "ARKodeSetJacEvalFrequency");
     } else {
         const auto table = method_ == Method::explicit_8 ? ARKODE_FEHLBERG_13_7_8 : ARKODE_DORMAND_PRINCE_7_4_5;
         require_arkode(ARKStepSetTableNum(solver, ARKODE_DIRK_NONE, table), "ARKStepSetTableNum");
@@ -61,14 +58,14 @@ void ArkodeStepper::restart(void* solver, const LegPoint& from, double stop) {
     require_arkode(ARKStepReInit(solver, implicit ? nullptr : leg_slope, implicit ? leg_slope : nullptr,
                                  from.time, unknowns_.get()),
                    "ARKStepReInit");
-    require_arkode(ARKStepSetStopTime(solver, stop), "ARKStepSetStopTime");
+    require_arkode(ARKodeSetStopTime(solver, stop), "ARKodeSetStopTime");
 }
 
 bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point) {
     double time = 0;
-    const int flag = ARKStepEvolve(solver, stop, unknowns_.get(), &time, task);
+    const int flag = ARKodeEvolve(solver, stop, unknowns_.get(), &time, task);
     if (sundials_library::is_failed_integration(flag)) return false;
-    require_arkode(flag, "ARKStepEvolve");
+    require_arkode(flag, "ARKodeEvolve");
     point = load(unknowns_.get(), time);
     return true;
 }
@@ -76,7 +73,7 @@ bool ArkodeStepper::evolve(void* solver, double stop, int task, LegPoint& point)
 void ArkodeStepper::start(const State<double>& x, double length, double longest_step) {
     begin(x, length);
     restart(solver_.get(), now_, length);
-    require_arkode(ARKStepSetMaxStep(solver_.get(), longest_step), "ARKStepSetMaxStep");
+    require_arkode(ARKodeSetMaxStep(solver_.get(), longest_step), "ARKodeSetMaxStep");
 }
 
 bool ArkodeStepper::step() {
@@ -92,7 +89,7 @@ bool ArkodeStepper::look(double time, LegPoint& point) {
         return true;
     }
     restart(looking_.get(), before_, time);
-    require_arkode(ARKStepSetInitStep(looking_.get(), step), "ARKStepSetInitStep");
+    require_arkode(ARKodeSetInitStep(looking_.get(), step), "ARKodeSetInitStep");
     return evolve(looking_.get(), time, ARK_NORMAL, point);
 }
 

@@ -1,4 +1,3 @@
-#include <cvode/cvode.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "integrators/steppers.hpp"
@@ -14,12 +13,12 @@ void require_cvode(int flag, const char* call) {
 }  // namespace
 
 CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
-    : unknowns_(sundials_library::make_vector(leg_unknowns, context_)),
-      dense_(unknowns_.get(), context_),
-      solver_(CVodeCreate(method == Method::adams ? CV_ADAMS : CV_BDF, context_), {CVodeFree}) {
+    : unknowns_(sundials_library::make_vector(leg_unknowns, context_.get())),
+      dense_(unknowns_.get(), context_.get()),
+      solver_(CVodeCreate(method == Method::adams ? CV_ADAMS : CV_BDF, context_.get()), {CVodeFree}) {
     sundials_library::require_object(solver_.get(), "CVodeCreate");
     void* solver = solver_.get();
-    require_cvode(CVodeSetErrHandlerFn(solver, sundials_library::say_nothing, nullptr), "CVodeSetErrHandlerFn");
+    require_cvode(sundials_library::silence_cvode(solver), "CVodeSetErrHandlerFn");
     store({}, unknowns_.get());
     require_cvode(CVodeInit(solver, leg_slope, 0, unknowns_.get()), "CVodeInit");
     require_cvode(CVodeSetUserData(solver, &leg), "CVodeSetUserData");
@@ -27,7 +26,7 @@ CvodeStepper::CvodeStepper(SundialsLeg& leg, Method method)
     require_cvode(CVodeSetMaxErrTestFails(solver, most_retries), "CVodeSetMaxErrTestFails");
     require_cvode(CVodeSetMaxConvFails(solver, most_retries), "CVodeSetMaxConvFails");
     if (method == Method::adams) {
-        functional_iteration_.reset(SUNNonlinSol_FixedPoint(unknowns_.get(), 0, context_));
+        functional_iteration_.reset(SUNNonlinSol_FixedPoint(unknowns_.get(), 0, context_.get()));
         sundials_library::require_object(functional_iteration_.get(), "SUNNonlinSol_FixedPoint");
         require_cvode(CVodeSetNonlinearSolver(solver, functional_iteration_.get()), "CVodeSetNonlinearSolver");
     } else {

@@ -38,7 +38,9 @@ class CycleIntegration {
     }
 
     [[nodiscard]] const Oscillator<double>& oscillator() const { return leg_->oscillator; }
-    [[nodiscard]] Cycle<double> cycle(const State<double>& x, Recorder<double>* recorder);
+    // From the state x at tau = from to tau = to, of one cycle.
+    [[nodiscard]] Cycle<double> cycle(const State<double>& x, double from, double to,
+                                      Recorder<double>* recorder);
 
   private:
     using Outcome = typename Cycle<double>::Outcome;
@@ -56,8 +58,8 @@ class CycleIntegration {
     void record_leg(const State<double>& start, const LegPoint& end, const Integrals& integrals,
                     Recorder<double>& recorder) const;
     // Against a stop that gives way, and against a rigid one.
-    Cycle<double> pressing_cycle(const State<double>& x, Recorder<double>* recorder);
-    Cycle<double> striking_cycle(const State<double>& x, Recorder<double>* recorder);
+    Cycle<double> pressing_cycle(const State<double>& x, double from, double to, Recorder<double>* recorder);
+    Cycle<double> striking_cycle(const State<double>& x, double from, double to, Recorder<double>* recorder);
     // A hammer that leaves its rest on the stop can't be back before something presses again, or before its
     // spring swings back.
     [[nodiscard]] double time_away(double theta) const {
@@ -161,31 +163,32 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle
 }
 
 template <class Stepper>
-Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, Recorder<double>* recorder) {
+Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, double from, double to,
+                                               Recorder<double>* recorder) {
     events_.forget_failure();
     steps_ = 0;
     if (!x.allFinite() || !std::isfinite(leg_->oscillator.period()))
         return {.outcome = Outcome::not_finite, .end = x};
-    return course_ ? striking_cycle(x, recorder) : pressing_cycle(x, recorder);
+    return course_ ? striking_cycle(x, from, to, recorder) : pressing_cycle(x, from, to, recorder);
 }
 
 template <class Stepper>
-Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, Recorder<double>* recorder) {
+Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, double from, double to,
+                                                        Recorder<double>* recorder) {
     constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
     const auto& oscillator = leg_->oscillator;
-    const double period = oscillator.period();
     Cycle<double> cycle;
     cycle.end = x;
     Phase phase = phase_of(oscillator, x);
     cycle.pattern = pattern_of(phase);
-    double time = 0;
+    double time = from;
     for (int legs = 0; legs < most_legs; ++legs) {
         leg_->phase = phase;
         leg_->start_angle = oscillator.frequency * time;
         leg_start_ = time;
         cycle.touched |= phase == Phase::contact;
         cycle.separated |= phase == Phase::flight;
-        const LegEnd end = integrate_leg(cycle.end, period - time, recorder);
+        const LegEnd end = integrate_leg(cycle.end, to - time, recorder);
         if (end.kind == LegEnd::Kind::failure) {
             cycle.outcome = Outcome::solver_failed;
             return cycle;
@@ -206,12 +209,14 @@ Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, 
 }
 
 template <class Stepper>
-Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, Recorder<double>* recorder) {
+Cycle<double> CycleIntegration<Stepper>::striking_cycle(const State<double>& x, double from, double to,
+                                                        Recorder<double>* recorder) {
     Journey<double> journey = course_->depart(x);
+    journey.time = from;
     const auto flight = [&](Journey<double>& flying, double end_time) {
         return fly(flying, end_time, recorder);
     };
-    if (course_->run(journey, leg_->oscillator.period(), recorder, flight)) course_->arrive(journey, recorder);
+    if (course_->run(journey, to, recorder, flight)) course_->arrive(journey, recorder);
     return journey.cycle;
 }
 

@@ -76,7 +76,12 @@ const Oscillator<double>& IntegratedCycleMap::oscillator() const {
 }
 
 Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<double>* recorder) {
-    return std::visit([&](auto& i) { return i.cycle(x, recorder); }, engine_->integration);
+    return std::visit([&](auto& i) { return i.cycle(x, 0, i.oscillator().period(), recorder); },
+                      engine_->integration);
+}
+
+Cycle<double> IntegratedCycleMap::part(const State<double>& x, double from, double to) {
+    return std::visit([&](auto& i) { return i.cycle(x, from, to, nullptr); }, engine_->integration);
 }
 
 }  // namespace peterka::integrators

@@ -47,6 +47,8 @@ class IntegratedCycleMap {
     // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. An integration
     // that fails is an outcome of the cycle.
     Cycle<double> operator()(const State<double>& x, Recorder<double>* recorder = nullptr);
+    // A part of a cycle: from the state x at tau = from to tau = to, which is after that.
+    Cycle<double> part(const State<double>& x, double from, double to);
 
   private:
     struct Engine;

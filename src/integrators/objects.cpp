@@ -20,21 +20,25 @@ void require_object(const void* object, const char* call) {
     }
 }
 
-Vector make_vector(sunindextype size, const sundials::Context& context) {
+Context make_context() {
+    SUNContext context = nullptr;
+    if (create_context(&context) < 0 || context == nullptr)
+        throw Failure(ExitCode::internal, "SUNDIALS call SUNContext_Create made nothing");
+    return Context(context);
+}
+
+Vector make_vector(sunindextype size, SUNContext context) {
     Vector vector(N_VNew_Serial(size, context));
     require_object(vector.get(), "N_VNew_Serial");
     N_VEnableFusedOps_Serial(vector.get(), SUNTRUE);  // six numbers: calls cost more than sums
     return vector;
 }
 
-DenseSolver::DenseSolver(N_Vector pattern, const sundials::Context& context)
+DenseSolver::DenseSolver(N_Vector pattern, SUNContext context)
     : matrix(SUNDenseMatrix(N_VGetLength(pattern), N_VGetLength(pattern), context)),
       solver(SUNLinSol_Dense(pattern, matrix.get(), context)) {
     require_object(matrix.get(), "SUNDenseMatrix");
     require_object(solver.get(), "SUNLinSol_Dense");
 }
-
-void say_nothing(int /*code*/, const char* /*module*/, const char* /*function*/, char* /*message*/,
-                 void* /*data*/) {}
 
 }  // namespace peterka::integrators::sundials_library

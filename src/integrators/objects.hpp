@@ -6,13 +6,14 @@
 #pragma once
 
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <memory>
 #include <type_traits>
+
+#include "integrators/versions.hpp"
 
 namespace peterka::integrators::sundials_library {
 
@@ -46,16 +47,20 @@ struct FreeMemory {
 };
 using Memory = std::unique_ptr<void, FreeMemory>;
 
-Vector make_vector(sunindextype size, const sundials::Context& context);
+// What all objects of one stepper share; they go before it.
+struct FreeContext {
+    void operator()(SUNContext context) const { SUNContext_Free(&context); }
+};
+using Context = std::unique_ptr<std::remove_pointer_t<SUNContext>, FreeContext>;
+Context make_context();
+
+Vector make_vector(sunindextype size, SUNContext context);
 
 // A dense matrix and the direct solver that works on it.
 struct DenseSolver {
-    DenseSolver(N_Vector pattern, const sundials::Context& context);
+    DenseSolver(N_Vector pattern, SUNContext context);
     Matrix matrix;
     LinearSolver solver;
 };
-
-// For the library's error messages: they are told through flags.
-void say_nothing(int code, const char* module, const char* function, char* message, void* data);
 
 }  // namespace peterka::integrators::sundials_library

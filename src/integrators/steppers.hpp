@@ -40,7 +40,7 @@ class CvodeStepper : public LegProgress {
     [[nodiscard]] bool look(double time, LegPoint& point);
 
   private:
-    sundials::Context context_;
+    sundials_library::Context context_ = sundials_library::make_context();
     sundials_library::Vector unknowns_;
     sundials_library::DenseSolver dense_;
     sundials_library::NonlinearSolver functional_iteration_;  // Adams
@@ -63,7 +63,7 @@ class ArkodeStepper : public LegProgress {
     [[nodiscard]] bool evolve(void* solver, double stop, int task, LegPoint& point);
 
     Method method_;
-    sundials::Context context_;
+    sundials_library::Context context_ = sundials_library::make_context();
     sundials_library::Vector unknowns_;
     sundials_library::DenseSolver dense_;
     sundials_library::DenseSolver looking_dense_;

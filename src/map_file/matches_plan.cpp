@@ -11,6 +11,7 @@
 
 #include "hdf5/hdf5.hpp"
 #include "hdf5/storage.hpp"
+#include "hdf5/versions.hpp"
 
 namespace peterka::map_file {
 
@@ -42,16 +43,18 @@ bool has_chunks(const hdf5::Checked& check, const hdf5::DatasetId& dataset, cons
     return sizes == std::vector<hsize_t>(plan.chunk.begin(), plan.chunk.end());
 }
 
-haddr_t address_of(const hdf5::Checked& check, hid_t object) {
-    H5O_info_t info;
-    check(H5Oget_info2(object, &info, H5O_INFO_BASIC), "H5Oget_info2");
-    return info.addr;
+hdf5::ObjectIdentity identity_of(const hdf5::Checked& check, hid_t object) {
+    hdf5::ObjectInfo info;
+    check(hdf5::get_object_info(object, ".", &info, H5O_INFO_BASIC), "H5Oget_info_by_name");
+    return hdf5::identity_of(info);
 }
 
 // What a file's objects and their numbers take, to tell that no two share anything.
 class Taken {
   public:
-    [[nodiscard]] bool take_object(haddr_t address) { return objects_.insert(address).second; }
+    [[nodiscard]] bool take_object(const hdf5::ObjectIdentity& object) {
+        return objects_.insert(object).second;
+    }
     void take_storage(const std::string& path, const hdf5::Storage& storage) {
         ranges_.push_back({storage.begin(), storage.end(), path});
     }
@@ -73,21 +76,21 @@ class Taken {
         std::uint64_t end;
         std::string path;
     };
-    std::set<haddr_t> objects_;
+    std::set<hdf5::ObjectIdentity> objects_;
     std::vector<Range> ranges_;
 };
 
 bool takes_group(const hdf5::Checked& check, hid_t file, const std::string& path, Taken& taken) {
     if (!is_own_link(file, path)) return false;
     const hdf5::GroupId group(H5Gopen2(file, path.c_str(), H5P_DEFAULT));
-    return group.id() >= 0 && taken.take_object(address_of(check, group.id()));
+    return group.id() >= 0 && taken.take_object(identity_of(check, group.id()));
 }
 
 bool takes_dataset(const hdf5::Checked& check, hid_t file, const DatasetPlan& plan, Taken& taken) {
     if (!is_own_link(file, plan.path())) return false;
     const hdf5::DatasetId dataset(
         H5Dopen2(file, plan.path().c_str(), H5P_DEFAULT));  // a group of that name fails
-    if (dataset.id() < 0 || !taken.take_object(address_of(check, dataset.id()))) return false;
+    if (dataset.id() < 0 || !taken.take_object(identity_of(check, dataset.id()))) return false;
     if (!has_type(check, dataset, plan.variable.number) || !has_size(check, dataset, plan.dimensions) ||
         !has_chunks(check, dataset, plan)) {
         return false;

@@ -12,6 +12,7 @@
 
 #include "hdf5/hdf5.hpp"
 #include "hdf5/stored.hpp"
+#include "hdf5/versions.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/matches_plan.hpp"
 #include "support/errors.hpp"
@@ -97,9 +98,8 @@ class Sealing {
 
     void add_object(const std::string& path) {
         if (!is_own_link(file_, path)) refuse_part(path, "is not an object of its own");
-        H5O_info_t info;
-        check_(H5Oget_info_by_name2(file_, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT),
-               "H5Oget_info_by_name2");
+        hdf5::ObjectInfo info;
+        check_(hdf5::get_object_info(file_, path.c_str(), &info, H5O_INFO_BASIC), "H5Oget_info_by_name");
         if (info.type == H5O_TYPE_GROUP) return add_group(path);
         if (info.type != H5O_TYPE_DATASET) refuse_part(path, "is neither a group nor a dataset");
         add_dataset(path);

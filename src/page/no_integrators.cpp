@@ -28,4 +28,8 @@ Cycle<double> IntegratedCycleMap::operator()(const State<double>& x, Recorder<do
     return cycle;
 }
 
+Cycle<double> IntegratedCycleMap::part(const State<double>& x, double /*from*/, double /*to*/) {
+    return (*this)(x);
+}
+
 }  // namespace peterka::integrators

@@ -53,7 +53,8 @@ map_file::Contents contents_of(const scene::Scene& scene, const trace::Trace& tr
     append(contents.tables, trace::cell_tables("/map_cell", map->stored, map->job));
     const auto index = [&](const char* name, std::int64_t value) {
         const hdf5::Variable variable{name, hdf5::Number::int64, -1, "1", "of the cell in its map, from 0"};
-        contents.tables.push_back({{"/map_cell", variable, {}}, {static_cast<double>(value)}});
+        const map_file::DatasetPlan plan{"/map_cell", variable, {}};
+        contents.tables.push_back({plan, {static_cast<double>(value)}});
     };
     index("row", map->row);
     index("column", map->column);

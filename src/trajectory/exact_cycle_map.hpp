@@ -25,6 +25,14 @@ class ExactCycleMap {
         return journey.cycle;
     }
 
+    // A part of a cycle: from the state x at tau = from to tau = to, which is after that.
+    [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
+        Journey<Real> journey = legs_.depart(x);
+        journey.time = from;
+        if (legs_.run(journey, to, nullptr)) legs_.arrive(journey, nullptr);
+        return journey.cycle;
+    }
+
   private:
     Oscillator<Real> oscillator_;
     Legs legs_;

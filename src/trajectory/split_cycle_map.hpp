@@ -61,10 +61,35 @@ class SplitCycleMap {
         return journey.cycle;
     }
 
+    // A part of a cycle: from the state x at tau = from to tau = to, which is after that. Its first and last
+    // steps may be shorter than the others.
+    [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
+        if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
+        const Real length = oscillator_.period() / Real(steps_);
+        Journey<Real> journey = legs_.front().depart(x);
+        journey.time = from;
+        for (int step = std::min(static_cast<int>(from / length), steps_ - 1); journey.time < to; ++step) {
+            const Real begin = journey.time;
+            const Real end = step + 1 < steps_ ? std::min(to, length * Real(step + 1)) : to;
+            const Real share = (end - begin) / length;
+            half_kick(cart_at(begin), journey, share);
+            const Legs& legs = legs_[changes_ ? static_cast<std::size_t>(step) : 0];
+            if (!legs.run(journey, end, nullptr)) return journey.cycle;
+            half_kick(cart_at(end), journey, share);
+        }
+        legs_.back().arrive(journey, nullptr);
+        return journey.cycle;
+    }
+
   private:
     // Of the forcing, where a step begins.
     [[nodiscard]] Real phase(int step) const {
         return 2 * std::numbers::pi_v<Real> * Real(step) / Real(steps_);
+    }
+
+    // As far as the equations ask for it.
+    [[nodiscard]] Real cart_at(Real tau) const {
+        return changes_ ? std::sin(oscillator_.frequency * tau) : Real(0);
     }
 
     [[nodiscard]] Legs legs_of(int step) const {
@@ -90,14 +115,14 @@ class SplitCycleMap {
         const Real length = oscillator_.period() / Real(steps_);
         recorder->show([this, step, length](Real tau, const State<Real>& x) {
             const Real passed = tau / length - Real(step);  // 0 to 1
-            const Real y = changes_ ? std::sin(oscillator_.frequency * tau) : Real(0);
-            return State<Real>(x[0], x[1] + half_kick(y, x[0]) * (1 - 2 * passed));
+            return State<Real>(x[0], x[1] + half_kick(cart_at(tau), x[0]) * (1 - 2 * passed));
         });
     }
 
-    void half_kick(Real y, Journey<Real>& journey) const {
+    // share: of a whole step.
+    void half_kick(Real y, Journey<Real>& journey, Real share = 1) const {
         Cycle<Real>& cycle = journey.cycle;
-        const Real impulse = oscillator_.cubic * oscillator_.period() / Real(2 * steps_);
+        const Real impulse = share * oscillator_.cubic * oscillator_.period() / Real(2 * steps_);
         const Real stretch = 3 * (oscillator_.gap + y);
         const Real delta = cycle.end[0];
         if (delta == 0) return;
