@@ -4,7 +4,7 @@
     explore.py FILE.h5 [--output FILE.html] [--layers NAME,NAME,...] [--every N]
 
 Open the page in a browser, from disk: it needs no server and no network. Point at a cell for its values; click it and
-the engine solves it at once: motion, force, phase plane, what proves its z. Sliders change the rig and the map is
+the engine solves it at once: motion, force, phase plane, what verifies its z. Sliders change the rig and the map is
 computed again while they move. All fields of a map of up to a million cells are in the page, to the last bit; of a
 larger one z and peak force, to so many digits that the page stays below 10 MB, or those that --layers names. --every 4
 takes each 4th row and column of a map of more than 16,777,216 cells.

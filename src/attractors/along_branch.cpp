@@ -48,8 +48,7 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
             : start_of(job.starts, cell.oscillator, first.start);
     SteadyMotion motion(room);
     regime::CycleDesk desk;
-    const Task<regime::CellResult> search =
-        regime::solve_cell(desk, job, cell, {.tells_rounding = false}, &motion);
+    const Task<regime::CellResult> search = regime::solve_cell(desk, job, cell, {}, &motion);
     regime::run(search, desk, look);
     return regime::same_attractor(result, search.result()) ? motion : SteadyMotion(room);
 }

@@ -6,14 +6,14 @@ namespace peterka::attractors {
 
 CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take, Ends ends)
     : setting_(scene, known, ends),
-      has_starts_(scene.job().starts.count > 0),
+      searches_many_(scene.job().starts.count > 0 || scene.job().output.has(job::OptionalField::critical_kick)),
       take_(std::move(take)),
       pool_(
           scene, known, [this](const auto& search) { keep(search); },
-          has_starts_ ? regime::CellPool::Findings::handed_on : regime::CellPool::Findings::dropped) {}
+          searches_many_ ? regime::CellPool::Findings::handed_on : regime::CellPool::Findings::dropped) {}
 
 void CellCrowd::add(std::int64_t row, std::int64_t column, std::int64_t number) {
-    if (!has_starts_)
+    if (!searches_many_)
         return pool_.add(row, column, number);  // a single search, which nobody asks what it found
     auto open = std::make_unique<Open>(CellSearch(setting_, row, column));
     Open& cell = *cells_.emplace(number, std::move(open)).first->second;
@@ -53,7 +53,7 @@ void CellCrowd::begin_next(std::int64_t number, Open& cell) {
 }
 
 void CellCrowd::keep(const regime::CellPool::Solved& search) {
-    if (!has_starts_) return take_({search.number, {search.result, {}}, search.seconds});
+    if (!searches_many_) return take_({search.number, {search.result, {}}, search.seconds});
     const auto where = searches_.find(search.number);
     const auto [number, place] = where->second;
     searches_.erase(where);

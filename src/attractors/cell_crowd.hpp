@@ -56,7 +56,7 @@ class CellCrowd {
     void fill_pool();
 
     Setting setting_;
-    bool has_starts_;
+    bool searches_many_;
     Take take_;
     std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
     std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>>

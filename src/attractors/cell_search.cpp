@@ -68,7 +68,6 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
             break;
         case Stage::starts: {
             take_starts(ended);
-            if (count() == 0) return {};
             if (seen_ == count()) return finish_starts();
             std::vector<Begin> searches = attractors_worth_knowing();
             if (searches.empty()) break;
@@ -78,6 +77,9 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
         case Stage::attractors:
             know_more();
             break;
+        case Stage::orbits_to_kick:
+            know_more();
+            return begin_kicks();
         case Stage::kicks: {
             std::vector<Begin> searches = kicks_->next(ended);
             stage_ = Stage::kicks;
@@ -113,7 +115,7 @@ std::vector<Begin> CellSearch::next_round() {
 Begin CellSearch::search_from(const scene::State<double>& start, Sooner sooner) const {
     return [this, start, sooner](CycleDesk& desk, std::vector<FoundAttractor>* found) {
         return regime::solve_cell(desk, sooner.unresolved ? setting_.of_short_starts : setting_.of_starts,
-                                  {cell_.oscillator, start}, {&table_, found, sooner.chaos, false});
+                                  {cell_.oscillator, start}, {&table_, found, sooner.chaos});
     };
 }
 
@@ -122,6 +124,7 @@ void CellSearch::take_starts(std::span<const Ended> ended) {
         solved_.cell = ended.front().result;
         prospects_.take(solved_.cell);
         take_found(ended.front().found);
+        if (count() == 0) tally_.add(solved_.cell, ended.front().found);
         ended = ended.subspan(1);
     }
     for (const Ended& start : ended) {
@@ -164,15 +167,26 @@ bool CellSearch::is_worth_proving(const Known& known) const {
 std::vector<Begin> CellSearch::attractors_worth_knowing() {
     learned_.clear();
     for (std::size_t i = 0; i < known_.size(); ++i) {
-        if (is_worth_following(known_[i])) {
-            known_[i].followed = true;
-            learned_.push_back({.known = i, .proves = false});
-        }
-        if (is_worth_proving(known_[i])) {
-            known_[i].tried = true;
-            learned_.push_back({.known = i, .proves = true});
-        }
+        learn(i, is_worth_following(known_[i]), is_worth_proving(known_[i]));
     }
+    return learn_all();
+}
+
+// Kicks are many, and most of them lead back.
+std::vector<Begin> CellSearch::orbits_to_kick() {
+    learned_.clear();
+    for (std::size_t i = 0; i < known_.size(); ++i) learn(i, !known_[i].followed, !known_[i].tried);
+    return learn_all();
+}
+
+void CellSearch::learn(std::size_t known, bool follows, bool proves) {
+    known_[known].followed |= follows;
+    known_[known].tried |= proves;
+    if (follows) learned_.push_back({.known = known, .proves = false});
+    if (proves) learned_.push_back({.known = known, .proves = true});
+}
+
+std::vector<Begin> CellSearch::learn_all() {
     std::vector<Begin> searches;
     for (Learned& learned : learned_) {
         searches.emplace_back([this, &learned](CycleDesk& desk, std::vector<FoundAttractor>*) {
@@ -194,6 +208,15 @@ void CellSearch::know_more() {
 
 std::vector<Begin> CellSearch::finish_starts() {
     kept_ = tally_.in_order();
+    const bool asks_for_kicks = setting_.scene.job().output.has(job::OptionalField::critical_kick);
+    if (count() > 0) tell_attractors();
+    if (!asks_for_kicks) return {};
+    std::vector<Begin> searches = orbits_to_kick();
+    stage_ = Stage::orbits_to_kick;
+    return searches.empty() ? begin_kicks() : searches;
+}
+
+void CellSearch::tell_attractors() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
     kept_.resize(std::min(kept_.size(), static_cast<std::size_t>(setting_.of_starts.starts.attractors)));
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
@@ -201,7 +224,9 @@ std::vector<Begin> CellSearch::finish_starts() {
         solved_.attractors.push_back(as_attractor(entry, count()));
         if (setting_.ends == Ends::firsts) solved_.firsts.push_back({entry.result, entry.first});
     }
-    if (!setting_.scene.job().output.has(job::OptionalField::critical_kick)) return {};
+}
+
+std::vector<Begin> CellSearch::begin_kicks() {
     stage_ = Stage::kicks;
     const auto& velocities = setting_.of_starts.starts.velocity_ratio;
     const double largest = std::max(std::abs(velocities.front()), std::abs(velocities.back()));
@@ -210,8 +235,9 @@ std::vector<Begin> CellSearch::finish_starts() {
 }
 
 void CellSearch::take_kicks() {
-    for (std::size_t slot = 0; slot < kept_.size(); ++slot) {
-        solved_.attractors[slot].critical_kick = kicks_->smallest(slot);
+    if (count() == 0) solved_.cell.kick = kicks_->smallest(0);
+    for (std::size_t slot = 0; slot < solved_.attractors.size(); ++slot) {
+        solved_.attractors[slot].kick = kicks_->smallest(slot);
     }
 }
 

@@ -1,4 +1,5 @@
-// One cell of a map: its start, and, where the job has [starts], all of these, in rounds.
+// One cell of a map: its start, and, where the job has [starts], all of these, in rounds; and the kicks of what
+// they end on, where the job asks for these.
 //
 // The searches of a round know the attractors that rounds before it found: they end where they are seen to
 // converge to the orbit of one (regime/known_orbit.hpp), or, where starts are many, in its proven neighbourhood
@@ -45,7 +46,7 @@ class CellSearch {
     [[nodiscard]] SolvedCell result() const;
 
   private:
-    enum class Stage { begin, starts, attractors, kicks };
+    enum class Stage { begin, starts, attractors, orbits_to_kick, kicks };
     // An attractor on one map, and how often it was found.
     struct Known {
         regime::FoundAttractor found;
@@ -56,13 +57,18 @@ class CellSearch {
 
     [[nodiscard]] std::vector<Begin> next_round();
     [[nodiscard]] std::vector<Begin> attractors_worth_knowing();
+    [[nodiscard]] std::vector<Begin> orbits_to_kick();
+    void learn(std::size_t known, bool follows, bool proves);
+    [[nodiscard]] std::vector<Begin> learn_all();
     [[nodiscard]] double expected(const Known& known) const;
     [[nodiscard]] bool is_worth_following(const Known& known) const;
     [[nodiscard]] bool is_worth_proving(const Known& known) const;
     void know_more();
     [[nodiscard]] std::vector<Begin> finish_starts();
+    void tell_attractors();
     void take_starts(std::span<const Ended> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
+    [[nodiscard]] std::vector<Begin> begin_kicks();
     void take_kicks();
     [[nodiscard]] Begin search_from(const scene::State<double>& start, Sooner sooner = {}) const;
     [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;

@@ -1,16 +1,14 @@
-// The smallest sudden change of the hammer's velocity after which the settled motion ends elsewhere, for each
-// periodic attractor of a cell.
-//
-// Kicks at forcing phase 0, at each of the q points of an orbit, up and down, are tried in sizes that grow as
-// squares; the smallest that ends elsewhere is then narrowed down by bisection. A smaller one that lies between
-// two sizes tried, both of which end where they began, goes unseen.
+// The smallest sudden change of the hammer's velocity, at any phase, after which the settled motion ends
+// elsewhere, for each periodic attractor of a cell: each by a scan of its own (attractors/kick_scan.hpp), whose
+// searches run side by side.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "attractors/kick_scan.hpp"
+#include "attractors/kicked_orbit.hpp"
 #include "attractors/tally.hpp"
 #include "attractors/work.hpp"
 #include "scene/oscillator.hpp"
@@ -28,39 +26,23 @@ class Kicks {
     // As that of CellSearch.
     [[nodiscard]] std::vector<Begin> next(std::span<const Ended> ended);
 
-    // Of the attractor in this slot: it surely ends elsewhere, in A0 omega; NaN where none that was tried does.
-    [[nodiscard]] double smallest(std::size_t slot) const;
+    // Of the attractor in this slot; nothing was tried where it is not periodic.
+    [[nodiscard]] cell::Kick smallest(std::size_t slot) const;
 
   private:
-    enum class Stage { begin, orbits, scan, bisection, done };
-    // A point of an orbit and a direction, with the sizes between which the border lies.
-    struct Ray {
+    struct Kicked {
         std::size_t slot;
-        scene::State<double> point;
-        double sign;
-        double stays = 0;
-        double leaves = 0;  // 0: no size tried does
-        [[nodiscard]] double middle() const { return (stays + leaves) / 2; }
+        regime::CellResult result;
+        KickedOrbit orbit;
+        KickScan scan;
+        std::vector<bool> carried = {};  // of the last kicks: the others have no search
     };
 
-    [[nodiscard]] std::vector<Begin> follow_orbits();
-    [[nodiscard]] std::vector<Begin> scan();
-    [[nodiscard]] std::vector<Begin> bisect();
-    void take_scan(std::span<const Ended> ended);
-    void take_bisection(std::span<const Ended> ended);
-    [[nodiscard]] bool ends_elsewhere(const Ray& ray, const Ended& ended) const;
-    [[nodiscard]] Begin kick(const Ray& ray, double size) const;
-    [[nodiscard]] double size_of(std::int64_t level) const;
+    bool kick(Kicked& kicked, std::span<const Ended>& ended, std::vector<Begin>& searches);
+    [[nodiscard]] static std::vector<KickScan::Way> take(const Kicked& kicked, std::span<const Ended>& ended);
 
-    scene::Oscillator<double> cell_;
-    std::vector<Tally::Entry> attractors_;
-    double largest_;
     SearchFrom search_from_;
-    Stage stage_ = Stage::begin;
-    std::vector<std::size_t> followed_;                      // slots
-    std::vector<std::vector<scene::State<double>>> orbits_;  // of these
-    std::vector<Ray> rays_;
-    int bisections_ = 0;
+    std::vector<Kicked> kicked_;
 };
 
 }  // namespace peterka::attractors

@@ -25,12 +25,20 @@ std::optional<regime::FoundAttractor> orbit_of(const regime::CellResult& result,
     return std::nullopt;
 }
 
+// A force that is imprecise is on this attractor at least, which a start that rounding leads may not be.
+bool leaves_less_open(regime::Status one, regime::Status other) {
+    using enum regime::Status;
+    return other == rounding ? one == verified || one == imprecise : other == imprecise && one == verified;
+}
+
 }  // namespace
 
 void Tally::add(const regime::CellResult& result, std::span<const regime::FoundAttractor> found) {
     const std::int32_t known = slot_of(entries_, result);
     if (known >= 0) {
-        ++entries_[static_cast<std::size_t>(known)].starts;
+        Entry& entry = entries_[static_cast<std::size_t>(known)];
+        ++entry.starts;
+        if (leaves_less_open(result.status, entry.result.status)) entry.result.status = result.status;
     } else {
         entries_.push_back({result, orbit_of(result, found), 1, added_});
     }
@@ -51,10 +59,13 @@ std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellRe
 
 CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts) {
     return {.regime = entry.result.regime,
+            .status = entry.result.status,
             .impacts = entry.result.impacts,
             .period = entry.result.period,
             .peak_force = entry.result.peak_force,
-            .share = static_cast<double>(entry.starts) / static_cast<double>(all_starts)};
+            .share = static_cast<double>(entry.starts) / static_cast<double>(all_starts),
+            .orbit_displacement = entry.result.orbit_displacement,
+            .orbit_velocity = entry.result.orbit_velocity};
 }
 
 }  // namespace peterka::attractors

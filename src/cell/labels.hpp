@@ -17,15 +17,15 @@ enum class Regime : std::int8_t {
 };
 inline constexpr std::int8_t regime_not_computed = -128;
 
-// Why a cell is unresolved or failed, or what its proof leaves open; `proved` for all others.
+// Why a cell is unresolved or failed, or what its proof leaves open; `verified` for all others.
 enum class Status : std::int8_t {
-    proved = 0,
+    verified = 0,
     budget = 1,           // max_cycles ran out before any proof
     conservative = 2,     // nothing dissipates, so nothing settles
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers
     solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
-    rounding = 6,         // proved for this run, but one with the last bit of its start moved ends elsewhere
+    rounding = 6,         // proved for this run, but errors of rounding grew enough to end elsewhere
     imprecise = 7,        // proved, but its peak force may be off by more than solver.tolerance
     chaotic_so_far = 8,   // max_cycles ran out before chaos could be told from a long transient
 };
@@ -59,8 +59,8 @@ constexpr const char* name(Regime regime) {
 
 constexpr const char* name(Status status) {
     switch (status) {
-        case Status::proved:
-            return "proved";
+        case Status::verified:
+            return "verified";
         case Status::budget:
             return "budget";
         case Status::conservative:

@@ -33,7 +33,7 @@ enum class OptionalField {
     max_displacement,
     force_per_cycle,
     last_impact,
-    critical_kick,  // of each attractor
+    critical_kick,
 };
 
 // The unit in the file; how it comes from nondimensional numbers is told in scene/scales.hpp.
@@ -83,6 +83,8 @@ struct Keeping {
     const char* field_name = nullptr;  // the quantity's own if there is none
 };
 
+inline constexpr int newest_layout = 3;  // of files
+
 enum class InAttractorTable { no, yes };
 
 enum class NumberKind { label, count, real };
@@ -116,6 +118,7 @@ struct QuantityOf {
     Recorded recorded = Recorded::usual;
     InAttractorTable in_attractor_table = InAttractorTable::no;
     std::span<const char* const> names_of_values = {};  // of a label
+    int since = 2;                                      // the first layout of files that has it
 
     [[nodiscard]] double load(const Computed& from) const { return member.computed.load(from); }
     [[nodiscard]] double load(const Stored& from) const { return member.stored.load(from); }
@@ -166,11 +169,22 @@ inline constexpr Keeping in_refined_maps{Kept::in_refined_maps};
 inline constexpr Keeping in_sweeps{Kept::in_sweeps};
 inline constexpr Keeping of_many_starts{Kept::of_many_starts};
 inline constexpr Keeping of_rigid_stops{Kept::of_rigid_stops};
+inline constexpr Keeping of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 
 using enum Filled;
 using enum Recorded;
 using enum Dimension;
+
+inline constexpr const char* kick_words =
+    "smallest sudden change of the settled hammer's velocity, at any forcing phase, after which it ends "
+    "elsewhere";
+inline constexpr const char* kick_phase_words =
+    "when the critical kick acts, in forcing cycles after phase 0 of the orbit's first point, 0 to q";
+inline constexpr const char* kick_tried_words =
+    "up to which size kicks were tried at all phases: without a critical kick none was found up to this";
+inline constexpr const char* kick_direction_words =
+    "whether the critical kick is towards the stop (1) or away from it (-1); 0 where there is none";
 
 // clang-format off
 inline constexpr Quantity rows[] = {
@@ -200,6 +214,10 @@ inline constexpr Quantity rows[] = {
     {"peak_force_q95_ratio", member([](auto& cell) -> auto& { return cell.peak_force_q95; }), force_over_weight, "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), interpolated, cycle_forces},
     {"window_cycles", member([](auto& cell) -> auto& { return cell.window_cycles; }), number, "forcing cycles of which these are mean and quantile", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), as_around, cycle_forces},
     {"last_impact", member([](auto& cell) -> auto& { return cell.last_impact; }), number, "forcing cycles until the last impact; none where impacts go on or the cell was filled", asked_for(OptionalField::last_impact)},
+    {"critical_kick", member([](auto& cell) -> auto& { return cell.kick.size; }), speed, kick_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_phase", member([](auto& cell) -> auto& { return cell.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_tried", member([](auto& cell) -> auto& { return cell.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_direction", member([](auto& cell) -> auto& { return cell.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
 };
@@ -207,11 +225,17 @@ inline constexpr Quantity rows[] = {
 // A share is filled by a rule of its own (refine/fill_attractors.cpp).
 inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_regime", of_attractor([](auto& attractor) -> auto& { return attractor.regime; }), label, "regime of an attractor of the cell, those with the largest shares first", always, as_around, usual, {}, regime_names},
+    {"attractor_status", of_attractor([](auto& attractor) -> auto& { return attractor.status; }), label, "the status of the start whose proof leaves least open, of those that end on it", always, never, usual, {}, status_names, 3},
     {"attractor_impacts", of_attractor([](auto& attractor) -> auto& { return attractor.impacts; }), number, "impacts p of its z = p/q", always, as_around},
     {"attractor_period", of_attractor([](auto& attractor) -> auto& { return attractor.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
     {"attractor_peak_force_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.peak_force; }), force_over_weight, "its peak impact force over hammer weight, F/(m g0)", always, interpolated},
     {"basin_share", of_attractor([](auto& attractor) -> auto& { return attractor.share; }), number, "share of the cell's starts that end on it"},
-    {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.critical_kick; }), speed, "smallest sudden change of the hammer's velocity at forcing phase 0 after which its settled motion ends elsewhere", asked_for(OptionalField::critical_kick), interpolated},
+    {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.kick.size; }), speed, kick_words, of_kicks},
+    {"critical_kick_phase", of_attractor([](auto& attractor) -> auto& { return attractor.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_tried", of_attractor([](auto& attractor) -> auto& { return attractor.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_direction", of_attractor([](auto& attractor) -> auto& { return attractor.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
+    {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", of_kicks, never, usual, {}, {}, 3},
+    {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", of_kicks, never, usual, {}, {}, 3},
 };
 // clang-format on
 
@@ -228,13 +252,6 @@ constexpr void for_each_field_of(std::span<const QuantityOf<Numbers>> rows, Take
         if (!keeping.field) continue;
         take(*keeping.field, keeping.field_name == nullptr ? quantity.name : keeping.field_name);
     }
-}
-
-// Whether it is asked for of each attractor, not of the cell.
-constexpr bool is_of_attractors(OptionalField field) {
-    bool found = false;
-    for_each_field_of(attractor_quantities, [&](OptionalField each, const char*) { found |= each == field; });
-    return found;
 }
 
 }  // namespace peterka::cell

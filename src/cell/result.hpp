@@ -18,11 +18,20 @@ enum class Units { nondimensional, of_file };
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is proved
 
+// The smallest sudden change of the settled hammer's velocity after which its motion ends elsewhere
+// (attractors/kicks.hpp); units are told for CellResult.
+struct Kick {
+    double size = unknown;      // in A0 omega; NaN: none that was tried
+    double phase = unknown;     // when it acts: forcing cycles after phase 0 of the orbit's first point, 0 to q
+    double tried = unknown;     // up to which size kicks were tried at all phases, in A0 omega
+    std::int8_t direction = 0;  // 1 up, towards the stop; -1 down; 0 none
+};
+
 // Units are told for CellResult.
 template <Units units>
 struct Result {
     Regime regime = Regime::failed;
-    Status status = Status::proved;
+    Status status = Status::verified;
     Engine engine = Engine::exact;
     bool computed = true;  // false: filled from computed cells around it (refine/fill.hpp); no proof of its own
     bool jump = false;  // of a sweep: the force jumps on the way here from the point before (regime/branch.hpp)
@@ -62,17 +71,22 @@ struct Result {
     std::int32_t start_attractor = -1;  // on which of those that are kept this cell ends; -1: on none
     // On request: the last forcing cycle in which the stop pressed, counted from the start; 0 if it never did.
     std::int32_t last_impact = goes_on;
+    Kick kick = {};  // on request, of a job without [starts]: of the orbit on which this cell ends
 };
 
 // One of the attractors on which the starts of a cell end; units are told for CellAttractor.
 template <Units units>
 struct Attractor {
     Regime regime = static_cast<Regime>(regime_not_computed);
+    Status status = static_cast<Status>(regime_not_computed);
     std::int32_t impacts = -1;
     std::int32_t period = -1;
-    double peak_force = unknown;     // F/(k A0)
-    double share = 0;                // of the cell's starts
-    double critical_kick = unknown;  // smallest change of velocity that ends elsewhere, in A0 omega
+    double peak_force = unknown;  // F/(k A0)
+    double share = 0;             // of the cell's starts
+    // On request, of periodic ones.
+    Kick kick = {};
+    double orbit_displacement = unknown;  // as of a cell
+    double orbit_velocity = unknown;
 };
 
 // As files hold them: peak forces over the hammer's weight, F/(m g0); the rest in SI.

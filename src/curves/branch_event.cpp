@@ -1,9 +1,11 @@
 #include "curves/branch_event.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "curves/merging.hpp"
 #include "curves/reshape.hpp"
 
 namespace peterka::curves {
@@ -18,8 +20,16 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
                                                  const OrbitPoint& to, int sign) {
     const double before = bifurcation_of(stepper, from, sign);
     const double after = bifurcation_of(stepper, to, sign);
-    return solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
-                 stepper.conditions_and(Condition::at_multiplier(sign)));
+    const auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
+                             stepper.conditions_and(Condition::at_multiplier(sign)));
+    if (!found) return std::nullopt;
+    // another one, behind the step or beyond it, may lie as close to the guess
+    constexpr double rounding = 0.01;  // of the step, which bends
+    const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
+    const Eigen::VectorXd way = way_between(stepper.rig(), from, *found, stepper.window());
+    const double share = way.dot(step) / step.squaredNorm();
+    if (share < -rounding || share > 1 + rounding || way.norm() > 2 * step.norm()) return std::nullopt;
+    return found;
 }
 
 std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
@@ -36,6 +46,32 @@ std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoi
     if (!slow) return std::nullopt;
     const auto reshaped = grazing_in_place_of(stepper.rig(), *slow, fault.event);
     return reshaped ? settle(*reshaped) : std::nullopt;
+}
+
+// Whether a value that has the same sign at both ends of a step, and in its middle, may have lost it in
+// between.
+bool may_vanish(double from, double middle, double to) {
+    constexpr double near = 0.2;  // of the ends' values: the parabola is no more than a guess
+    const double ends = std::min(std::abs(from), std::abs(to));
+    if ((from > 0) != (middle > 0)) return true;
+    const double bend = std::copysign(1.0, from) * (from - 2 * middle + to);
+    const double fall = std::copysign(1.0, from) * (3 * from - 4 * middle + to);
+    if (!(bend > 0) || !(fall > 0) || fall > 4 * bend) return false;  // it has no lowest value within
+    return std::abs(from) - fall * fall / (8 * bend) < near * ends;
+}
+
+// Whether a step that shows nothing at its end has passed over two events that undo each other: a doubling and
+// its reverse, an impact gained and lost again.
+bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, bool merges) {
+    const auto middle = solve(stepper.rig(), between(from, to, 0.5), stepper.window(), stepper.conditions());
+    if (!middle) return true;
+    const Fault::Kind fault = find_fault(stepper.rig(), *middle).kind;
+    if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow) return true;
+    return std::ranges::any_of(std::array{1, -1}, [&](int sign) {
+        if (merges && sign > 0) return false;
+        return may_vanish(bifurcation_of(stepper, from, sign), bifurcation_of(stepper, *middle, sign),
+                          bifurcation_of(stepper, to, sign));
+    });
 }
 
 // An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one
@@ -73,16 +109,21 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
         nearest = distance;
         judged.seed = Seed{kind, *point};
     };
+    const bool merges = by_multipliers && halves_meet(stepper, from, to);
+    if (merges) offer(merging_orbit(stepper, from, to), CurveKind::period_doubling);
     for (const int sign : {1, -1}) {
         const bool crosses =
             (bifurcation_of(stepper, from, sign) > 0) != (bifurcation_of(stepper, to, sign) > 0);
         if (!by_multipliers || !crosses) continue;
+        if (merges && sign > 0) continue;  // which the orbit has where it merges, and may keep by rounding
         offer(crossing_of_multiplier(stepper, from, to, sign),
               sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
     }
     if (fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow) {
         offer(grazing_between(stepper, from, to, fault), CurveKind::grazing);
     }
+    if (by_multipliers && !judged.seed && !judged.lost)
+        judged.lost = may_hide_events(stepper, from, to, merges);
     if (judged.lost) judged.seed.reset();
     if (judged.seed) {
         judged.seed = sound(stepper, *judged.seed);

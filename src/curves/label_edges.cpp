@@ -6,11 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "curves/branch_step.hpp"
+#include "curves/beside.hpp"
 #include "curves/free_motion.hpp"
 #include "curves/known_curves.hpp"
-#include "curves/orbit_check.hpp"
-#include "curves/reshape.hpp"
 
 namespace peterka::curves {
 
@@ -151,7 +149,7 @@ class EdgeTeller {
     [[nodiscard]] LabelEdge how_far_a_motion_lives(std::size_t i) const {
         const OrbitPoint at{curve_.points[i].orbit, curve_.points[i].place};
         const Place way = aside(i);
-        const Beside beside = motions_beside(at, way);
+        const Beside beside = motions_beside(rig_, window_, {curve_.kind, at}, way);
         for (const OrbitPoint& stable : beside.stable) {
             const double moved =
                 (stable.place.column - at.place.column) / window_.column * (way.column / window_.column) +
@@ -163,50 +161,6 @@ class EdgeTeller {
             if (lives) return LabelEdge::other_start;
         }
         return beside.any ? LabelEdge::narrow : LabelEdge::unknown;
-    }
-
-    // Motions that part from the curve's point on a line through it. One that is stable at the curve may lose
-    // that at once: what is left of an impact that has hardly any speed is a jump of its multipliers.
-    struct Beside {
-        bool any = false;
-        std::vector<OrbitPoint> stable;
-    };
-    [[nodiscard]] Beside motions_beside(const OrbitPoint& at, const Place& way) const {
-        constexpr double step = 1e-4;
-        std::vector<OrbitPoint> starts;
-        if (curve_.kind == CurveKind::grazing) {
-            for (const bool gains : {true, false}) {
-                starts.push_back(beyond_grazing(rig_, at, gains));
-            }
-        } else {
-            starts.push_back(at);
-        }
-        Beside beside;
-        for (const OrbitPoint& start : starts) {
-            if (start.orbit.events.empty()) return {true, {start}};
-            Stepper stepper(rig_, window_,
-                            {Condition::on_line(at.place, {way.row / window_.row / window_.column,
-                                                           -way.column / window_.column / window_.row})});
-            Stepper::Here here = stepper.at(start);
-            for (int direction = 0; direction < 2; ++direction) {
-                stepper.set_step(step);
-                const auto next = stepper.next(here, step);
-                if (next && is_motion(next->point)) {
-                    beside.any = true;
-                    if (is_stable(next->point)) beside.stable.push_back(next->point);
-                }
-                here.tangent = -here.tangent;
-            }
-        }
-        return beside;
-    }
-
-    [[nodiscard]] bool is_motion(const OrbitPoint& point) const {
-        const Fault::Kind fault = find_fault(rig_, point).kind;
-        return fault != Fault::Kind::pierces && fault != Fault::Kind::slow;
-    }
-    [[nodiscard]] bool is_stable(const OrbitPoint& point) const {
-        return monodromy(rig_, point.orbit, point.place, {}).is_stable();
     }
 
     // Labels alone might change here by chance: a cell's motion is followed to the curve.

@@ -51,6 +51,19 @@ OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share) {
     return point;
 }
 
+Eigen::VectorXd way_between(const Rig& rig, const OrbitPoint& from, const OrbitPoint& to, const Place& window) {
+    const Unknowns unknowns(from.orbit);
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns.size());
+    for (std::size_t i = 0; i < from.orbit.events.size(); ++i) {
+        step[unknowns.time(i)] = to.orbit.events[i].time - from.orbit.events[i].time;
+        if (from.orbit.events[i].kind == EventKind::graze) continue;
+        step[unknowns.velocity(i)] = to.orbit.events[i].velocity - from.orbit.events[i].velocity;
+    }
+    step[unknowns.column()] = to.place.column - from.place.column;
+    step[unknowns.row()] = to.place.row - from.place.row;
+    return step.cwiseQuotient(sizes_of_unknowns(rig, from, window));
+}
+
 bool has_same_events(const Orbit& a, const Orbit& b) {
     return a.period == b.period && std::ranges::equal(a.events, b.events, {}, &Event::kind, &Event::kind);
 }

@@ -4,12 +4,17 @@
 
 #include <optional>
 
+#include "curves/defining_system.hpp"
 #include "curves/orbit_check.hpp"
 
 namespace peterka::curves {
 
 // A point a share of the way from one to another with the same events.
 [[nodiscard]] OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share);
+
+// From one to another with the same events, in sizes of the unknowns.
+[[nodiscard]] Eigen::VectorXd way_between(const Rig& rig, const OrbitPoint& from, const OrbitPoint& to,
+                                          const Place& window);
 
 [[nodiscard]] bool has_same_events(const Orbit& a, const Orbit& b);
 // The same events, with the same velocities but for rounding.

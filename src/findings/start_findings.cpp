@@ -1,7 +1,6 @@
 #include "findings/start_findings.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -20,20 +19,6 @@ AttractorLabel label_of(const StoredAttractor& attractor) {
     return {attractor.regime, attractor.period, attractor.impacts};
 }
 
-double smaller_kick(double a, double b) {
-    if (!(a > 0)) return b;
-    return b > 0 ? std::min(a, b) : a;
-}
-
-void count_kick(StartCounts& counts, std::span<const StoredAttractor> here) {
-    for (const StoredAttractor& attractor : here) {
-        if (std::isnan(attractor.critical_kick)) continue;
-        ++counts.with_kick;
-        counts.smallest_kick = smaller_kick(counts.smallest_kick, attractor.critical_kick);
-        return;
-    }
-}
-
 // here: those in use, the largest share first.
 void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
               std::span<const StoredAttractor> here) {
@@ -46,7 +31,7 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
     counts.minority += cell.start_attractor > 0 ? 1 : 0;
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
-    count_kick(counts, here);
+    add_kick(counts.kicks, here);
     if (here.size() < 2) return;
     const AttractorLabel first = label_of(here[0]);
     const AttractorLabel second = label_of(here[1]);
@@ -63,8 +48,7 @@ void StartCounts::add(const StartCounts& other) {
     minority += other.minority;
     not_kept += other.not_kept;
     left_over += other.left_over;
-    with_kick += other.with_kick;
-    smallest_kick = smaller_kick(smallest_kick, other.smallest_kick);
+    kicks.add(other.kicks);
 }
 
 void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
@@ -73,6 +57,7 @@ void add_attractors(StartFindings& findings, std::span<const quantities::StoredC
     std::vector<StoredAttractor> here;
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         if (cells[cell].attractors < 0) continue;
+        if (slots == 0) add_kick(findings.counts.kicks, cells[cell]);
         here.clear();
         for (std::size_t slot = 0; slot < slots; ++slot) {
             const StoredAttractor& attractor = attractors[slot * cells.size() + cell];

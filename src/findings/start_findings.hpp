@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include "findings/kick_counts.hpp"
 #include "quantities/fields.hpp"
 
 namespace peterka::findings {
@@ -20,8 +21,7 @@ struct StartCounts {
     std::int64_t minority = 0;   // cells in which [start] ends on another attractor than most starts
     std::int64_t not_kept = 0;   // cells in which it ends on none of those that are kept
     std::int64_t left_over = 0;  // cells with more attractors than are kept
-    std::int64_t with_kick = 0;  // cells whose largest periodic attractor has a critical kick
-    double smallest_kick = 0;    // of these [m/s]; 0 where there are none
+    KickCounts kicks;            // also without [starts]
 
     void add(const StartCounts& other);
 };

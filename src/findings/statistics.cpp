@@ -36,6 +36,8 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
+    if (cell.status == regime::Status::chaotic_so_far && cell.computed)
+        statistics.longest.take({cell.impact_rate, row, column});
     if (cell.regime == Regime::failed) count(counts.failed_by_status, static_cast<std::int8_t>(cell.status));
     if (regime::has_period(cell.regime)) count(counts.open_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.regime == Regime::chaotic && cell.computed) {
@@ -79,6 +81,12 @@ void Extremes::take(const Extremes& other) {
 void Observed::take(const Observed& other) {
     fewest = std::min(fewest, other.fewest);
     most = std::max(most, other.most);
+}
+
+void LongestChaos::take(const LongestChaos& other) {
+    if (!other.found() || !(other.impact_rate <= impact_rate)) return;
+    const bool is_lower = std::tie(other.row, other.column) < std::tie(row, column);
+    if (other.impact_rate < impact_rate || !found() || is_lower) *this = other;
 }
 
 void Counts::add(const Counts& other) {

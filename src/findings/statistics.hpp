@@ -65,9 +65,20 @@ struct Observed {
     void take(const Observed& other);
 };
 
+// Of the cells that are chaotic_so_far, the one with the fewest impacts in a cycle: what loses least.
+struct LongestChaos {
+    double impact_rate = std::numeric_limits<double>::infinity();
+    std::int64_t row = -1;
+    std::int64_t column = -1;
+
+    [[nodiscard]] bool found() const { return row >= 0; }
+    void take(const LongestChaos& other);
+};
+
 struct Statistics {
     Counts counts;
     Observed chaos;
+    LongestChaos longest;
     Extremes largest;
     std::map<ImpactClass, std::int64_t> periodic_cells;  // per class
     Transients transients;                               // of cells that store their last impact

@@ -48,6 +48,10 @@ GapAttractors find_beside_branches(std::span<const StoredCell> cells,
             entry.points += entry.points == 0 || entry.last < column ? 1 : 0;
             entry.last = column;
             entry.largest_share = std::max(entry.largest_share, attractor.share);
+            for (std::int64_t row = 0; row < rows; ++row) {
+                const StoredCell& branch = cells[static_cast<std::size_t>(row * columns + column)];
+                entry.beside_its_like = entry.beside_its_like || motion_class(branch) == motion;
+            }
         }
         found.with_unvisited += any ? 1 : 0;
     }

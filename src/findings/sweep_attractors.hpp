@@ -16,7 +16,8 @@ struct Unvisited {
     std::int64_t points = 0;
     std::int64_t first = 0;  // columns
     std::int64_t last = 0;
-    double largest_share = 0;  // of the starts of a point
+    double largest_share = 0;      // of the starts of a point
+    bool beside_its_like = false;  // somewhere a branch is on another attractor of this class
 };
 
 struct GapAttractors {

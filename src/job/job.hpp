@@ -259,6 +259,7 @@ struct Job {
     CellOfMap cell;  // trace and basin
     Curves curves;   // curves, and the borders of a map
     Limits limits;
+    int layout = cell::newest_layout;  // of the file that it is read from, or goes into
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;
     }

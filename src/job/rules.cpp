@@ -115,9 +115,14 @@ std::string rule_of_interval(std::string_view name, const std::vector<double>& i
 }
 
 std::string rule_of_kick(const Job& job) {
-    if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0) return {};
-    return "output.fields asks for critical_kick, which is one of each attractor; only a job with [starts] "
-           "looks for those; set starts.count, or remove the field";
+    if (!job.output.has(OptionalField::critical_kick) || job.starts.count > 0 || job.kind == Kind::map)
+        return {};
+    return job.kind == Kind::sweep ? "output.fields asks for critical_kick; a sweep looks for those of its "
+                                     "attractors, which only one "
+                                     "with [starts] has; set starts.count, or remove the field"
+                                   : "output.fields asks for critical_kick, which is one of an attractor; the "
+                                     "cells of a basin share "
+                                     "theirs; take a map of this operating point, or remove the field";
 }
 
 std::string rule_of_cells(const Study& study) {

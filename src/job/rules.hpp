@@ -29,7 +29,7 @@ namespace peterka::job {
 [[nodiscard]] std::string rule_of_interval(std::string_view name, const std::vector<double>& interval);
 // The stop must leave some of the starts where it stands closest.
 [[nodiscard]] std::string rule_of_room(const Job& job);
-// A kick is one of an attractor, and only a job with [starts] has these.
+// A basin's cells share their attractors, and a sweep without [starts] looks for none.
 [[nodiscard]] std::string rule_of_kick(const Job& job);
 [[nodiscard]] std::string rule_of_samples(const Job& job);
 [[nodiscard]] std::string rule_of_cells(const Study& study);

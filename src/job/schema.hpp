@@ -49,7 +49,7 @@ void describe_trace(Walker& file, Job& job) {
     } else {
         describe_rig(file, job);
         describe_trace_of_rig(file, job);
-        file.table({"steady_state", "when a regime counts as proved"},
+        file.table({"steady_state", "when a regime counts as verified"},
                    [&](auto& table) { describe(table, job.steady_state); });
         describe_solver(file, job);
     }
@@ -86,7 +86,7 @@ void describe(Walker& file, Job& job) {
     if (kind_is_known && job.kind != Kind::sweep) {
         file.refuse("sweep", "belongs to kind = \"sweep\"; other jobs have no branches; remove this table");
     }
-    file.table({"steady_state", "when a regime counts as proved"},
+    file.table({"steady_state", "when a regime counts as verified"},
                [&](auto& table) { describe(table, job.steady_state); });
     if (kind_is_known && job.kind == Kind::study) {
         describe_study(file, job);

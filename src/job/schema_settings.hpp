@@ -81,7 +81,7 @@ inline std::string_view fields_on_request() {
         std::string names = "extra fields";
         for (const auto& field : Names<OptionalField>::all) {
             const bool is_first = field.value == OptionalField{};
-            names += is_first ? ": " : cell::is_of_attractors(field.value) ? "; with [starts] " : ", ";
+            names += is_first ? ": " : ", ";
             names += field.name;
         }
         return names;

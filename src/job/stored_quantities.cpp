@@ -3,6 +3,7 @@
 namespace peterka::job {
 
 bool stores(const Job& job, const cell::Quantity& quantity) {
+    if (quantity.since > job.layout) return false;
     switch (quantity.keeping.kept) {
         case cell::Kept::always:
             return true;
@@ -18,6 +19,7 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             break;
     }
     const OptionalField field = quantity.keeping.field.value();
+    if (field == OptionalField::critical_kick && job.starts.count > 0) return false;  // of each attractor
     return job.output.has(field) || (job.kind == Kind::basin && field == OptionalField::orbit);
 }
 
@@ -34,6 +36,7 @@ std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Jo
     if (job.starts.count == 0) return stored;
     for (const cell::AttractorQuantity& quantity : cell::attractor_quantities) {
         const std::optional<OptionalField> field = quantity.keeping.field;
+        if (quantity.since > job.layout) continue;
         if (!field || job.output.has(*field)) stored.push_back(&quantity);
     }
     return stored;

@@ -63,13 +63,18 @@ hdf5::FileId open_map(const hdf5::Checked& check) {
     return file;
 }
 
+const char* what_it_lacks(int version) {
+    if (version == 1) return ": files of version 1 have no checksum over what lies outside their cells";
+    if (version == 2) return ": files of version 2 don't say of each label whether rounding may decide it";
+    return "";
+}
+
 void require_layout_version(const std::filesystem::path& path, const hdf5::FileId& file) {
     const int version = hdf5::read_integer(file.id(), attribute::layout).value_or(0);
     if (version == layout_version) return;
     refuse(path,
-           fmt::format(
-               "has layout version {}, this program writes version {}{}", version, layout_version,
-               version == 1 ? ": files of version 1 have no checksum over what lies outside their cells" : ""),
+           fmt::format("has layout version {}, this program writes version {}{}", version, layout_version,
+                       what_it_lacks(version)),
            start_over);
 }
 

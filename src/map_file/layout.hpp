@@ -15,8 +15,10 @@
 
 namespace peterka::map_file {
 
-// Files of version 1 have no checksum over what lies outside the tiles.
-inline constexpr int layout_version = 2;
+// Files of version 1 have no checksum over what lies outside the tiles. In those of version 2 the label of a
+// cell with status 0, then named `proved`, may depend on rounding; they can still be read.
+inline constexpr int layout_version = cell::newest_layout;
+inline constexpr int oldest_readable = 2;
 inline constexpr std::int64_t attractor_capacity = 256;
 
 // The seal (seal.hpp).

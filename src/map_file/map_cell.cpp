@@ -45,13 +45,16 @@ job::Job job_in(const std::filesystem::path& path, const hdf5::FileId& file, con
     const auto version = hdf5::read_integer(file.id(), attribute::layout);
     const auto text = hdf5::read_text(file.id(), attribute::job);
     if (!version || !text) refuse(path, "was not made by peterka: it has no layout version or no job", key);
-    if (*version != layout_version) {
+    if (*version < oldest_readable || *version > layout_version) {
         refuse(path,
-               fmt::format("has layout version {}, this program reads version {}", *version, layout_version),
+               fmt::format("has layout version {}, this program reads versions {} to {}", *version,
+                           oldest_readable, layout_version),
                key);
     }
     try {
-        return job::read_job_text(*text, path.string());
+        job::Job job = job::read_job_text(*text, path.string());
+        job.layout = static_cast<int>(*version);
+        return job;
     } catch (const job::JobFaults&) {
         refuse(path, "holds a job that this version can't read", key);
     }

@@ -14,6 +14,7 @@ namespace {
 struct Totals {
     findings::Counts counts;
     findings::Observed chaos;
+    findings::LongestChaos longest;
     findings::Extremes largest;
     findings::Transients transients;
     findings::StartCounts starts;
@@ -51,7 +52,7 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts,     mine.chaos,         mine.largest,
+    const Totals totals{mine.counts,     mine.chaos,         mine.longest,     mine.largest,
                         mine.transients, mine.starts.counts, mine.tile_seconds};
     std::vector<PairCount> pairs;
     for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
@@ -62,6 +63,7 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     for (const Totals& share : parallel::gather<Totals>(std::span(&totals, 1), communicator)) {
         all.counts.add(share.counts);
         all.chaos.take(share.chaos);
+        all.longest.take(share.longest);
         all.largest.take(share.largest);
         all.transients.add(share.transients);
         all.starts.counts.add(share.starts);

@@ -121,7 +121,6 @@ struct Attractors {
     // Chaos is known, too: a motion that has forgotten its start, and isn't settled after so many cycles, is
     // on it.
     bool chaos = false;
-    bool tells_rounding = true;  // whether a label that rounding decides is told so, by a second run
     static constexpr std::int64_t cycles_to_settle = 75;
 };
 

@@ -31,10 +31,17 @@ class ChaosClaim {
         return growth.resets() <= 1 && growth.surely_positive();
     }
     [[nodiscard]] bool lasted_long_enough(const Growth& growth, std::int64_t cycles) const {
-        const double by_dissipation =
-            static_cast<double>(forever_cycles_) * areas_per_wait / growth.dissipation();
-        return static_cast<double>(cycles) >=
-               patience_ * std::max(static_cast<double>(fewest_cycles_), by_dissipation);
+        return static_cast<double>(cycles) >= cycles_asked(growth.dissipation());
+    }
+    // Where so much is lost in a cycle, whatever else is known of the oscillator.
+    [[nodiscard]] static double most_cycles(const job::SteadyState& budget, double dissipation) {
+        double most = static_cast<double>(budget.chaos_cycles);
+        for (const bool may_settle : {true, false}) {
+            ChaosClaim claim(budget, may_settle);
+            if (!may_settle && !(dissipation > forgets_at_once)) claim.wait_beside_an_orbit();
+            most = std::max(most, claim.cycles_asked(dissipation));
+        }
+        return most;
     }
     // Whether first, and only once, stable orbits are to be looked for on which the chaos may still end.
     [[nodiscard]] bool asks_for_orbits(const Growth& growth) {
@@ -52,6 +59,11 @@ class ChaosClaim {
     static constexpr double areas_per_wait = 2.0;   // e-foldings of the area in each of the fewest chaos cycles
     static constexpr double forgets_at_once = 1.2;  // per cycle; where more is lost few settle later
     static constexpr double patience_beside_an_orbit = 4;
+
+    [[nodiscard]] double cycles_asked(double dissipation) const {
+        const double by_dissipation = static_cast<double>(forever_cycles_) * areas_per_wait / dissipation;
+        return patience_ * std::max(static_cast<double>(fewest_cycles_), by_dissipation);
+    }
 
     std::int64_t forever_cycles_;  // where impacts go on for ever
     std::int64_t fewest_cycles_;

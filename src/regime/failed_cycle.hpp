@@ -19,7 +19,7 @@ namespace peterka::regime {
         case done:
             break;
     }
-    return Status::proved;
+    return Status::verified;
 }
 
 }  // namespace peterka::regime

@@ -65,10 +65,8 @@ class Solution {
         } else {
             result = co_await with_all_terms(EngineSettings{}.largest_displacement, solver_.tolerance);
         }
-        if (attractors_.tells_rounding && has_lasting_proof(result) && result.status == Status::proved &&
-            result.sensitivity > rounding_decides && !same_label(result, co_await from_next_door(result))) {
+        if (has_lasting_proof(result) && result.sensitivity > rounding_decides)
             result.status = Status::rounding;
-        }
         result.cycles = sum_of_cycles(spent_, 0);
         co_return result;
     }
@@ -103,10 +101,9 @@ class Solution {
         if (!has_lasting_proof(without)) co_return without;
         if (may_have_another_label(without)) {
             const EngineSettings split{Engine::split, coarse(), reach_of(without)};
-            const CellResult with = co_await again(cell_.oscillator, cell_.start, split, rounding_decides);
+            const CellResult with = co_await again(cell_.oscillator, cell_.start, split);
             if (with.sensitivity > rounding_decides) {
                 without.sensitivity = with.sensitivity;
-                without.status = Status::rounding;
                 co_return without;
             }
             if (same_label(with, without) && !changes_force(with, without)) co_return without;
@@ -161,8 +158,7 @@ class Solution {
         EngineByReach engine(cell_.oscillator, solver_, largest_displacement, tolerance);
         CellResult result;
         do {
-            searched_with_ = engine.settings();
-            result = co_await search(cell_.oscillator, cell_.start, searched_with_);
+            result = co_await search(cell_.oscillator, cell_.start, engine.settings());
         } while (engine.must_change(result.largest_displacement));
         co_return result;
     }
@@ -171,15 +167,6 @@ class Solution {
     [[nodiscard]] double fit_tolerance(const CellResult& found) const {
         if (!has_lasting_proof(found) || found.sensitivity > rounding_decides) return coarse();
         return std::clamp(harmless * std::exp(-found.sensitivity), solver_.tolerance, coarse());
-    }
-
-    // What a run with the last bit of its start moved ends in.
-    Task<CellResult> from_next_door(CellResult result) {
-        constexpr double last_bit = std::numeric_limits<double>::epsilon();
-        scene::State<double> moved = cell_.start;
-        for (double& coordinate : moved) coordinate -= last_bit * std::max(1.0, std::abs(coordinate));
-        return result.engine == Engine::exact ? again(without_cubic(cell_.oscillator), moved, exact())
-                                              : again(cell_.oscillator, moved, searched_with_);
     }
 
     // Whether a cell that ends without a contact, or in one that never ends, may do otherwise with the cubic
@@ -219,12 +206,12 @@ class Solution {
         spent_ += result.cycles;
         co_return result;
     }
-    // For its label alone. It gives up where errors grow more than most_growth.
+    // For its label alone. It gives up where rounding comes to decide.
     Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
-                           EngineSettings engine,
-                           double most_growth = std::numeric_limits<double>::infinity()) {
-        const CellResult result = co_await find_steady_state(
-            desk_, oscillator, start, budget_, engine, {}, {attractors_.known, attractors_.found}, most_growth);
+                           EngineSettings engine) {
+        const CellResult result =
+            co_await find_steady_state(desk_, oscillator, start, budget_, engine, {},
+                                       {attractors_.known, attractors_.found}, rounding_decides);
         spent_ += result.cycles;
         co_return result;
     }
@@ -236,7 +223,6 @@ class Solution {
     Attractors attractors_;
     Measures measures_;
     std::int64_t spent_ = 0;
-    EngineSettings searched_with_;  // last, with all terms
 };
 
 }  // namespace

@@ -62,7 +62,7 @@ class Search {
                 }
                 if (trajectory_.is_at_checkpoint() && !conservative_) {
                     if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
-                    if (joins_chaos()) co_return unproved(Regime::chaotic, Status::proved);
+                    if (joins_chaos()) co_return unproved(Regime::chaotic, Status::verified);
                     if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
                         if (const CellResult* attractor = orbit_reached(q)) co_return on_known(*attractor);
                         if (!test_) {
@@ -73,7 +73,7 @@ class Search {
                     }
                     if (is_chaotic()) {
                         if (!chaos_.asks_for_orbits(growth_))
-                            co_return unproved(Regime::chaotic, Status::proved);
+                            co_return unproved(Regime::chaotic, Status::verified);
                         if (co_await is_stable_orbit_near(map_, recurrence_, longest_orbit_near_))
                             chaos_.wait_beside_an_orbit();
                     }

@@ -56,9 +56,10 @@ std::vector<std::string> omitted_in_words(const job::Job& job, const findings::S
             "{} cells: filled from computed ones of the same regime and z around them, see computed",
             readable_count(statistics.counts.filled)));
     }
-    sentences.emplace_back("the rest of each trajectory once its regime is proved");
+    sentences.emplace_back("the rest of each trajectory once its regime is verified");
     sentences.emplace_back(
-        "peak forces of transients: forces are looked for on proved orbits, and while chaos is observed");
+        "peak forces of transients: forces are looked for on orbits that were found, and while chaos is "
+        "observed");
     return sentences;
 }
 

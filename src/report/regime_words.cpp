@@ -28,8 +28,8 @@ std::string regime_line(const Statistics& statistics, Regime regime, const char*
 const char* in_words(regime::Status status) {
     using regime::Status;
     switch (status) {
-        case Status::proved:
-            return "proved";
+        case Status::verified:
+            return "verified";
         case Status::budget:
             return "no proof within steady_state.max_cycles";
         case Status::conservative:
@@ -41,7 +41,7 @@ const char* in_words(regime::Status status) {
         case Status::solver_failed:
             return "the integrator gave up";
         case Status::rounding:
-            return "rounding decides the label: a start that differs in its last digit ends elsewhere";
+            return "rounding may decide the label: its errors grew by e^20 or more on the way";
         case Status::imprecise:
             return "the peak force may be off by more than solver.tolerance";
         case Status::chaotic_so_far:
@@ -76,7 +76,7 @@ std::string observed(const findings::Observed& chaos) {
 std::string open_ends(const findings::Counts& counts) {
     std::string text;
     for (std::size_t status = 1; status < counts.open_by_status.size();
-         ++status) {  // but those that are proved
+         ++status) {  // but those that are verified
         if (counts.open_by_status[status] == 0) continue;
         text += fmt::format("  in {} cell{}: {}\n", readable_count(counts.open_by_status[status]),
                             counts.open_by_status[status] == 1 ? "" : "s",

@@ -56,8 +56,9 @@ std::string commonest_pairs(const StartFindings& findings) {
     std::string text = "  commonest pairs: ";
     for (std::size_t i = 0; i < std::min(shown, pairs.size()); ++i) {
         const auto& [pair, cells] = pairs[i];
-        text += fmt::format("{}{} with {} {}", i == 0 ? "" : ", ", attractor_in_words(pair.upper),
-                            attractor_in_words(pair.lower), readable_share(cells, findings.counts.cells));
+        text += fmt::format("{}{} with {}{} {}", i == 0 ? "" : ", ", attractor_in_words(pair.upper),
+                            pair.upper == pair.lower ? "another " : "", attractor_in_words(pair.lower),
+                            readable_share(cells, findings.counts.cells));
     }
     return text + (pairs.size() > shown ? fmt::format(" and {} more\n", pairs.size() - shown) : "\n");
 }
@@ -74,14 +75,6 @@ std::string what_is_missed(std::int64_t starts) {
         "with\n"
         "  {:.2g} % in one cell of a hundred\n",
         readable_count(starts), share_missed_with(even), share_missed_with(hardly_ever));
-}
-
-std::string kicks(const job::Job& job, const StartCounts& counts) {
-    if (!job.output.has(job::OptionalField::critical_kick)) return "";
-    if (counts.with_kick == 0) return "  no kick that was tried throws a settled hammer out of its basin\n";
-    return fmt::format("  in {} a kick throws the settled hammer out of its basin, the smallest one {}\n",
-                       readable_share(counts.with_kick, counts.cells),
-                       readable_amount(counts.smallest_kick, "m/s", 3));
 }
 
 }  // namespace
@@ -103,7 +96,7 @@ std::string starts_summary(const job::Job& job, const StartFindings& findings) {
     if (counts.left_over > 0)
         text += fmt::format("  {} cells have more attractors than starts.attractors keeps\n",
                             readable_count(counts.left_over));
-    return text + kicks(job, counts) + what_is_missed(job.starts.count);
+    return text + what_is_missed(job.starts.count);
 }
 
 }  // namespace peterka

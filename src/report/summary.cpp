@@ -12,6 +12,8 @@
 #include "regime/solve_cell.hpp"
 #include "report/audit_summary.hpp"
 #include "report/axis_words.hpp"
+#include "report/kicks_summary.hpp"
+#include "report/long_chaos.hpp"
 #include "report/regime_words.hpp"
 #include "report/starts_inside.hpp"
 #include "report/starts_summary.hpp"
@@ -152,7 +154,9 @@ std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
+           long_chaos_in_words(input.scene, input.findings.statistics) +
            starts_summary(input.scene.job(), input.findings.statistics.starts) +
+           kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +
            audit(input) + omitted(input) +

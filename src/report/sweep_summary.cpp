@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "job/axis.hpp"
@@ -71,10 +72,22 @@ class Words {
         if (!stretch) return line("both", "hysteresis", "none");
         const std::int64_t middle = (stretch->first + stretch->last) / 2;
         const double width = value(stretch->last) - value(stretch->first);
-        return line("both", "hysteresis",
-                    fmt::format("{} to {}, width {}: up {}, down {}", at_axis(value(stretch->first)),
-                                at_axis(value(stretch->last)), value_in_words(scene_, key_, width),
-                                name(motion_class(at(up, middle))), name(motion_class(at(down, middle)))));
+        const auto [above, below] = names_apart(at(up, middle), at(down, middle));
+        return line(
+            "both", "hysteresis",
+            fmt::format("{} to {}, width {}: up {}, down {}", at_axis(value(stretch->first)),
+                        at_axis(value(stretch->last)), value_in_words(scene_, key_, width), above, below));
+    }
+
+    // With their forces where both have the same name: these differ by more than a percent then.
+    static std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b) {
+        const std::string first = name(motion_class(a));
+        const std::string second = name(motion_class(b));
+        if (first != second) return {first, second};
+        const auto with_force = [&](const StoredCell& cell) {
+            return fmt::format("{} ({:.4g} weights)", first, cell.peak_force);
+        };
+        return {with_force(a), with_force(b)};
     }
 
     // What the starts of all points found, and where no branch is on it.
@@ -93,7 +106,8 @@ class Words {
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
             text += fmt::format("{}{} at {} from {:.4g} to {:.4g}, up to {:.2g} % of the starts",
-                                i == 0 ? " " : "," + next_line, name(each.motion), each.points,
+                                i == 0 ? " " : "," + next_line,
+                                (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
                                 value(each.first), value(each.last), 100 * each.largest_share);
         }
         if (found.unvisited.size() > most_listed)

@@ -23,7 +23,7 @@ using scene::Scales;
 std::string regime_in_words(const StoredCell& cell) {
     std::string text = cell::regime_names[static_cast<std::size_t>(cell.regime)];
     if (cell.regime == Regime::periodic) text += fmt::format(", z = {}/{}", cell.impacts, cell.period);
-    if (cell.status != regime::Status::proved) {
+    if (cell.status != regime::Status::verified) {
         text += fmt::format(" ({})", cell::status_names[static_cast<std::size_t>(cell.status)]);
     }
     return text;

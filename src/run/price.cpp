@@ -12,6 +12,7 @@
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
 #include "regime/branch.hpp"
+#include "regime/cycles_for_chaos.hpp"
 #include "regime/engine.hpp"
 #include "run/memory_left.hpp"
 #include "scene/scene.hpp"
@@ -31,7 +32,8 @@ std::int64_t cells_in_hand_bytes(const job::Job& job) {
 // Cells are open until all their starts have ended, with the results of a round of these; tiles in hand have
 // all attractors that are kept; an audited cell tells the ends of all its starts [bytes].
 std::int64_t starts_bytes(const job::Job& job) {
-    if (job.starts.count == 0) return 0;
+    const bool has_kicks = job.output.has(job::OptionalField::critical_kick);
+    if (job.starts.count == 0 && !has_kicks) return 0;
     const std::int64_t open_cells = std::min<std::int64_t>(800, job.cells());
     const std::int64_t largest_round = std::clamp<std::int64_t>(job.starts.count / 5, 8, 256);
     constexpr std::int64_t result = 1000;
@@ -40,7 +42,6 @@ std::int64_t starts_bytes(const job::Job& job) {
         job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
     constexpr auto end = static_cast<std::int64_t>(sizeof(regime::CellResult));
     const std::int64_t told = job.audit.cells > 0 ? 2 * end * job.starts.count : 0;
-    const bool has_kicks = job.output.has(job::OptionalField::critical_kick);
     const std::int64_t kicks = has_kicks ? 30'000'000 : 0;  // of cells whose kicks wait, as measured
     return open_cells * largest_round * result + 2 * tiles * kept + told + kicks;
 }
@@ -82,12 +83,18 @@ std::int64_t coarse_map_bytes(const job::Job& job) {
 
 // Forcing cycles of a cell with [starts], as counted on the window of the paper's rig of 170 mm (24 x 24 cells:
 // 57 a start of 64; 12 x 12 cells: 78 of 16): some dozen starts run in full, later ones end on what these
-// found. Kicks, tried in 24 sizes from each point of an orbit, took 75,000 there, and a third of that where
-// most cells have two attractors.
+// found.
 double cycles_of_starts(const job::Job& job) {
     const auto count = static_cast<double>(job.starts.count);
-    const double kicks = job.output.has(job::OptionalField::critical_kick) ? 40'000 : 0;
-    return 47 * count + 50 * std::min(count, 12.0) + kicks;
+    return 47 * count + 50 * std::min(count, 12.0);
+}
+
+// What kicks took on the same window (16 x 16 cells), in cycles of the batch: 160,000 cycles for all attractors
+// of a cell, and 20,000 for its own motion, each with three times its time, for most kicks lead back in one or
+// two cycles. A thousand where an orbit contracts at once, a million where its period is long.
+double cycles_of_kicks(const job::Job& job) {
+    if (!job.output.has(job::OptionalField::critical_kick)) return 0;
+    return job.starts.count > 0 ? 470'000 : 75'000;
 }
 
 // What such a cycle takes, with all that goes with it, on one core with AVX-512, as measured (with AVX2 the
@@ -126,21 +133,45 @@ std::int64_t largest_curves_file(const job::Job& job) {
 // A cell whose starts settle at once takes a twentieth of the mean, a chaotic one ten times as long: of few
 // cells the mean tells little.
 std::string starts_price(const job::Job& job) {
-    if (job.starts.count == 0) return "";
+    const bool kicks = job.output.has(job::OptionalField::critical_kick);
+    if (job.starts.count == 0 && !kicks) return "";
     constexpr double enough = 100;
     const bool is_sweep = job.kind == job::Kind::sweep;
     const auto shared = static_cast<double>(is_sweep ? job::branches_of_a_gap(job.sweep) : 1);
     const double cells = static_cast<double>(job.cells()) / shared;
     const double starts = static_cast<double>(job.starts.count) * cells;
-    const double seconds = cells * cycles_of_starts(job) * microseconds_of_a_cycle(job) * 1e-6;
+    const double seconds =
+        cells * (cycles_of_starts(job) + cycles_of_kicks(job)) * microseconds_of_a_cycle(job) * 1e-6;
     const std::string words =
         cells < enough
             ? fmt::format("from {} to {} of one core: few cells may all settle at once, or all be chaotic",
                           readable_duration(seconds / 20), readable_duration(seconds * 10))
             : fmt::format("some {} of one core, about", readable_duration(seconds));
-    const bool kicks = job.output.has(job::OptionalField::critical_kick);
+    if (job.starts.count == 0) return fmt::format("#   kicks    of the orbit of each cell: {}\n", words);
     return fmt::format("#   starts   {} in each {}, {:.3g} in all{}: {}\n", readable_count(job.starts.count),
                        is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
+}
+
+// How often chaos strikes is known only of what was computed: in one cycle of four, or more, nearly everywhere.
+std::string long_chaos_price(const job::Job& job) {
+    constexpr double impacts = 0.25;
+    const scene::Scene scene(job);
+    std::int64_t cycles = 0;
+    for (const std::int64_t row : {std::int64_t{0}, scene.rows() - 1}) {
+        for (const std::int64_t column : {std::int64_t{0}, scene.columns() - 1}) {
+            cycles = std::max(cycles, regime::cycles_for_chaos(scene.cell(row, column).oscillator,
+                                                               job.steady_state, impacts));
+        }
+    }
+    if (cycles <= job.steady_state.max_cycles) return "";
+    const double seconds = static_cast<double>(cycles) * microseconds_of_a_cycle(job) * 1e-6;
+    return fmt::format(
+        "#   chaos    takes up to some {} cycles to be told from a long transient where the rig loses least, "
+        "steady_state.max_cycles are {}: cells may stay chaotic_so_far. With max_cycles = {} each of these "
+        "takes "
+        "up to {} of one core\n",
+        readable_count(cycles), readable_count(job.steady_state.max_cycles), cycles,
+        readable_duration(seconds));
 }
 
 }  // namespace peterka

@@ -18,4 +18,8 @@ namespace peterka {
 // What [starts] cost in time, as a line of check; nothing where there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 
+// What it takes to tell chaos from a long transient where max_cycles are too few for that in this rig, as a
+// line of check; nothing where they aren't.
+[[nodiscard]] std::string long_chaos_price(const job::Job& job);
+
 }  // namespace peterka

@@ -31,7 +31,7 @@ class Stability {
     struct OfEngine {
         Judgement outcome = Judgement::not_for_this_scene;
         regime::Regime regime = regime::Regime::unresolved;
-        regime::Status status = regime::Status::proved;
+        regime::Status status = regime::Status::verified;
         std::int32_t impacts = 0;
         std::int32_t period = 0;
         double error_peak_force = regime::unknown;  // relative

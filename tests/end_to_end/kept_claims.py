@@ -11,7 +11,7 @@ import launch
 
 PERIODIC, CHAOTIC, UNRESOLVED = 1, 2, 4
 ROUNDING_DECIDES = 20  # sensitivity
-IMPRECISE = 7  # status
+ROUNDING, IMPRECISE = 6, 7  # status
 FIELDS = ["regime", "impacts", "period", "peak_force_ratio", "status", "cycles", "sensitivity", "multiplier", "orbit_displacement",
           "orbit_velocity"]
 

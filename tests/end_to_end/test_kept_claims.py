@@ -58,6 +58,16 @@ def test_where_the_last_bit_of_an_input_decides_the_sensitivity_says_so(tmp_path
     assert tried > 0 and broken == 0
 
 
+def test_wherever_rounding_may_decide_the_status_says_so(tmp_path):
+    """Before `imprecise`, and of every settled motion; status 0 says that it doesn't."""
+    cells = [solve(tmp_path, rig) for rig in LOW_LOSS]
+    settled = np.concatenate([np.isin(rig["regime"], [0, 1, 3]).ravel() for rig in cells])
+    decided = np.concatenate([(rig["sensitivity"] > ROUNDING_DECIDES).ravel() for rig in cells])
+    status = np.concatenate([rig["status"].ravel() for rig in cells])
+    assert (settled & decided).sum() > 20
+    assert np.array_equal(status == kept_claims.ROUNDING, settled & decided)
+
+
 def test_rounding_after_a_contact_that_ends_all_memory_counts(tmp_path):
     """z = 53/54 of an independent program; one ulp more of ki, and it is not resolved."""
     rig = {"zeta": 0.051933662594236214, "ki": 120093108.83858773, "ci": 2811.674445459204, "eta": 2.539398742122332,

@@ -25,7 +25,7 @@ AXES = {
     "basin": {"displacement_ratio": (-3.0, 0.0), "velocity_ratio": (-0.8, 2.2)},
 }
 REGIMES = "no_impact periodic chaotic sustained_contact unresolved failed"
-STATUSES = ("proved budget conservative too_many_events not_finite solver_failed rounding imprecise"
+STATUSES = ("verified budget conservative too_many_events not_finite solver_failed rounding imprecise"
             " chaotic_so_far")
 
 
@@ -93,7 +93,7 @@ def test_xarray_provenance(dataset, kind):
     assert attributes["Conventions"] == "CF-1.8"
     assert attributes["title"] == "four by four"
     assert attributes["source"].startswith("peterka ")
-    assert attributes["peterka_layout"] == 2
+    assert attributes["peterka_layout"] == 3
     assert attributes["peterka_kind"] == kind
     assert 'title = "four by four"' in attributes["job"]
     assert "four by four" not in attributes["job_identity"]

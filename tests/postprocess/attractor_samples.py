@@ -8,7 +8,7 @@ EMPTY = (-128, -1, -1)
 # Of each cell: attractors with their shares.
 CELLS = [[[(NO_IMPACT, 1.0)], [(orbit(1, 2), 0.75), (NO_IMPACT, 0.25)], [(NO_IMPACT, 0.75), (orbit(1, 2), 0.25)]],
          [[(CHAOTIC, 0.5), (orbit(1, 1), 0.25), (NO_IMPACT, 0.25)], [(orbit(1, 1), 1.0)], []]]
-KICKS = [[[], [0.5], [np.nan, 0.125]], [[np.nan, 0.25], [1.0], []]]
+KICKS = [[[], [0.5], [np.nan, 0.125]], [[np.nan, np.nan], [np.nan], []]]
 
 
 def write_attractors(path, shares=None, kicks=True, **attributes):
@@ -27,7 +27,9 @@ def write_attractors(path, shares=None, kicks=True, **attributes):
         found = {"attractors": count, "start_attractor": np.minimum(count - 1, 0).astype("i4"),
                  "attractor_regime": slots[..., 0].astype("i1"), "attractor_impacts": slots[..., 1].astype("i4"),
                  "attractor_period": slots[..., 2].astype("i4"), "attractor_peak_force_ratio": kick,
-                 "basin_share": share if shares is None else shares} | ({"critical_kick": kick} if kicks else {})
+                 "basin_share": share if shares is None else shares}
+        if kicks:
+            found |= {"critical_kick": kick, "critical_kick_tried": np.where(slots[..., 0] == 1, 4.5, np.nan)}
         for name, values in found.items():
             dataset = file.create_dataset(name, data=values)
             for index, scale in enumerate(("attractor", "gap_ratio", "frequency_ratio")[-values.ndim:]):

@@ -1,4 +1,4 @@
-"""A small file of curves in layout version 2, written without peterka."""
+"""A small file of curves in layout version 3, written without peterka."""
 
 import numpy as np
 from picture_samples import PLAIN, write_map

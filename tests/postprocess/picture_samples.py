@@ -1,4 +1,4 @@
-"""Small map and basin files in layout version 2, written without peterka, and the colours seen in a drawn picture."""
+"""Small map and basin files in layout version 3, written without peterka, and the colours seen in a drawn picture."""
 
 import matplotlib.image
 import numpy as np
@@ -96,7 +96,7 @@ def _write_common(file, kind, coordinates, cells, forces, attributes):
     rows, columns = cells.shape[:2]
     file.attrs["Conventions"] = "CF-1.8"
     file.attrs["title"] = attributes.pop("title", "Sample")
-    file.attrs["peterka_layout"] = np.int32(2)
+    file.attrs["peterka_layout"] = np.int32(3)
     file.attrs["peterka_kind"] = kind
     file.attrs.update(attributes)
     for name, values in coordinates.items():

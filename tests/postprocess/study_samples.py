@@ -1,4 +1,4 @@
-"""Small study files in layout version 2, written without peterka."""
+"""Small study files in layout version 3, written without peterka."""
 
 import numpy as np
 from sealing import SealedFile
@@ -97,7 +97,7 @@ def write_stability(path, scenes=None, engines=ENGINES, rungs=8, slope=-0.5, **a
 
 def _study(path, topic, attributes):
     file = SealedFile(path, "w")
-    file.attrs.update({"title": "Sample", "peterka_layout": np.int32(2), "peterka_kind": "study", "topic": topic})
+    file.attrs.update({"title": "Sample", "peterka_layout": np.int32(3), "peterka_kind": "study", "topic": topic})
     file.attrs.update(attributes)
     file.create_group("run")
     return file

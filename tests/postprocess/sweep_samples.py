@@ -1,4 +1,4 @@
-"""A small sweep's file in layout version 2, written without peterka: up and down at two gaps.
+"""A small sweep's file in layout version 3, written without peterka: up and down at two gaps.
 
 At gap 0 one z = 1/1 alone, force 20 to 40, its largest at 2.0. At 1.5 z = 1/1 up to a jump to no impact after 1.75 going
 up and, from above, before 1.5 going down; then chaos at the two last points.
@@ -45,7 +45,7 @@ def write_sweep(path, gaps=GAPS, directions=(0, 1), **attributes):
     stroboscopic[regime == CHAOTIC, :] = [-1, -2, -3, -4]
     impact[regime != NO_IMPACT, 0] = 0.5
     with SealedFile(path, "w") as file:
-        file.attrs.update({"title": "Sample", "peterka_layout": np.int32(2), "peterka_kind": "sweep",
+        file.attrs.update({"title": "Sample", "peterka_layout": np.int32(3), "peterka_kind": "sweep",
                            "natural_frequency_hz": 4.5, "cart_amplitude_m": 0.89e-3, "hammer_mass_kg": 0.298} | attributes)
         file["frequency_ratio"] = FREQUENCY
         file["gap_ratio"] = np.array([gap for gap, _ in branches], dtype="f8")

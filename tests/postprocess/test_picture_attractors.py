@@ -10,6 +10,7 @@ from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
 from picture_samples import Drawn, colour_named, write_map
+from sealing import SealedFile
 
 
 def seen(file, figure, folder):
@@ -50,11 +51,32 @@ def test_shares_are_those_of_the_cells(tmp_path, name, shares):
 
 def test_the_kick_is_that_of_the_likeliest_orbit(tmp_path):
     with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
+        colours, _ = seen(file, attractor_maps.draw_kick(file), tmp_path)
+    assert colours[0][1:] == [shade(1), shade(0.25)]  # 0.5 and 0.125 m/s; the scale ends at the largest
+
+
+def test_a_kick_that_was_not_found_says_whether_another_motion_is_known(tmp_path):
+    with PeterkaFile(write_attractors(tmp_path / "a.h5")) as file:
         colours, drawn = seen(file, attractor_maps.draw_kick(file), tmp_path)
-    assert colours[0][0] == colours[1][2] or "not computed yet" in drawn.legend_texts()
-    order = [colours[0][2], colours[1][0], colours[0][1], colours[1][1]]  # 0.125, 0.25, 0.5, 1 m/s
-    lightness = [sum(int(colour[i: i + 2], 16) for i in (1, 3, 5)) for colour in order]
-    assert lightness == sorted(lightness) and len(set(order)) == 4
+    kinds = attractor_maps.KIND_COLOURS
+    assert colours[0][0] == kinds[attractor_maps.NO_ORBIT]
+    assert colours[1][:2] == [kinds[attractor_maps.NONE_FOUND], kinds[attractor_maps.ALONE]]
+    assert drawn.legend_texts() == ["no orbit", "one motion alone is known, and no kick up to 4.5 m/s leads elsewhere",
+                                    "no kick found up to 4.5 m/s", "not computed yet"]
+
+
+def test_a_map_without_starts_has_the_kicks_of_its_cells(tmp_path):
+    path = write_map(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        kick = np.full((4, 4), np.nan)
+        kick[0, 0] = 0.25
+        for name, values in (("critical_kick", kick), ("critical_kick_tried", np.where(file["regime"][()] == 1, 4.5, np.nan))):
+            file[name] = values
+    with PeterkaFile(path) as file:
+        drawn = Drawn(attractor_maps.draw_kick(file), tmp_path / "a.png")
+        assert drawn.colour_of(file, 0, 0) == shade(1)
+        assert drawn.colour_of(file, 0, 1) == attractor_maps.KIND_COLOURS[attractor_maps.NONE_FOUND]
+    assert drawn.legend_texts() == ["no orbit", "no kick found up to 4.5 m/s"]
 
 
 def test_draw_makes_them_where_a_file_has_starts(tmp_path, draw):

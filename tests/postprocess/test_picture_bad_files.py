@@ -60,7 +60,7 @@ def stored_outside(path):
 
 def huge_chunk(path):
     with SealedFile(path, "w") as file:
-        file.attrs.update(peterka_layout=np.int32(2), peterka_kind="map")
+        file.attrs.update(peterka_layout=np.int32(3), peterka_kind="map")
         for name in ("gap_ratio", "frequency_ratio"):
             file[name] = np.arange(1.0, 40001)
         for name, kind in (("regime", "i1"), ("impacts", "i4"), ("period", "i4"), ("peak_force_ratio", "f8")):
@@ -71,7 +71,7 @@ def huge_chunk(path):
 def huge_plane(path):
     """A small file that says it holds 65536 x 65536 cells."""
     with SealedFile(path, "w") as file:
-        file.attrs.update(peterka_layout=np.int32(2), peterka_kind="map")
+        file.attrs.update(peterka_layout=np.int32(3), peterka_kind="map")
         for name in ("gap_ratio", "frequency_ratio"):
             file[name] = np.arange(1.0, 65537)
         for name, kind in (("regime", "i1"), ("impacts", "i4"), ("period", "i4"), ("peak_force_ratio", "f8")):
@@ -176,7 +176,7 @@ CASES = {
     "text": (lambda p: with_text(p, b"schema = 1\n"), "not an HDF5 file"),
     "cut short": (lambda p: cut_short(write_map(p)), "is cut short"),
     "not ours": (plain_hdf5, "not a peterka file (no attribute peterka_layout)"),
-    "newer layout": (lambda p: with_attribute(write_map(p), "peterka_layout", np.int32(3)), "layout version 3;"),
+    "newer layout": (lambda p: with_attribute(write_map(p), "peterka_layout", np.int32(4)), "layout version 4;"),
     "older layout": (lambda p: with_attribute(write_map(p), "peterka_layout", np.int32(1)),
                      "layout version 1, which has no checksum over what lies outside its cells"),
     "layout is text": (lambda p: with_attribute(write_map(p), "peterka_layout", "1"), "layout version '1'"),

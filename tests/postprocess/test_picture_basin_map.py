@@ -60,6 +60,14 @@ def test_the_legend_names_attractors_largest_first(basin, tmp_path):
     assert texts[7:] == ["its attractor, at forcing phase 0", "stop at $t$ = 0: $x$ = gap"]
 
 
+def test_two_attractors_of_a_class_never_read_the_same(tmp_path):
+    table = [row(1, 1, 1, force, 4) for force in (41.2512, 41.2533, 41.25)] + [row(1, 1, 2, 41.25, 4)]
+    with PeterkaFile(write_basin(tmp_path / "a.h5", [[orbit(1, 1)] * 4] * 3 + [[orbit(1, 2)] * 4], table,
+                                 np.arange(4).repeat(4).reshape(4, 4))) as file:
+        texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
+    assert [text.split("= ")[2].split(" (")[0] for text in texts[:4]] == ["41.251", "41.253", "41.2", "41.2"]
+
+
 def test_attractors_are_marked_where_a_start_would_lie_on_them(basin, tmp_path):
     # At phase 0 the cart moves at A0 Omega: the relative velocity -1 is -1 + 1.8 of a start.
     marks = Drawn(basin_map.draw_attractors(basin), tmp_path / "a.png").map_axes.lines

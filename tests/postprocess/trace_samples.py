@@ -1,4 +1,4 @@
-"""Small trace files in layout version 2, written without peterka: a hammer that strikes once a cycle at 9 Hz."""
+"""Small trace files in layout version 3, written without peterka: a hammer that strikes once a cycle at 9 Hz."""
 
 import numpy as np
 from sealing import SealedFile
@@ -14,7 +14,7 @@ def write_trace(path, cycles=3, impacts=True, samples=200, **attributes):
     """Force: from JUMP at touch up to PEAK after a third of the contact, and down."""
     time = np.arange(cycles * samples + 1) / (samples * HZ)
     with SealedFile(path, "w") as file:
-        file.attrs.update({"peterka_layout": np.int32(2), "peterka_kind": "trace", "title": "A trace",
+        file.attrs.update({"peterka_layout": np.int32(3), "peterka_kind": "trace", "title": "A trace",
                            "natural_frequency_hz": 4.5, "cart_amplitude_m": AMPLITUDE, "hammer_mass_kg": MASS,
                            "frequency_ratio": 2.0, "gap_ratio": 0.0} | attributes)
         _write_motion(file, time, impacts)

@@ -43,6 +43,25 @@ TEST(Tally, CountsEachAttractorOnceAndAllChaosAsOne) {
     EXPECT_EQ(as_attractor(entries[1], 7).share, 2.0 / 7);
 }
 
+// One start whose way rounding may turn says nothing against an orbit that another start reached without doubt.
+TEST(Tally, HasTheStatusOfTheStartThatLeavesLeastOpen) {
+    using enum regime::Status;
+    const auto status_after = [](std::initializer_list<regime::Status> statuses) {
+        Tally tally;
+        for (const regime::Status status : statuses) {
+            CellResult result = orbit(1, 2, 0.5);
+            result.status = status;
+            tally.add(result, {});
+        }
+        return as_attractor(tally.in_order().front(), 1).status;
+    };
+    EXPECT_EQ(status_after({rounding}), rounding);
+    EXPECT_EQ(status_after({rounding, verified}), verified);
+    EXPECT_EQ(status_after({verified, rounding}), verified);
+    EXPECT_EQ(status_after({rounding, imprecise}), imprecise);
+    EXPECT_EQ(status_after({imprecise, rounding, verified}), verified);
+}
+
 TEST(Tally, OrdersEqualSharesByRegimePeriodImpactsAndForce) {
     Tally tally;
     const CellResult failed = of_regime(Regime::failed, regime::unknown);

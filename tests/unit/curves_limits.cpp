@@ -92,6 +92,40 @@ TEST(Curves, LimitsOf11OnThe170mmRig) {
     }
 }
 
+// Its multiplier comes to 1 there and goes back; beyond, the same orbit follows with its halves in turn.
+TEST(Curves, ADoubledOrbitEndsWhereItMergesWithTheOneThatDoubled) {
+    const auto rig = rig_170mm();
+    for (const double frequency : {2.67323, 2.66, 2.7}) {
+        const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig, {frequency, 0}, 2);
+        ASSERT_TRUE(orbit);
+        const Followed followed = follow(Rig(rig), *orbit, {2.6, 0}, window);
+        ASSERT_TRUE(followed.seed);
+        EXPECT_EQ(followed.seed->kind, CurveKind::period_doubling);
+        EXPECT_EQ(followed.seed->point.orbit.period, 1);
+        EXPECT_NEAR(followed.seed->point.place.column, 2.659361979, 1e-8);
+    }
+}
+
+// Two that undo each other: 3/1 of this rig doubles its period, and 6/2 merges back a little later.
+TEST(Curves, ALongStepDoesNotPassOverADoublingAndItsReverse) {
+    scene::Oscillator<double> rig = rig_170mm();
+    const double unit = 0.298 * 2 * std::numbers::pi * 4.5;
+    rig.damping_ratio = 0.013864002082350675;
+    rig.contact = scene::KelvinVoigt<double>{197625.9147313871 / (unit * 2 * std::numbers::pi * 4.5),
+                                             74.96898401790209 / unit};
+    const Place from{0.6140930714272375, -0.009472110829916669};
+    const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig, from, 1);
+    ASSERT_TRUE(orbit);
+    ASSERT_EQ(orbit->orbit.impacts(), 3);
+    const auto any_step = [](const OrbitPoint&, const OrbitPoint&, const Place&) { return true; };
+    for (const double to : {0.64, 0.7, 1.0, 3.0}) {
+        const Followed followed = follow(Rig(rig), *orbit, {to, from.row}, {3, 3}, any_step);
+        ASSERT_TRUE(followed.seed);
+        EXPECT_EQ(followed.seed->kind, CurveKind::period_doubling);
+        EXPECT_NEAR(followed.seed->point.place.column - from.column, 0.0088, 2e-4) << to;
+    }
+}
+
 TEST(Curves, PeriodDoublingOfARigidStop) {
     const auto rig = rigid_rig();
     EXPECT_NEAR(edge(rig, {2, 0}, {3, 0}).point.place.column, 2.6609482425529, 1e-9);

@@ -71,6 +71,20 @@ TEST(OutputStatistics, LivesOfImpactsThatEnd) {
     EXPECT_EQ(twice.impacting[0], 6);
 }
 
+TEST(OutputStatistics, OfChaosThatIsNotToldYetTheOneWithFewestImpacts) {
+    const auto so_far = [](double rate) {
+        quantities::StoredCell cell = cell_of(Regime::unresolved, 1);
+        cell.status = regime::Status::chaotic_so_far;
+        cell.impact_rate = rate;
+        return cell;
+    };
+    EXPECT_FALSE(statistics_of({cell_of(Regime::unresolved, 1)}).longest.found());
+    const LongestChaos found = statistics_of({so_far(0.5), so_far(0.2), so_far(0.3), so_far(0.2)}).longest;
+    EXPECT_EQ(found.impact_rate, 0.2);
+    EXPECT_EQ(found.row, 5);
+    EXPECT_EQ(found.column, 11);
+}
+
 TEST(OutputStatistics, LargestForcesAndWhere) {
     const Statistics statistics = statistics_of(
         {cell_of(Regime::failed, regime::unknown), cell_of(Regime::periodic, 7, 1, 2),

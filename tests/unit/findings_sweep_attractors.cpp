@@ -47,6 +47,18 @@ TEST(SweepAttractors, AreBesideTheBranchesWhereNoneIsOnThem) {
     EXPECT_EQ(half.first, 0);
     EXPECT_EQ(half.last, 2);
     EXPECT_EQ(half.largest_share, 0.75);
+    EXPECT_FALSE(half.beside_its_like);
+}
+
+// A branch on a 1/1, and another 1/1 on which none is.
+TEST(SweepAttractors, OneWithTheLabelOfABranchIsAnother) {
+    StoredCell branch = on_slot(0, 2);
+    branch.regime = Regime::periodic;
+    branch.impacts = branch.period = 1;
+    const std::vector<StoredAttractor> attractors{loop(1, 1, 0.5), loop(1, 1, 0.5)};
+    const GapAttractors found = find_beside_branches(std::vector{branch}, attractors, 1);
+    ASSERT_EQ(found.unvisited.size(), 1U);
+    EXPECT_TRUE(found.unvisited.front().beside_its_like);
 }
 
 // Nothing is claimed of these; and empty slots hold none.

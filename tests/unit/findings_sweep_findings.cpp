@@ -106,6 +106,22 @@ TEST(SweepSummary, TellsResonanceJumpsHysteresisAndShares) {
     EXPECT_EQ(text.find("impact resonance"), std::string::npos) << text;
 }
 
+TEST(SweepSummary, TwoMotionsWithOneLabelHaveTheirForces) {
+    job::Job job = testing::job_170mm(0);
+    job.kind = job::Kind::sweep;
+    job.columns = {.from = 1.0, .to = 2.0, .points = 3};
+    job.sweep = {.gap_ratio = {0.0}, .direction = job::Direction::both};
+    const auto text = [&](double up, double down) {
+        const std::vector<StoredCell> low(3, orbit(1, 1, down));
+        const std::vector<StoredCell> high(3, orbit(1, 1, up));
+        const std::vector<BranchFindings> branches{find_in_branch({0, job::Direction::up}, high),
+                                                   find_in_branch({0, job::Direction::down}, low)};
+        return sweep_text(scene::Scene(job), branches);
+    };
+    EXPECT_NE(text(40, 30).find("up 1/1 (40 weights), down 1/1 (30 weights)"), std::string::npos);
+    EXPECT_NE(text(1004, 990.2).find("up 1/1 (1004 weights), down 1/1 (990.2 weights)"), std::string::npos);
+}
+
 TEST(SweepSummary, CallsAMaximumInsideTheBandAResonance) {
     job::Job job = testing::job_170mm(0);
     job.kind = job::Kind::sweep;

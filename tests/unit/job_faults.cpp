@@ -43,11 +43,11 @@ void replace(std::string& text, const std::string& mark, const std::string& word
 }
 
 // The message, where {quoted fields} and {quoted laws} stand for all names that [output] fields and contact.law
-// take, {fields} for those fields that cells have.
+// take, {fields} for those fields in a plain list.
 std::string message_in(const std::filesystem::path& path) {
     std::vector<std::string_view> of_cells;
     for (const auto& field : Names<OptionalField>::all) {
-        if (!cell::is_of_attractors(field.value)) of_cells.push_back(field.name);
+        of_cells.push_back(field.name);
     }
     std::string text = examples::content_of(path);
     replace(text, "{fields}", fmt::format("{}", fmt::join(of_cells, ", ")));

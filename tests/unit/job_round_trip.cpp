@@ -55,7 +55,8 @@ class RandomJobs {
             job.hammer.cubic_stiffness_n_per_m3 = magnitude();
         for (const auto& field : Names<OptionalField>::all) {
             const bool is_kick = field.value == OptionalField::critical_kick;
-            if (coin() && (!is_kick || job.starts.count > 0)) job.output.fields.push_back(field.value);
+            if (coin() && (!is_kick || job.starts.count > 0 || job.kind == Kind::map))
+                job.output.fields.push_back(field.value);
         }
         job.output.anonymous = coin();
         job.audit.cells = integer(0, 1'000'000);

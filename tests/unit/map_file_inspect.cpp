@@ -90,7 +90,7 @@ TEST_F(OutputInspect, AnotherLayoutVersion) {
         check(H5Adelete(file, "peterka_layout"), "H5Adelete");
         hdf5::write_attribute(check, file, "peterka_layout", layout_version + 1);
     });
-    expect_refused("has layout version 3, this program writes version 2");
+    expect_refused("has layout version 4, this program writes version 3");
 }
 
 TEST_F(OutputInspect, AnotherJobIsToldByItsKeys) {

@@ -8,6 +8,7 @@
 
 #include "hdf5/block.hpp"
 #include "hdf5/hdf5.hpp"
+#include "hdf5/versions.hpp"
 #include "map_examples.hpp"
 #include "map_file/inspect.hpp"
 #include "map_file/layout.hpp"
@@ -41,9 +42,8 @@ TEST(OutputMakeFile, TwoFilesOfOneJobAreTheSameBytes) {
     const hdf5::Checked check(folder / "a.h5");  // made within one second, they could hide the time of making
     const hdf5::FileId file(check(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "H5Fopen"));
     for (const char* object : {"/", "/tiles", "/attractors/regime", "/cycles"}) {
-        H5O_info_t info;
-        check(H5Oget_info_by_name2(file.id(), object, &info, H5O_INFO_TIME, H5P_DEFAULT),
-              "H5Oget_info_by_name2");
+        hdf5::ObjectInfo info;
+        check(hdf5::get_object_info(file.id(), object, &info, H5O_INFO_TIME), "H5Oget_info_by_name");
         EXPECT_EQ(info.ctime, 0) << object;
     }
 }

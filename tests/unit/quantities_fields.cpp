@@ -77,7 +77,8 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 TEST(OutputFields, EveryOptionalFieldBringsARowAndEveryRowHasItsOwnName) {
     job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), cell::quantities.size() - 1) << "all but the jump of a sweep";
+    EXPECT_EQ(all.size(), cell::quantities.size() - 5)
+        << "all but the jump of a sweep, and the kick of a cell without [starts]";
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
     job.output.fields = {};
     const std::vector<std::string> usual = names_of_cell_and_attractors(job);
@@ -95,17 +96,37 @@ TEST(OutputFields, AttractorsHaveFieldsOfTheirOwnWhereACellHasManyStarts) {
     job::Job job = map_file::examples::small_map(4, 4);
     EXPECT_TRUE(stored_attractor_fields(job).empty());
     job.starts.count = 4;
-    const std::vector<std::string> usual{"attractor_regime", "attractor_impacts", "attractor_period",
-                                         "attractor_peak_force_ratio", "basin_share"};
+    const std::vector<std::string> usual{"attractor_regime", "attractor_status",           "attractor_impacts",
+                                         "attractor_period", "attractor_peak_force_ratio", "basin_share"};
     EXPECT_EQ(names(stored_attractor_fields(job)), usual);
     job.output.fields = {OptionalField::critical_kick};
-    EXPECT_EQ(names(stored_attractor_fields(job)).back(), "critical_kick");
+    EXPECT_EQ(names(stored_attractor_fields(job)).back(), "attractor_orbit_velocity");
+}
+
+TEST(OutputFields, AKickIsOfTheCellWithoutManyStartsAndOfItsAttractorsWithThem) {
+    job::Job job = map_file::examples::small_map(4, 4);
+    job.output.fields = {OptionalField::critical_kick};
+    EXPECT_TRUE(std::ranges::count(names(stored_fields(job)), "critical_kick_phase") > 0);
+    job.starts.count = 4;
+    EXPECT_FALSE(std::ranges::count(names(stored_fields(job)), "critical_kick_phase") > 0);
+}
+
+// They are read as they are.
+TEST(OutputFields, FilesOfLayoutTwoHaveNoneThatCameLater) {
+    job::Job job = with_every_field();
+    job.layout = 2;
+    const std::vector<std::string> all = names_of_cell_and_attractors(job);
+    EXPECT_TRUE(std::ranges::count(all, "critical_kick") > 0);
+    for (const char* name : {"attractor_status", "critical_kick_phase", "attractor_orbit_velocity"}) {
+        EXPECT_FALSE(std::ranges::count(all, name) > 0) << name;
+    }
 }
 
 TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     job::Job job = with_every_field();
     const scene::Scales scales{.length_m = 2, .frequency_rad_per_s = 3, .force_n = 5, .weight_n = 7};
-    const cell::CellAttractor computed{regime::Regime::periodic, 3, 2, 14, 0.25, 0.5};
+    cell::CellAttractor computed{regime::Regime::periodic, regime::Status::imprecise, 3, 2, 14, 0.25};
+    computed.kick = {0.5, 1.25, 0.75, -1};
     const std::vector<StoredAttractor> stored{in_file_units(computed, scales), {}};
     const auto fields = stored_attractor_fields(job);
     const std::vector<StoredAttractor> back = map_file::decode(fields, map_file::encode(fields, stored), 2);
@@ -114,7 +135,11 @@ TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     EXPECT_EQ(back[0].period, 2);
     EXPECT_EQ(back[0].peak_force, 10);
     EXPECT_EQ(back[0].share, 0.25);
-    EXPECT_EQ(back[0].critical_kick, 3);
+    EXPECT_EQ(back[0].status, regime::Status::imprecise);
+    EXPECT_EQ(back[0].kick.size, 3);
+    EXPECT_EQ(back[0].kick.phase, 1.25);
+    EXPECT_EQ(back[0].kick.tried, 4.5);
+    EXPECT_EQ(back[0].kick.direction, -1);
     for (const AttractorField& field : fields) {  // an empty slot
         const double value = field.quantity->load(back[1]);
         EXPECT_TRUE(value == field.variable.fill || (std::isnan(value) && std::isnan(field.variable.fill)))

@@ -17,6 +17,7 @@ namespace {
 using attractors::CellAttractor;
 using regime::CellResult;
 using regime::Regime;
+using regime::Status;
 
 // The cells on every fourth row and column around (row, column) of a grid of 33 by 33.
 class Around {
@@ -191,8 +192,10 @@ TEST(RefineFill, OnALineOfTheLatticeItsNeighboursOnBothSidesCount) {
 
 // z = 2/4, the regime of `periodic`, with a share that grows along the rows, and no impact.
 std::vector<CellAttractor> two_attractors(double row) {
-    CellAttractor orbit{Regime::periodic, 2, 4, 40 + row, 0.4 + row / 320};
-    CellAttractor free{Regime::no_impact, 0, 1, 0, 1 - orbit.share};
+    CellAttractor orbit{Regime::periodic, Status::verified, 2, 4, 40 + row, 0.4 + row / 320};
+    orbit.kick = {0.5 + row, 1.5, 0.5 + row, 1};
+    orbit.orbit_displacement = orbit.orbit_velocity = row;
+    CellAttractor free{Regime::no_impact, Status::verified, 0, 1, 0, 1 - orbit.share};
     return orbit.share > free.share ? std::vector{orbit, free} : std::vector{free, orbit};
 }
 
@@ -223,13 +226,18 @@ TEST(RefineFill, AttractorsTooAreInterpolatedLabelByLabel) {
     EXPECT_EQ(solved->attractors[1].period, 4);
     EXPECT_NEAR(solved->attractors[1].share, 0.4 + 14.0 / 320, 1e-12);
     EXPECT_NEAR(solved->attractors[1].peak_force, 54, 1e-12);
+    // what was tried or verified in the cells around wasn't in this one
+    EXPECT_EQ(static_cast<int>(solved->attractors[1].status), regime::regime_not_computed);
+    EXPECT_TRUE(std::isnan(solved->attractors[1].kick.size));
+    EXPECT_TRUE(std::isnan(solved->attractors[1].kick.tried));
+    EXPECT_TRUE(std::isnan(solved->attractors[1].orbit_displacement));
 }
 
 TEST(RefineFill, NotWhereAttractorsDifferAnywhereAround) {
     const std::vector<std::function<void(std::vector<CellAttractor>&)>> changes{
         [](auto& attractors) { attractors.pop_back(); },
         [](auto& attractors) {
-            attractors.push_back({Regime::chaotic, 0, 0, 1, 0.1});
+            attractors.push_back({Regime::chaotic, Status::verified, 0, 0, 1, 0.1});
         },
         [](auto& attractors) { attractors[0].impacts = 7; },
         [](auto& attractors) { attractors[1] = attractors[0]; },

@@ -38,7 +38,7 @@ TEST(AttractorTable, AStartThatFallsIntoANeighbourhoodTakesTheAttractorsValues) 
         EXPECT_EQ(short_cut.regime, full.regime);
         EXPECT_EQ(short_cut.impacts, full.impacts);
         EXPECT_EQ(short_cut.period, full.period);
-        EXPECT_EQ(short_cut.status, Status::proved);
+        EXPECT_EQ(short_cut.status, Status::verified);
         EXPECT_LE(short_cut.cycles, full.cycles);
         cycles += short_cut.cycles;
         in_full += full.cycles;

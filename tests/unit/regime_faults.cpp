@@ -92,7 +92,7 @@ class FaultyEngine : public ::testing::TestWithParam<Case> {};
 TEST_P(FaultyEngine, IsSeen) {
     const Case& cell = GetParam();
     const auto [sound, computed] = solve(cell);
-    ASSERT_EQ(sound.status, Status::proved);
+    ASSERT_EQ(sound.status, Status::verified);
     const std::int64_t last = computed - 1;
     for (std::int64_t broken = 0; broken <= last; ++broken) {
         const Fault& fault = faults[broken == last ? 0 : broken % std::ssize(faults)];

@@ -16,7 +16,7 @@ TEST(ReferenceCells, AreReproduced) {
         const CellResult result = find_steady_state(cell.oscillator, cell.start, {});
         EXPECT_EQ(result.impacts, cell.impacts);
         EXPECT_EQ(result.period, cell.period);
-        EXPECT_EQ(result.status, Status::proved);
+        EXPECT_EQ(result.status, Status::verified);
         EXPECT_NEAR(result.peak_force * cell.force_ratio_per_unit, cell.peak_force_ratio,
                     1e-10 * cell.peak_force_ratio);
     }

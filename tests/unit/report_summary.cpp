@@ -63,7 +63,7 @@ TEST(Summary, RegimesWithSharesAndOnlyThoseThatOccur) {
     EXPECT_TRUE(contains(line_with(text, "no impact"), "60.0 %")) << text;
     EXPECT_TRUE(contains(line_with(text, "chaotic  "), "for the 370 to 1,234 cycles that were observed"))
         << text;
-    EXPECT_TRUE(contains(text, "in 6 cells: rounding decides the label")) << text;
+    EXPECT_TRUE(contains(text, "in 6 cells: rounding may decide the label")) << text;
     EXPECT_TRUE(contains(text, "in 2 cells: the peak force may be off by more than")) << text;
     EXPECT_FALSE(contains(text, "sustained")) << text;
 }
@@ -85,6 +85,34 @@ TEST(Summary, NoStatusIsLeftWithoutWords) {
         EXPECT_TRUE(contains(line, "unresolved")) << cell::status_names[status];
         EXPECT_FALSE(line.ends_with("4,321: ")) << cell::status_names[status];
     }
+}
+
+TEST(Summary, ChaosThatWasNotFollowedLongEnoughNamesTheCyclesThatAre) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    EXPECT_FALSE(contains(summary(statistics), "chaotic for all"));
+    statistics.counts.unresolved_by_status[static_cast<std::size_t>(regime::Status::chaotic_so_far)] = 3;
+    statistics.longest = {0.3, 5, 20};
+    job::Job job = job_of(job::Kind::map);
+    job.contact = job::Restitution{0.95};
+    const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "maps/a.h5", {3, 12.5}});
+    EXPECT_TRUE(contains(text, "chaotic for all 3,000 cycles, and no longer followed: 3 cells")) << text;
+    EXPECT_TRUE(contains(text, "with steady_state.max_cycles = ")) << text;
+    statistics.longest.impact_rate = 30;  // an impact takes 0.1
+    EXPECT_FALSE(contains(summary_text({scene::Scene(job), {statistics, {}, {}}, "a.h5", {3, 12.5}}),
+                          "with steady_state.max_cycles = "));
+}
+
+TEST(Summary, TwoAttractorsWithOneLabelAreNotOne) {
+    findings::Statistics statistics = statistics_of_a_hundred_cells();
+    const findings::AttractorLabel one{regime::Regime::periodic, 1, 1};
+    const findings::AttractorLabel free{regime::Regime::no_impact, 1, 0};
+    statistics.starts.counts.cells = 100;
+    statistics.starts.pairs = {{{one, one}, 30}, {{free, one}, 20}};
+    job::Job job = job_of(job::Kind::map);
+    job.starts.count = 16;
+    const std::string text = summary_text({scene::Scene(job), {statistics, {}, {}}, "maps/a.h5", {3, 12.5}});
+    EXPECT_TRUE(contains(text, "1/1 with another 1/1 30.0 %")) << text;
+    EXPECT_TRUE(contains(text, "1/1 with no impact 20.0 %")) << text;
 }
 
 TEST(Summary, ClassesByFrequency) {

@@ -22,7 +22,7 @@ Source: TypeAlias = "str | os.PathLike | xarray.Dataset"
 
 __all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
 
-LAYOUT = 2
+LAYOUTS = (2, 3)  # that can be read; in those of 2 status 0, named proved, may hide that rounding decides a label
 KINDS = ("map", "basin", "sweep", "trace", "study", "curves")
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
@@ -86,9 +86,9 @@ class OpenedFile:
         layout, kind = self.data.attribute("peterka_layout"), self.data.attribute("peterka_kind")
         if layout is None:
             raise self.refusal("is HDF5, but not a peterka file (no attribute peterka_layout)")
-        if not is_number(layout) or layout != LAYOUT:
+        if not is_number(layout) or layout not in LAYOUTS:
             lacks = ", which has no checksum over what lies outside its cells" if layout == 1 else ""
-            raise self.refusal(f"has layout version {shown(layout)}{lacks}; this program draws version {LAYOUT}")
+            raise self.refusal(f"has layout version {shown(layout)}{lacks}; this program draws versions {LAYOUTS[0]} and {LAYOUTS[1]}")
         if not isinstance(kind, str) or kind not in KINDS:
             raise self.refusal(f"is of kind {shown(kind)}; this program draws {', '.join(KINDS)} files")
         return kind

@@ -1,5 +1,7 @@
 """Amounts as a reader wants them: with the prefix that keeps the number between 1 and 1000."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
 PREFIXES = [(1e-9, "n"), (1e-6, "µ"), (1e-3, "m"), (1, ""), (1e3, "k"), (1e6, "M"), (1e9, "G"), (1e12, "T")]
@@ -26,3 +28,11 @@ def number(value: float, digits: int = 3) -> str:
     if not np.isfinite(rounded) or not 1e-4 <= abs(rounded) < PLAIN_TO:
         return f"{value:.{digits}g}"
     return f"{rounded:.0f}" if abs(rounded) >= 10 ** (digits - 1) else f"{rounded:.{digits}g}"
+
+
+def number_apart(value: float, others: Iterable[float], digits: int = 3) -> str:
+    """With more digits where others that are not the same, but for rounding, would read the same."""
+    apart = [other for other in others if not np.isclose(other, value, rtol=1e-9, atol=0)]
+    while digits < 9 and any(number(other, digits) == number(value, digits) for other in apart):
+        digits += 1
+    return number(value, digits)

@@ -13,7 +13,7 @@ from ..look import axes
 from ..look.classes import CLASSES, INDEX, classify
 from ..look.picture import picture
 from .field_map import scale_colours
-from .map_file import PeterkaFile
+from .map_file import KICKS, PeterkaFile
 from .reduce import LIMIT, block_size, class_picture, with_edges
 
 WIDTH = 3.7  # in
@@ -27,6 +27,8 @@ LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period",
 SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.label.replace(' ', '_')}": entry
           for entry in CLASSES if entry.orbit or entry.label in ("no impact", "chaotic")}
 LACKING_COLOUR = "#F7C6D0"
+NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # what a kick does in a cell
+KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
 
 
 @picture(PeterkaFile)
@@ -66,16 +68,48 @@ def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 
 @picture(PeterkaFile)
 def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
-    """The critical kick of the periodic attractor with the largest share; None where no cell has one."""
-    def values(regime, kick):
-        first = np.argmax(np.isfinite(kick), axis=0)
-        return np.where(regime == NOT_COMPUTED, np.nan, np.take_along_axis(kick, first[None], axis=0)[0])
+    """The critical kick of the periodic attractor with the largest share, or of the cell's own orbit; cells in which none was
+    found are told apart by whether another motion is known. None where no orbit was kicked."""
+    names = ["regime", *KICKS] + (["attractors"] if file.slots else [])
 
-    reduced = _reduced(file, ["regime", "critical_kick"], values, np.fmin)
-    if not np.isfinite(reduced.image).any():
+    def kinds(regime, kick, tried, attractors=None):
+        kick, tried = (_of_kicked(values, tried) for values in (kick, tried))
+        others = np.full(regime.shape, NONE_FOUND) if attractors is None else np.where(attractors == 1, ALONE, NONE_FOUND)
+        kind = np.where(np.isfinite(kick), THROWN, np.where(np.isfinite(tried), others, NO_ORBIT))
+        return np.where(regime == NOT_COMPUTED, WAITING, kind)
+
+    def values(regime, kick, tried, *_):
+        return np.where(regime == NOT_COMPUTED, np.nan, _of_kicked(kick, tried))
+
+    classes, counts = class_picture(file, names, kinds, len(KIND_COLOURS))
+    if not counts[[ALONE, NONE_FOUND, THROWN]].any():
         return None
-    top = float(np.nanpercentile(reduced.image, 99.9))
-    return _draw_scale(file, ax, reduced, "critical kick of the likeliest orbit (m/s)", top, "no orbit, or no kick found")
+    reduced = _reduced(file, names, values, np.fmin)
+    top = float(np.nanpercentile(reduced.image, 99.9)) if counts[THROWN] else 1.0
+    tried = _least_tried(file)
+    texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone is known, and no kick up to {tried:.3g} m/s leads elsewhere",
+             NONE_FOUND: f"no kick found up to {tried:.3g} m/s", WAITING: "not computed yet"}
+    handles = [axes.legend_patch(text, KIND_COLOURS[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
+    figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
+    axes.show_classes(ax, classes, KIND_COLOURS, WAITING)
+    whose = "likeliest orbit" if file.slots else "orbit"
+    return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top)
+
+
+def _of_kicked(values, tried):
+    """Those of the first slot whose orbit was kicked, or of the cell: (rows, columns)."""
+    if values.ndim == 2:
+        return values
+    return np.take_along_axis(values, np.argmax(np.isfinite(tried), axis=0)[None], axis=0)[0]
+
+
+def _least_tried(file):
+    """The least size up to which all cells without a critical kick were tried, m/s."""
+    least = np.inf
+    for _, band in file.bands(["regime", *KICKS]):
+        none = np.isnan(band["critical_kick"]) & np.isfinite(band["critical_kick_tried"])
+        least = min(least, np.min(band["critical_kick_tried"][none], initial=np.inf))
+    return least
 
 
 @picture(PeterkaFile)
@@ -120,6 +154,10 @@ def _draw_scale(file, ax, reduced, label, top, lacking):
     handles += [axes.legend_patch("not computed yet", None, hatched=True)] if counts[1] else []
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 2, None)], bar=True, ax=ax)
     axes.show_classes(ax, computed, [LACKING_COLOUR, "#FFFFFF"], 1)
+    return _with_scale(figure, ax, bar_ax, file, reduced, label, top)
+
+
+def _with_scale(figure, ax, bar_ax, file, reduced, label, top):
     mesh = ax.pcolormesh(reduced.column_edges, reduced.row_edges, np.ma.masked_invalid(reduced.image), cmap=scale_colours(),
                          vmin=0, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal", extend="neither" if top == 1 else "max")

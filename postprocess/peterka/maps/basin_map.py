@@ -123,13 +123,15 @@ def _largest_attractors(table):
 
 
 def _attractor_entries(table, named):
-    """(legend text, colour) of each named attractor: class of z, force, and a shade of the class's colour."""
+    """(legend text, colour) of each named attractor: class of z, force with as many digits as tell it from others of the
+    class, and a shade of the class's colour."""
     seen, entries = Counter(), []
-    for row in named:
-        entry = class_of(table.regime[row], table.impacts[row], table.period[row])
+    classes = [class_of(table.regime[row], table.impacts[row], table.period[row]) for row in named]
+    for row, entry in zip(named, classes):
         text = f"$z$ = {entry.label}" if table.regime[row] == PERIODIC else entry.label
         if table.regime[row] != NO_IMPACT and np.isfinite(table.peak_force_ratio[row]):
-            text += f", $F/(m\\,g)$ = {units.number(table.peak_force_ratio[row])}"
+            others = [table.peak_force_ratio[other] for other, theirs in zip(named, classes) if theirs == entry]
+            text += f", $F/(m\\,g)$ = {units.number_apart(table.peak_force_ratio[row], others)}"
         entries.append((text, _shade(entry.colour, seen[entry.colour])))
         seen[entry.colour] += 1
     return entries

@@ -1,6 +1,6 @@
 """A map or basin file, checked before anything in it is believed and read in bands of rows, never as a whole.
 
-Layout version 2: two coordinate vectors and the data on [rows][columns],
+Layout versions 2 and 3: two coordinate vectors and the data on [rows][columns],
     map    rows gap_ratio,      columns frequency_ratio, unless the axes of its job are others
     basin  rows velocity_ratio, columns displacement_ratio
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
@@ -39,9 +39,11 @@ QUANTITIES = {
 UNITS = {spellings[0] for spellings in QUANTITIES.values()} | {"N", "J"}
 PURE_NUMBERS = ("multiplier", "lyapunov", "sensitivity", "orbit_displacement", "orbit_velocity", "peak_force_mean_ratio",
                 "peak_force_q95_ratio")
-# Of a map with [starts], on [attractor][gap_ratio][frequency_ratio]; the last one on request.
+# Of a map with [starts], on [attractor][gap_ratio][frequency_ratio].
 SLOTS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
-         "attractor_peak_force_ratio": REAL, "basin_share": REAL, "critical_kick": REAL}
+         "attractor_peak_force_ratio": REAL, "basin_share": REAL}
+# On request: of its attractors, or of the cells of a map without [starts].
+KICKS = {"critical_kick": REAL, "critical_kick_tried": REAL}
 MAX_SLOTS = 64
 MAX_POINTS = 65536  # along one axis: a band of rows then still fits in some tens of megabytes
 BAND_CELLS = 2**21
@@ -62,7 +64,8 @@ class Axis:
 class PeterkaFile(OpenedFile):
     """A checked, open map or basin file: kind, rows and columns (Axis), shape, `quantities` and `numbers` (those of
     QUANTITIES, others in UNITS, and PURE_NUMBERS that it holds), has_chatter, has_last_impact, is_refined, attractors,
-    audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks."""
+    audit; slots, the number of attractors kept for each cell (0 without [starts]), and has_kicks: KICKS, of each of these, or
+    of the cell."""
 
     coordinates = COORDINATES  # of each kind that this class reads
 
@@ -87,7 +90,7 @@ class PeterkaFile(OpenedFile):
         are (slots, rows, columns).
 
         All bands but the last one have a number of rows divisible by `multiple`. Values are checked on the way."""
-        slots = max(1, self.slots) if SLOTS.keys() & set(names) else 1
+        slots = max(1, self.slots) if any(map(self._is_stacked, names)) else 1
         rows = multiple * max(1, BAND_CELLS // (slots * self.shape[1] * multiple))
         for first in range(0, self.shape[0], rows):
             yield first, self.band(names, first, first + rows)
@@ -95,7 +98,7 @@ class PeterkaFile(OpenedFile):
     def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]:
         """{name: array (rows, columns)} of the rows from first to before last, `regime` among the names; checked."""
         rows = slice(first, last)
-        band = {name: self.data.values(name, (slice(None), rows) if name in SLOTS else rows) for name in names}
+        band = {name: self.data.values(name, (slice(None), rows) if self._is_stacked(name) else rows) for name in names}
         self._check_values(band)
         return band
 
@@ -111,7 +114,8 @@ class PeterkaFile(OpenedFile):
         self.quantities = [name for name in QUANTITIES if self.data.has(name)]
         for name in self.quantities:
             self._check_quantity(name)
-        self.quantities += [name for name in self.data.names() if name not in QUANTITIES and self._is_quantity(name)]
+        self.quantities += [name for name in self.data.names() if name not in QUANTITIES.keys() | KICKS.keys()
+                            and self._is_quantity(name)]
         self.numbers = [name for name in PURE_NUMBERS if self.data.has(name)]
         for name in self.numbers:
             self.data.dataset(name, self.shape, REAL)
@@ -121,7 +125,10 @@ class PeterkaFile(OpenedFile):
         self.is_refined = self._has_integers("computed")
         self.attractors = read_attractors(self.data, self.shape) if self.kind == "basin" else None
         self.slots = self._slots()
-        self.has_kicks = self.slots > 0 and self.data.has("critical_kick")
+        self.has_kicks = self.kind == "map" and all(self.data.has(name) for name in KICKS)
+        if self.has_kicks:
+            for name, kind in KICKS.items():
+                self.data.dataset(name, ((self.slots,) if self.slots else ()) + self.shape, kind)
         self.audit = read_audit(self.data, self.shape) if self.kind == "map" else None
 
     def _coordinates(self) -> tuple[str, str]:
@@ -142,11 +149,13 @@ class PeterkaFile(OpenedFile):
         if not slots or not 1 <= slots[0] <= MAX_SLOTS:
             raise self.refusal(f"keeps {slots[0] if slots else 'no'} attractors for each cell; 1 to {MAX_SLOTS} can be drawn")
         for name, kind in SLOTS.items():
-            if name != "critical_kick" or self.data.has(name):
-                self.data.dataset(name, slots + self.shape, kind)
+            self.data.dataset(name, slots + self.shape, kind)
         for name in ("attractors", "start_attractor"):
             self.data.dataset(name, self.shape, INTEGER)
         return slots[0]
+
+    def _is_stacked(self, name: str) -> bool:
+        return name in SLOTS or (name in KICKS and self.slots > 0)
 
     def _check_quantity(self, name):
         self.data.dataset(name, self.shape, REAL)

@@ -41,9 +41,17 @@ class Motions {
   // For a legend, largest first.
   entries(newtons) {
     const sum = this.all.reduce((so_far, one) => so_far + one.count, 0);
-    return [...this.all].sort((a, b) => b.count - a.count).slice(0, 8).map(({ regime, p, q, force, colour, count }) => ({
-      label: labelWords(regime, p, q) + (regime === PERIODIC && force > 0 ? `, ${digits(force * newtons, 3)} N` : ""),
-      colour, share: count / sum,
+    const told = ({ force }, places) => digits(force * newtons, places);
+    // As many digits as tell it from the others with its label.
+    const apart = (one) => {
+      const others = this.all.filter((other) => other !== one && other.regime === one.regime && other.p === one.p && other.q === one.q);
+      let places = 3;
+      while (places < 9 && others.some((other) => told(other, places) === told(one, places))) ++places;
+      return told(one, places);
+    };
+    return [...this.all].sort((a, b) => b.count - a.count).slice(0, 8).map((one) => ({
+      label: labelWords(one.regime, one.p, one.q) + (one.regime === PERIODIC && one.force > 0 ? `, ${apart(one)} N` : ""),
+      colour: one.colour, share: one.count / sum,
     }));
   }
 }

@@ -17,7 +17,7 @@ function meaning({ regime, impacts, period }) {
     [NO_IMPACT]: "the hammer swings free of the stop",
     [CHAOTIC]: "blows that never repeat",
     [SUSTAINED_CONTACT]: "the hammer never leaves the stop",
-    [UNRESOLVED]: "no proof of any regime",
+    [UNRESOLVED]: "none of the regimes was verified",
     [FAILED]: "the cell left physics or the range of numbers",
   }[regime];
 }
@@ -29,7 +29,7 @@ const WHY = {
   3: "there were too many contacts in one cycle",
   4: "the numbers ran out of range",
   5: "the start lies inside the rigid stop, or an integrator gave up",
-  6: "with the last bit of its start moved it ends elsewhere",
+  6: "errors of rounding grew by e^20 or more on the way, so that they may decide where it ends",
   7: "its peak force may be off by more than the job's tolerance",
   8: "the budget ran out before chaos could be told from a long transient",
 };

@@ -70,7 +70,7 @@ def scene_name(word: str) -> str:
 def status_word(table: Stability, scene: int, engine: int) -> str:
     """Why there is no result, in words."""
     word = table.status[scene, engine]
-    word = table.regime[scene, engine] if word in ("", "proved") else word
+    word = table.regime[scene, engine] if word in ("", "verified", "proved") else word
     return word.replace("_", " ")
 
 

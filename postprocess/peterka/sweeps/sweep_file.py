@@ -1,7 +1,7 @@
 """A sweep's file, checked before anything in it is believed: branches along the frequency, one for each gap and
 direction, each with the classes and peak forces of a map and with samples of its steady motions.
 
-Layout version 2, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
+Layout versions 2 and 3, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
 impact_displacement [x/A0 at first touch]. With [starts], on [attractor][branch][frequency_ratio]: basin_share and
 attractor_peak_force_ratio f64; and samples of all attractors' motions, attractor_stroboscopic_displacement and

@@ -1,0 +1,154 @@
+#include "attractors/kick_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace peterka::attractors {
+
+namespace {
+
+// Sizes grow by twos, from 1/256 of the largest.
+constexpr int levels = 9;
+constexpr int kicks_of_a_level = 32;  // for each cycle of the orbit
+constexpr int kicks_of_a_round = 64;  // of each half, for each cycle of the orbit
+constexpr int most_cycles = 4;        // of a longer orbit no more kicks
+constexpr int rounds_in_vain = 12;    // before it ends
+constexpr double clearly = 0.01;      // smaller, so that it goes on
+constexpr int stretches = 16;         // of phases, in a cycle
+constexpr int kicks_of_a_step = 32;   // along the border
+constexpr double first_step = 0.125;  // relative in size
+constexpr double last_step = 1e-4;
+
+// The fraction of n times an irrational number: even in every stretch of n.
+double fraction(std::uint64_t n, double irrational) {
+    const double turns = static_cast<double>(n) * irrational;
+    return turns - std::floor(turns);
+}
+
+}  // namespace
+
+KickScan::KickScan(int period, double largest)
+    : period_(period),
+      largest_(largest),
+      slow_(static_cast<std::size_t>(2 * stretches) * static_cast<std::size_t>(period)) {}
+
+std::vector<KickTried> KickScan::next(std::span<const Way> ways) {
+    take(ways);
+    switch (stage_) {
+        case Stage::growing:
+            tried_ = growing();
+            break;
+        case Stage::rounds:
+            tried_ = round();
+            break;
+        case Stage::border:
+            tried_ = along_border();
+            break;
+        case Stage::done:
+            tried_.clear();
+            break;
+    }
+    return tried_;
+}
+
+void KickScan::take(std::span<const Way> ways) {
+    const double before = bound();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const KickTried& kick = tried_[i];
+        if (ways[i].elsewhere) {
+            if (found_ && kick.size() >= smallest_.size()) continue;
+            found_ = true;
+            smallest_ = kick;
+        } else if (Slow& slow = place_of(kick); ways[i].cycles >= slow.cycles || slow.kick.size() > bound()) {
+            slow = {kick, ways[i].cycles};
+        }
+    }
+    if (!ways.empty()) choose_stage(before);
+}
+
+// before: the bound, before the last kicks.
+void KickScan::choose_stage(double before) {
+    const double fell = 1 - bound() / before;
+    if (stage_ == Stage::growing) {
+        if (found_ || ++level_ == levels) stage_ = Stage::rounds;
+    } else if (stage_ == Stage::rounds) {
+        in_vain_ = fell > clearly ? 0 : in_vain_ + 1;
+        if (in_vain_ == rounds_in_vain) stage_ = found_ ? Stage::border : Stage::done;
+        step_ = first_step;
+    } else {
+        if (fell < step_ / 4) step_ /= 2;
+        if (step_ < last_step) stage_ = Stage::done;
+    }
+}
+
+std::vector<KickTried> KickScan::growing() {
+    const double most = largest_ * std::ldexp(1.0, level_ + 1 - levels);
+    std::vector<KickTried> kicks;
+    for (int n = 0; n < kicks_of_a_level * std::min(period_, most_cycles); ++n) {
+        kicks.push_back(spread(level_ == 0 ? 0 : most / 2, most));
+    }
+    return kicks;
+}
+
+std::vector<KickTried> KickScan::round() {
+    std::vector<KickTried> kicks;
+    for (int n = 0; n < kicks_of_a_round * std::min(period_, most_cycles); ++n) {
+        kicks.push_back(spread(0, bound()));
+        const bool at_border = found_ && n % 4 == 0;
+        const auto stretch = static_cast<std::size_t>(random() * static_cast<double>(slow_.size()));
+        const Slow& slow = slow_[std::min(stretch, slow_.size() - 1)];
+        kicks.push_back(at_border || slow.cycles < 0 ? near(smallest_) : near(slow.kick));
+    }
+    return kicks;
+}
+
+// Next to the smallest. Near the lowest point of a border phases go with sizes where it has an edge there, and
+// with their root where it is smooth.
+std::vector<KickTried> KickScan::along_border() {
+    std::vector<KickTried> kicks;
+    for (int n = 0; n < kicks_of_a_step; ++n) {
+        const double phase = (n % 2 == 0 ? step_ : std::sqrt(step_)) * (random() - 0.5);
+        kicks.push_back(moved(smallest_.phase + phase, smallest_.change * (1 - step_ * random())));
+    }
+    return kicks;
+}
+
+// The next one of a sequence that fills phases and sizes evenly, up and down in turn.
+KickTried KickScan::spread(double least, double most) {
+    constexpr double plastic = 1.32471795724474602596;  // the best pair of irrational numbers, by Roberts
+    ++spread_;
+    const double size = least + (most - least) * fraction(spread_, 1 / (plastic * plastic));
+    return {period_ * fraction(spread_, 1 / plastic), spread_ % 2 == 0 ? size : -size};
+}
+
+// At a distance of any order of magnitude, and smaller than the bound.
+KickTried KickScan::near(const KickTried& kick) {
+    const double wide = std::exp2(-1 - 10 * random());
+    const double phase = kick.phase + wide * (random() - 0.5);
+    const double change = kick.change + wide * bound() * (random() - 0.5);
+    return moved(phase, change);
+}
+
+// To these, but to a phase of the orbit, and below the bound.
+KickTried KickScan::moved(double phase, double change) const {
+    const double most = bound() * (1 - 1e-6);
+    return {phase - period_ * std::floor(phase / period_), std::clamp(change, -most, most)};
+}
+
+KickScan::Slow& KickScan::place_of(const KickTried& kick) {
+    const auto stretch = static_cast<std::size_t>(kick.phase * stretches);
+    return slow_[std::min(2 * stretch + (kick.change < 0 ? 1 : 0), slow_.size() - 1)];
+}
+
+// SplitMix64, Steele and others 2014: the same on every machine.
+double KickScan::random() {
+    seed_ += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t mixed = seed_;
+    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebULL;
+    mixed ^= mixed >> 31U;
+    return static_cast<double>(mixed >> 11U) * 0x1p-53;
+}
+
+}  // namespace peterka::attractors

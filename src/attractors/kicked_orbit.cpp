@@ -1,0 +1,48 @@
+#include "attractors/kicked_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+namespace peterka::attractors {
+
+namespace {
+
+scene::Oscillator<double> with_cubic(scene::Oscillator<double> oscillator, double cubic) {
+    oscillator.cubic = cubic;
+    return oscillator;
+}
+
+}  // namespace
+
+KickedOrbit::KickedOrbit(scene::Oscillator<double> oscillator, const regime::FoundAttractor& found)
+    : length_(oscillator.period()),
+      map_(regime::make_cycle_map(with_cubic(oscillator, found.cubic), found.settings)) {
+    std::optional<scene::State<double>> point(std::in_place, found.result.orbit_displacement - oscillator.gap,
+                                              found.result.orbit_velocity);
+    for (int n = 0; n < found.result.period && point; ++n) {
+        points_.push_back(*point);
+        point = carry(*point, 0, length_);
+    }
+}
+
+std::optional<scene::State<double>> KickedOrbit::after(const KickTried& kick) {
+    const double cycle = std::clamp(std::floor(kick.phase), 0.0, period() - 1.0);
+    const scene::State<double>& point = points_[static_cast<std::size_t>(cycle)];
+    const double moment = std::clamp(kick.phase - cycle, 0.0, 1.0) * length_;
+    auto state = moment > 0 ? carry(point, 0, moment) : point;
+    if (!state) return std::nullopt;
+    (*state)[1] += kick.change;
+    return moment > 0 && moment < length_ ? carry(*state, moment, length_) : state;
+}
+
+std::optional<scene::State<double>> KickedOrbit::carry(const scene::State<double>& from, double begin,
+                                                       double end) {
+    const auto part =
+        std::visit([&](auto& map) -> trajectory::Cycle<double> { return map.part(from, begin, end); }, map_);
+    if (part.outcome != trajectory::Cycle<double>::Outcome::done) return std::nullopt;
+    return part.end;
+}
+
+}  // namespace peterka::attractors

@@ -1,0 +1,38 @@
+// A settled motion that gets a sudden change of its velocity at some moment of its period, and where that
+// leaves it when the forcing next passes phase 0: there a search goes on.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "regime/attractor_table.hpp"
+#include "regime/engine.hpp"
+#include "scene/oscillator.hpp"
+
+namespace peterka::attractors {
+
+struct KickTried {
+    double phase = 0;   // forcing cycles after phase 0 of the orbit's first point
+    double change = 0;  // of the hammer's velocity, in A0 omega; upwards, towards the stop, if positive
+    [[nodiscard]] double size() const { return change < 0 ? -change : change; }
+};
+
+class KickedOrbit {
+  public:
+    // Of an attractor that has an orbit, with the engine that found it.
+    KickedOrbit(scene::Oscillator<double> oscillator, const regime::FoundAttractor& found);
+
+    [[nodiscard]] int period() const { return static_cast<int>(points_.size()); }
+
+    // The state at the next forcing phase 0; nothing where the engine can't carry it there.
+    [[nodiscard]] std::optional<scene::State<double>> after(const KickTried& kick);
+
+  private:
+    std::optional<scene::State<double>> carry(const scene::State<double>& from, double begin, double end);
+
+    double length_;  // of a cycle, in tau
+    regime::CycleMap map_;
+    std::vector<scene::State<double>> points_;  // at phase 0
+};
+
+}  // namespace peterka::attractors

@@ -1,0 +1,89 @@
+#include "curves/merging.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "curves/reshape.hpp"
+
+namespace peterka::curves {
+
+namespace {
+
+// Whether the second half has the events of the first.
+bool has_equal_kinds(const Orbit& orbit) {
+    const std::size_t half = orbit.events.size() / 2;
+    if (orbit.period % 2 != 0 || orbit.events.size() % 2 != 0) return false;
+    for (std::size_t i = 0; i < half; ++i) {
+        if (orbit.events[i].kind == EventKind::graze) return false;
+        if (orbit.events[i].kind != orbit.events[i + half].kind) return false;
+    }
+    return true;
+}
+
+// The orbit half a period later, with the times of the same half.
+OrbitPoint half_a_period_later(const Rig& rig, const OrbitPoint& point) {
+    OrbitPoint later = point;
+    std::vector<Event>& events = later.orbit.events;
+    const auto half = static_cast<std::ptrdiff_t>(events.size() / 2);
+    std::rotate(events.begin(), events.begin() + half, events.end());
+    const double duration = rig.at(point.place).duration_of(point.orbit.period);
+    for (std::ptrdiff_t i = 0; i < std::ssize(events); ++i) {
+        events[static_cast<std::size_t>(i)].time += (i < half ? -duration : duration) / 2;
+    }
+    return later;
+}
+
+// The mean of both halves, which near the merging is the orbit of q cycles but for the square of their
+// difference.
+OrbitPoint mean_of_halves(const Rig& rig, const OrbitPoint& point) {
+    OrbitPoint mean = between(point, half_a_period_later(rig, point), 0.5);
+    mean.orbit.period /= 2;
+    mean.orbit.events.resize(mean.orbit.events.size() / 2);
+    return mean;
+}
+
+// How far the second half is from the first, and the first from the second.
+Eigen::VectorXd difference_of_halves(const Stepper& stepper, const OrbitPoint& point) {
+    return way_between(stepper.rig(), point, half_a_period_later(stepper.rig(), point), stepper.window());
+}
+
+constexpr double equal_halves = 1e-6;  // of a difference, in sizes of the unknowns
+
+}  // namespace
+
+OrbitPoint twice(const Rig& rig, const OrbitPoint& point) {
+    OrbitPoint result = point;
+    result.orbit.period *= 2;
+    const double duration = rig.at(point.place).duration_of(point.orbit.period);
+    for (Event event : point.orbit.events) {
+        event.time += duration;
+        result.orbit.events.push_back(event);
+    }
+    return result;
+}
+
+bool halves_are_equal(const Stepper& stepper, const OrbitPoint& point) {
+    return has_equal_kinds(point.orbit) && difference_of_halves(stepper, point).norm() < equal_halves;
+}
+
+bool halves_meet(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
+    if (!has_equal_kinds(from.orbit) || !has_same_events(from.orbit, to.orbit)) return false;
+    if (halves_are_equal(stepper, from)) return false;  // followed twice over
+    // a branch may have got on to the orbit of q cycles
+    return halves_are_equal(stepper, to) ||
+           difference_of_halves(stepper, from).dot(difference_of_halves(stepper, to)) < 0;
+}
+
+std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
+    const auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), from), stepper.window(),
+                             stepper.conditions_and(Condition::at_multiplier(-1)));
+    if (!found) return std::nullopt;
+    // it lies on the way that was stepped over, whose halves may be the other way round at its end
+    const double step = way_between(stepper.rig(), from, to, stepper.window()).norm();
+    const double distance =
+        way_between(stepper.rig(), from, twice(stepper.rig(), *found), stepper.window()).norm();
+    if (distance > 2 * step) return std::nullopt;
+    return found;
+}
+
+}  // namespace peterka::curves

@@ -1,0 +1,49 @@
+#include "findings/kick_counts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace peterka::findings {
+
+namespace {
+
+// Of sizes above 0.
+bool is_smaller(double one, double other) {
+    return one > 0 && (!(other > 0) || one < other);
+}
+
+void add_one(KickCounts& counts, const cell::Kick& kick, bool is_alone) {
+    if (std::isnan(kick.tried)) return;
+    const bool is_thrown = !std::isnan(kick.size);
+    counts.add({.kicked = 1,
+                .thrown = is_thrown ? 1 : 0,
+                .alone = !is_thrown && is_alone ? 1 : 0,
+                .smallest = is_thrown ? kick.size : 0,
+                .phase = is_thrown ? kick.phase : 0,
+                .least_tried = is_thrown ? 0 : kick.tried});
+}
+
+}  // namespace
+
+void KickCounts::add(const KickCounts& other) {
+    kicked += other.kicked;
+    thrown += other.thrown;
+    alone += other.alone;
+    if (is_smaller(other.least_tried, least_tried)) least_tried = other.least_tried;
+    if (other.smallest == smallest) phase = std::min(phase, other.phase);
+    if (!is_smaller(other.smallest, smallest)) return;
+    smallest = other.smallest;
+    phase = other.phase;
+}
+
+void add_kick(KickCounts& counts, const quantities::StoredCell& cell) {
+    add_one(counts, cell.kick, false);
+}
+
+void add_kick(KickCounts& counts, std::span<const quantities::StoredAttractor> here) {
+    const auto first =
+        std::ranges::find_if(here, [](const auto& each) { return !std::isnan(each.kick.tried); });
+    if (first != here.end()) add_one(counts, first->kick, here.size() == 1);
+}
+
+}  // namespace peterka::findings

@@ -1,0 +1,35 @@
+#include "report/kicks_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "support/readable.hpp"
+
+namespace peterka {
+
+namespace {
+
+std::string line(std::int64_t cells, std::int64_t all, const std::string& what) {
+    return cells == 0 ? "" : fmt::format("  {:>9} of these cells: {}\n", readable_share(cells, all), what);
+}
+
+}  // namespace
+
+std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts) {
+    if (!job.output.has(job::OptionalField::critical_kick)) return "";
+    const std::string head = "\nWhat throws the settled hammer out of its orbit\n";
+    if (counts.kicked == 0) return head + "  no cell has an orbit\n";
+    const std::string which = job.starts.count > 0 ? ", of its orbit with the largest share" : "";
+    return head +
+           fmt::format("  kicks at all phases of the orbit, in {} cells{}\n", readable_count(counts.kicked),
+                       which) +
+           line(counts.thrown, counts.kicked,
+                fmt::format("a kick leads elsewhere, the smallest one found {} at phase {:.3f} cycles",
+                            readable_amount(counts.smallest, "m/s", 3), counts.phase)) +
+           line(counts.kicked - counts.thrown - counts.alone, counts.kicked,
+                fmt::format("none found up to {}", readable_amount(counts.least_tried, "m/s", 3))) +
+           line(counts.alone, counts.kicked,
+                fmt::format("one motion alone is known, and none found up to {}",
+                            readable_amount(counts.least_tried, "m/s", 3)));
+}
+
+}  // namespace peterka

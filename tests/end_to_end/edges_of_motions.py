@@ -1,0 +1,174 @@
+"""How far a cell is from the edge of its own motion, by a way that knows nothing of curves: a sweep that inherits drags the
+motion along from the cell until its label changes, or its force jumps to that of another motion with the same label."""
+
+import re
+
+import h5py
+import numpy as np
+
+import jobs
+import kept_claims
+import launch
+
+PERIODIC = 1
+FOLD, DOUBLING, GRAZING, NONE, UNKNOWN = range(5)
+SIDES = ("frequency_ratio", "gap_ratio")
+POINTS = 40  # of each axis of a map
+
+RIG = """
+schema = 1
+kind = "{kind}"
+[hammer]
+mass_kg = 0.298
+natural_frequency_hz = 4.5
+damping_ratio = {zeta!r}
+[cart]
+amplitude_m = 0.89e-3
+[contact]
+{stop}
+"""
+
+
+def random_rigs(seed, count):
+    """Each with a window of frequencies and gaps: {zeta, stop, eta, gap}."""
+    return [{**rig, "stop": kept_claims.spring(rig["ki"], rig["ci"]), "eta": rig["eta"] / 2}
+            for rig in kept_claims.random_rigs(seed, count)]
+
+
+def window_of(rig):
+    return {"frequency_ratio": (rig["eta"], rig["eta"] + 3.0), "gap_ratio": (rig["gap"], rig["gap"] + 3.0)}
+
+
+def run(folder, text):
+    jobs.write(folder, text)
+    finished = launch.run("run", "job.toml", "--quiet", "--fresh", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    return h5py.File(folder / "job.h5")
+
+
+def cells_of(folder, rig):
+    """Arrays over the cells of the rig's window: labels, orbits, distances and kinds of edges."""
+    axes = "".join(jobs.axis(name, *map(repr, window_of(rig)[name]), POINTS) for name in SIDES)
+    cells = {}
+    with run(folder, RIG.format(kind="map", **rig) + axes + '[output]\nfields = ["orbit"]\n') as file:
+        for name in ("regime", "impacts", "period", "orbit_displacement", "orbit_velocity", *SIDES):
+            cells[name] = file[name][()]
+    with run(folder, RIG.format(kind="curves", **rig) + axes + "[curves]\nedge_distance = true\n") as file:
+        for side in SIDES:
+            cells[f"distance_{side}"] = file[f"edge_distance_{side}"][()]
+            cells[f"kind_{side}"] = file[f"edge_kind_{side}"][()]
+    return cells
+
+
+def label_of(cells, cell):
+    return tuple(int(cells[name][cell]) for name in ("regime", "impacts", "period"))
+
+
+def drag(folder, rig, place, side, to, state, steps):
+    """Values along a side from a place on, and labels and forces of the motion that is dragged along."""
+    other = SIDES[1 - SIDES.index(side)]
+    low, high = sorted([place[side], to])
+    direction = f'direction = "{"up" if to > place[side] else "down"}"\n'
+    rest = (f"[sweep]\ngap_ratio = [{place[other]!r}]\n{direction}" if other == "gap_ratio" else
+            f"[operating_point]\nfrequency_ratio = {place[other]!r}\n[sweep]\n{direction}")
+    text = (RIG.format(kind="sweep", **rig) + jobs.axis(side, repr(low), repr(high), steps + 1) + rest
+            + f"[start]\ndisplacement_ratio = {state[0]!r}\nvelocity_ratio = {state[1] + place['frequency_ratio']!r}\n"
+            + "[steady_state]\nmax_cycles = 20000\n")
+    onwards = slice(None, None, 1 if to > place[side] else -1)
+    with run(folder, text) as file:
+        labels = np.stack([file[name][0] for name in ("regime", "impacts", "period")], axis=1)
+        return file[side][()][onwards], labels[onwards], file["peak_force_ratio"][0][onwards]
+
+
+def jumps(forces):
+    """Whether the force leaps from each point to the next: by far more than it does before and after."""
+    changes = np.pad(np.abs(np.diff(forces)), 1)
+    return (changes[1:-1] > 5 * np.maximum(changes[:-2], changes[2:])) & (changes[1:-1] > 1e-4 * forces[1:])
+
+
+def end_of_motion(folder, rig, place, side, to, state, label, most_steps=3200):
+    """How far it is until the motion ends on the way to a value, infinite where it doesn't, and the step with which that was
+    seen: halved until it changes no more, for a basin that shrinks is left early by long steps. None where it goes on changing."""
+    before, steps = None, 50
+    while steps <= most_steps:
+        values, labels, forces = drag(folder, rig, place, side, to, state, steps)
+        ends = np.any(labels != label, axis=1)
+        ends[1:] |= jumps(forces)
+        change = np.abs(values[np.argmax(ends)] - place[side]) if ends.any() else np.inf
+        step = abs(to - place[side]) / steps
+        if before is not None and (change == before or abs(change - before) <= 2 * step):
+            return change, 2 * step
+        before, steps = change, 2 * steps
+    return None
+
+
+def disagreement(folder, rig, cells, cell, side):
+    """None where a cell's distance is what dragging its motion finds; "unknown" where it says so itself; else in words."""
+    kind, told = int(cells[f"kind_{side}"][cell]), float(cells[f"distance_{side}"][cell])
+    if kind == UNKNOWN:
+        return "unknown"
+    place = {"frequency_ratio": float(cells["frequency_ratio"][cell[1]]), "gap_ratio": float(cells["gap_ratio"][cell[0]])}
+    state = tuple(float(cells[name][cell]) for name in ("orbit_displacement", "orbit_velocity"))
+    label = label_of(cells, cell)
+    for border, sign in zip(window_of(rig)[side], (-1, 1), strict=True):
+        room = abs(border - place[side])
+        is_there = kind != NONE and np.sign(told) == sign
+        to = min(room, abs(told) * (1.1 if is_there else 1)) if kind != NONE else room
+        if to < 1e-9:
+            continue
+        found = end_of_motion(folder, rig, place, side, place[side] + sign * to, state, label)
+        if found is None:
+            return f"{side} {sign:+}: its end doesn't converge"
+        change, step = found
+        if is_there and not abs(change - abs(told)) <= step:
+            return f"{side}: told {told:.6g}, kind {kind}, it ends after {sign * change:.6g} +- {step:.2g}"
+        if not is_there and change < to - step:
+            return f"{side}: told {told:.6g}, kind {kind}, it ends after {sign * change:.6g} +- {step:.2g}"
+    return None
+
+
+def random_cells(cells, count, seed):
+    """With an edge or none, at random, as (cell, side)."""
+    random = np.random.default_rng(seed)
+    asked = [(tuple(map(int, cell)), side) for side in SIDES
+             for cell in np.argwhere((cells["regime"] == PERIODIC) & (cells[f"kind_{side}"] >= FOLD))]
+    return [asked[i] for i in random.permutation(len(asked))[:count]]
+
+
+BORDER = re.compile(r"([\d.e+-]+) (fold|period doubling|grazing)")
+
+
+def borders_told(folder, rig, gap):
+    """(impacts, period, Omega/omega) of each border that the summary tells at a gap; no impact is 0, 1."""
+    axes = "".join(jobs.axis(name, *map(repr, window_of(rig)[name]), POINTS) for name in SIDES)
+    jobs.write(folder, RIG.format(kind="curves", **rig) + axes + f"[curves]\ngap_ratio = [{gap!r}]\n")
+    finished = launch.run("run", "job.toml", "--fresh", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    for line in finished.stdout.split("Borders at gap/A0")[1].splitlines()[1:]:
+        label = re.match(r"  (no impact|\d+/\d+) ", line)
+        if label is None:
+            break
+        impacts, period = (0, 1) if label[1] == "no impact" else map(int, label[1].split("/"))
+        for frequency, _ in BORDER.findall(line):
+            yield impacts, period, float(frequency) / 4.5
+
+
+def motions_with_label(folder, rig, gap, frequency, beside, impacts, period, starts=512):
+    """The forces of the motions of a label that many starts find, just below a frequency and just above it."""
+    window = jobs.axis("frequency_ratio", repr(frequency * (1 - beside)), repr(frequency * (1 + beside)), 2)
+    text = (RIG.format(kind="map", **rig) + window + jobs.axis("gap_ratio", repr(gap), repr(gap + 1e-9), 2)
+            + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n"
+            + "[steady_state]\nmax_cycles = 30000\n")
+    with run(folder, text) as file:
+        is_one = ((file["attractor_regime"][:, 0] == (PERIODIC if impacts else 0)) & (file["attractor_impacts"][:, 0] == impacts)
+                  & ((file["attractor_period"][:, 0] == period) | (impacts == 0)))
+        return [file["attractor_peak_force_ratio"][:, 0][:, side][is_one[:, side]] for side in range(2)]
+
+
+def is_border(folder, rig, gap, impacts, period, frequency):
+    """Whether a motion of the label is on one side of a frequency only, within a small or a smaller distance of it."""
+    for beside in (1e-3, 1e-4, 1e-5, 1e-6):
+        below, above = motions_with_label(folder, rig, gap, frequency, beside, impacts, period)
+        if len(below) != len(above):
+            return True
+    return False

@@ -1,0 +1,51 @@
+"""tests/data/layout_2.h5, a map with [starts] that a program wrote before layout 3, is shown and traced; no run goes on with it."""
+
+import importlib
+import shutil
+import sys
+from pathlib import Path
+
+import h5py
+import pytest
+
+import jobs
+import launch
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "postprocess"))
+pictures = importlib.import_module("peterka.pictures")
+
+DATA = Path(__file__).parents[1] / "data"
+
+
+@pytest.fixture
+def old(tmp_path):
+    shutil.copy(DATA / "layout_2.toml", tmp_path / "layout_2.toml")
+    shutil.copy(DATA / "layout_2.h5", tmp_path / "layout_2.h5")
+    return tmp_path / "layout_2.h5"
+
+
+def test_the_file_is_of_layout_2(old):
+    with h5py.File(old) as file:
+        assert file.attrs["peterka_layout"] == 2
+        assert "attractor_status" not in file and "critical_kick" in file
+
+
+def test_it_is_shown_and_its_kicks_are_of_another_kind(old):
+    with pictures.open_file(old) as file:
+        names = pictures.pictures_of(file)
+        assert "attractors" in names and "map" in names and "kick" not in names
+
+
+def test_a_trace_follows_a_cell_of_it(old):
+    jobs.write(old.parent, jobs.trace_of(old, "row = 0\ncolumn = 1"))
+    traced = launch.run("run", "job.toml", cwd=old.parent)
+    assert traced.returncode == 0, traced.stderr
+    assert "agrees in regime and z" in traced.stdout
+
+
+def test_a_run_leaves_it_alone_and_says_why(old):
+    before = old.read_bytes()
+    run = launch.run("run", "layout_2.toml", cwd=old.parent)
+    assert run.returncode == 3 and "has layout version 2, this program writes version 3" in run.stderr
+    assert "don't say of each label whether rounding may decide it" in run.stderr
+    assert old.read_bytes() == before

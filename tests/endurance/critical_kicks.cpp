@@ -1,0 +1,195 @@
+// Attacks critical kicks: for periodic attractors of random rigs, random kicks smaller than the one that is
+// told, at random phases, each followed by a run of its own that knows no attractor.
+//
+// Rigs are random in loss, stop (spring and dashpot, some of them soft, and rigid ones), frequency and gap; of
+// each cell every periodic attractor that 16 starts find is taken. Where no critical kick is told, kicks are as
+// large as those tried.
+//   build/tests/critical_kicks [ATTRACTORS] [KICKS_EACH] [SEED]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "attractors/cell_crowd.hpp"
+#include "job/read.hpp"
+#include "regime/cell_pool.hpp"
+#include "regime/same_attractor.hpp"
+#include "regime/solve_cell.hpp"
+#include "scene/scene.hpp"
+#include "trajectory/exact_cycle_map.hpp"
+
+namespace {
+
+using namespace peterka;
+using attractors::CellAttractor;
+
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    double between(double from, double to) {
+        return from + (to - from) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
+    }
+    double log_between(double from, double to) { return std::exp(between(std::log(from), std::log(to))); }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+job::Job random_job(Random& random, bool kicks) {
+    const bool rigid = random.between(0, 1) < 0.25;
+    const std::string stop =
+        rigid ? fmt::format("law = \"restitution\"\ncoefficient = {}", random.between(0.3, 0.9))
+              : fmt::format("law = \"kelvin_voigt\"\nstiffness_n_per_m = {}\ndamping_ns_per_m = {}",
+                            random.log_between(3e4, 1e7), random.log_between(30, 2000));
+    const double zeta = random.log_between(0.003, 0.05);
+    const double frequency = random.between(0.6, 4.4);
+    const double gap = random.between(rigid ? 0.0 : -0.2, 3.5);
+    const std::string text = fmt::format(
+        "schema = 1\nkind = \"map\"\n[hammer]\nmass_kg = 0.298\nnatural_frequency_hz = 4.5\n"
+        "damping_ratio = {}\n[cart]\namplitude_m = 0.89e-3\n[contact]\n{}\n"
+        "[axes.frequency_ratio]\nfrom = {}\nto = {}\npoints = 1\n"
+        "[axes.gap_ratio]\nfrom = {}\nto = {}\npoints = 1\n[starts]\ncount = 16\n{}",
+        zeta, stop, frequency, frequency, gap, gap, kicks ? "[output]\nfields = [\"critical_kick\"]\n" : "");
+    return job::read_job_text(text, "random rig");
+}
+
+attractors::SolvedCell solve(const scene::Scene& scene) {
+    attractors::SolvedCell solved;
+    const regime::AttractorTable none;
+    attractors::CellCrowd crowd(scene, none, [&](auto cell) { solved = std::move(cell.cell); });
+    crowd.add(0, 0, 0);
+    while (!crowd.empty()) crowd.step();
+    return solved;
+}
+
+regime::CellResult as_result(const CellAttractor& attractor) {
+    regime::CellResult result;
+    result.regime = attractor.regime;
+    result.impacts = attractor.impacts;
+    result.period = attractor.period;
+    result.orbit_displacement = attractor.orbit_displacement;
+    result.orbit_velocity = attractor.orbit_velocity;
+    return result;
+}
+
+// The state at the next forcing phase 0.
+template <class Map>
+scene::State<double> kicked(const Map& map, const CellAttractor& attractor, double phase, double change) {
+    const auto& oscillator = map.oscillator();
+    scene::State<double> state(attractor.orbit_displacement - oscillator.gap, attractor.orbit_velocity);
+    for (; phase >= 1; --phase) state = map(state).end;
+    const double moment = phase * oscillator.period();
+    state = map.part(state, 0, moment).end;
+    state[1] += change;
+    return map.part(state, moment, oscillator.period()).end;
+}
+
+struct Attack {
+    std::int64_t kicks = 0;
+    std::int64_t leave = 0;
+    double smallest = std::numeric_limits<double>::infinity();  // of these, over the size told
+    double phase = 0;
+};
+
+Attack attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
+    const scene::Cell cell = scene.cell(0, 0);
+    const double most = std::isnan(attractor.kick.size) ? attractor.kick.tried : attractor.kick.size;
+    const regime::CellResult settled = as_result(attractor);
+    std::vector<std::pair<double, double>> tried;
+    Attack found{.kicks = kicks};
+    job::Job job = scene.job();
+    job.output.fields.clear();
+    const regime::AttractorTable none;
+    regime::CellPool pool(scene, none, [&](const regime::CellPool::Solved& solved) {
+        if (solved.result.regime == regime::Regime::failed) return;
+        if (regime::same_attractor(settled, solved.result)) return;
+        ++found.leave;
+        const auto [phase, change] = tried[static_cast<std::size_t>(solved.number)];
+        if (std::abs(change) / most < found.smallest) {
+            found.smallest = std::abs(change) / most;
+            found.phase = phase;
+        }
+    });
+    const auto start_of = [&](double phase, double change) {
+        if (scene::is_rigid(cell.oscillator.contact)) {
+            return kicked(trajectory::RigidExactMap<double>(cell.oscillator), attractor, phase, change);
+        }
+        return kicked(trajectory::ExactCycleMap<double>(cell.oscillator), attractor, phase, change);
+    };
+    for (std::int64_t n = 0; n < kicks || !pool.empty();) {
+        while (n < kicks && pool.has_room()) {
+            const double phase = random.between(0, attractor.period);
+            const double change = random.between(-most, most);
+            tried.emplace_back(phase, change);
+            const scene::State<double> start = start_of(phase, change);
+            pool.add(
+                [&job, &cell, start](regime::CycleDesk& desk, std::vector<regime::FoundAttractor>* list) {
+                    return regime::solve_cell(desk, job, {cell.oscillator, start}, {nullptr, list});
+                },
+                n++);
+        }
+        if (!pool.empty()) pool.step();
+    }
+    return found;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::int64_t wanted = argc > 1 ? std::atoll(argv[1]) : 100;
+    const std::int64_t kicks = argc > 2 ? std::atoll(argv[2]) : 10'000;
+    const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    Random random(seed);
+    std::int64_t attractors = 0;
+    std::int64_t without = 0;
+    std::int64_t broken = 0;
+    std::int64_t by_a_tenth = 0;
+    std::int64_t cycles = 0;
+    double seconds = 0;
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    for (std::uint64_t rig = 0; attractors < wanted; ++rig) {
+        Random of_rig(seed * 1'000'003 + rig);
+        Random same = of_rig;
+        const scene::Scene scene(random_job(of_rig, true));
+        const auto begin = now();
+        const attractors::SolvedCell solved = solve(scene);
+        seconds += std::chrono::duration<double>(now() - begin).count();
+        bool counted = false;
+        for (const CellAttractor& attractor : solved.attractors) {
+            if (attractor.regime != regime::Regime::periodic || attractors == wanted) continue;
+            if (!std::exchange(counted, true)) {
+                cycles += solved.cell.cycles - solve(scene::Scene(random_job(same, false))).cell.cycles;
+            }
+            ++attractors;
+            const bool none = std::isnan(attractor.kick.size);
+            without += none ? 1 : 0;
+            const Attack found = attack(scene, attractor, kicks, random);
+            broken += found.leave > 0 ? 1 : 0;
+            by_a_tenth += found.smallest < 0.9 ? 1 : 0;
+            fmt::print("rig {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g}", rig,
+                       attractor.impacts, attractor.period, attractor.kick.size, attractor.kick.phase,
+                       static_cast<int>(attractor.kick.direction), attractor.kick.tried);
+            if (found.leave > 0) {
+                fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.leave, found.kicks,
+                           found.smallest, found.phase);
+            }
+            fmt::print("\n");
+            std::fflush(stdout);
+        }
+    }
+    fmt::print(
+        "{} attractors, {} of them without a critical kick; {} kicks each: {} have a smaller one, {} by more "
+        "than a tenth\n{:.3g} cycles an attractor for the kicks, {:.3g} ms with all that goes with it\n",
+        attractors, without, kicks, broken, by_a_tenth,
+        static_cast<double>(cycles) / static_cast<double>(attractors),
+        1e3 * seconds / static_cast<double>(attractors));
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""How far cells are from the edge of their motion, against sweeps that drag the motion to where its label changes or its force
+jumps: 500 random cells of five random rigs, along both axes. A distance that is wrong fails the part and is named, and so do
+more than 2 % of cells that say that they don't know. And the borders that summaries tell.
+
+    PETERKA_ENDURANCE_CELLS=20 tests/endurance.sh edges     of each rig, instead of 100
+"""
+
+import os
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import parts
+import edges_of_motions
+
+RIGS = 5
+CELLS = int(os.environ.get("PETERKA_ENDURANCE_CELLS", "100"))
+SEED = int(os.environ.get("PETERKA_ENDURANCE_SEED", "11"))
+
+
+def distances(folder, rig, seed):
+    """What is wrong with the distances of random cells, None where nothing is."""
+    cells = edges_of_motions.cells_of(folder, rig)
+
+    def one(number, cell, side):
+        place = folder / str(number)
+        place.mkdir()
+        return edges_of_motions.disagreement(place, rig, cells, cell, side)
+
+    chosen = edges_of_motions.random_cells(cells, CELLS, seed)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = list(pool.map(one, range(len(chosen)), *zip(*chosen)))
+    for (cell, side), words in zip(chosen, found):
+        if words is not None:
+            print(f"cell {cell}, {side}: {words}", flush=True)
+    return found
+
+
+def borders(folder, rig):
+    """Whether each border that is told at three gaps is one."""
+    low, high = edges_of_motions.window_of(rig)["gap_ratio"]
+    found = []
+    for gap in (low + share * (high - low) for share in (0.2, 0.5, 0.8)):
+        for place in [told for told in edges_of_motions.borders_told(folder, rig, gap) if told[0] > 0]:
+            found.append(edges_of_motions.is_border(folder, rig, gap, *place))
+            if not found[-1]:
+                print(f"gap/A0 {gap:.6g}: {place} is no border", flush=True)
+    return found
+
+
+def main():
+    told, bordering = [], []
+    for number, rig in enumerate(edges_of_motions.random_rigs(SEED, RIGS)):
+        print(rig, flush=True)
+        with tempfile.TemporaryDirectory() as folder:
+            told += distances(Path(folder), rig, number)
+            bordering += borders(Path(folder), rig)
+    unknown = told.count("unknown")
+    wrong = len(told) - told.count(None) - unknown
+    parts.row(f"distance to the edge of a cell's motion, against dragging it there: cells of {RIGS} random rigs", len(told),
+              f"{wrong} wrong, {unknown} say that they don't know")
+    parts.row(f"a border of a regime, against the motions that 512 starts find on either side: {RIGS} random rigs", len(bordering),
+              f"{bordering.count(False)} where as many motions have the label on both sides")
+    return 1 if wrong > 0 or unknown > 0.02 * len(told) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

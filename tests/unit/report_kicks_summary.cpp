@@ -1,0 +1,94 @@
+// What the critical kicks of many cells say together, and in words.
+#include "report/kicks_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "findings/kick_counts.hpp"
+
+namespace peterka {
+namespace {
+
+using findings::KickCounts;
+using quantities::StoredAttractor;
+using quantities::StoredCell;
+
+StoredAttractor attractor(const cell::Kick& kick) {
+    StoredAttractor attractor;
+    attractor.kick = kick;
+    return attractor;
+}
+
+job::Job job_with_kicks(std::int64_t starts) {
+    job::Job job;
+    job.starts.count = starts;
+    job.output.fields = {cell::OptionalField::critical_kick};
+    return job;
+}
+
+const cell::Kick thrown{0.33, 0.25, 0.33, -1};
+const cell::Kick harder{0.5, 1.75, 0.5, 1};
+const cell::Kick none{.tried = 4.5};
+const cell::Kick not_tried;
+
+KickCounts counts_of_some() {
+    KickCounts counts;
+    for (const std::vector<StoredAttractor>& here : std::vector<std::vector<StoredAttractor>>{
+             {attractor(not_tried), attractor(harder)},  // chaos has the largest share
+             {attractor(thrown)},
+             {attractor(none), attractor(thrown)},  // that of the largest share counts
+             {attractor(none)},
+             {attractor(not_tried)}}) {
+        add_kick(counts, here);
+    }
+    return counts;
+}
+
+TEST(KickCounts, AreOfTheOrbitWithTheLargestShareInAnyGrouping) {
+    const KickCounts counts = counts_of_some();
+    EXPECT_EQ(counts.kicked, 4);
+    EXPECT_EQ(counts.thrown, 2);
+    EXPECT_EQ(counts.alone, 1);
+    EXPECT_EQ(counts.smallest, 0.33);
+    EXPECT_EQ(counts.phase, 0.25);
+    EXPECT_EQ(counts.least_tried, 4.5);
+    KickCounts grouped;
+    grouped.add({});
+    grouped.add(counts);
+    grouped.add({});
+    EXPECT_EQ(grouped.smallest, 0.33);
+    EXPECT_EQ(grouped.phase, 0.25);
+    EXPECT_EQ(grouped.least_tried, 4.5);
+}
+
+TEST(KicksSummary, TellsApartWhatThrowsWhatDoesNotAndOneMotionAlone) {
+    const std::string text = kicks_summary(job_with_kicks(16), counts_of_some());
+    EXPECT_NE(text.find("in 4 cells, of its orbit with the largest share"), std::string::npos) << text;
+    EXPECT_NE(
+        text.find("50.0 % of these cells: a kick leads elsewhere, the smallest one found 330 mm/s at phase "
+                  "0.250 cycles"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("25.0 % of these cells: none found up to 4.5 m/s"), std::string::npos) << text;
+    EXPECT_NE(text.find("25.0 % of these cells: one motion alone is known, and none found up to 4.5 m/s"),
+              std::string::npos)
+        << text;
+}
+
+// Without [starts] nobody knows of other motions.
+TEST(KicksSummary, OfACellsOwnMotionSaysNothingOfOthers) {
+    KickCounts counts;
+    StoredCell cell;
+    cell.kick = none;
+    add_kick(counts, cell);
+    add_kick(counts, StoredCell{});
+    const std::string text = kicks_summary(job_with_kicks(0), counts);
+    EXPECT_NE(text.find("in 1 cells\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("none found up to 4.5 m/s"), std::string::npos) << text;
+    EXPECT_EQ(text.find("alone"), std::string::npos) << text;
+    EXPECT_EQ(kicks_summary({}, counts), "");
+}
+
+}  // namespace
+}  // namespace peterka
