@@ -9,7 +9,7 @@ computed again while they move. All fields of a map of up to a million cells are
 larger one z and peak force, to so many digits that the page stays below 10 MB, or those that --layers names. --every 4
 takes each 4th row and column of a map of more than 16,777,216 cells.
 The engine is built when it is first needed, which takes a minute, and kept in build/page. Without the compiler for it
-(packages: src/page/packages.txt) the page shows the map and its values, and says what is missing.
+(packages: src/page/packages.sh) the page shows the map and its values, and says what is missing.
 Exit codes: 0 done; 2 a file cannot be shown, or bad arguments; 3 the page cannot be written.
 """
 

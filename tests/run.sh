@@ -20,7 +20,7 @@ else
     has_option --all && chosen=() || chosen=("$@")
     # The page of explore.py: what builds its engine, and a browser.
     # shellcheck disable=SC2046
-    jobs/prepare.sh $(cat src/page/packages.txt) chromium chromium-driver python3-selenium
+    jobs/prepare.sh $(src/page/packages.sh) chromium chromium-driver python3-selenium
 fi
 . jobs/mpi_environment.sh
 # One more than there are cores: some tests wait for what they have started.

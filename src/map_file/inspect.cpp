@@ -10,12 +10,14 @@
 #include <system_error>
 #include <vector>
 
+#include "cell/labels.hpp"
 #include "hdf5/attributes.hpp"
 #include "hdf5/block.hpp"
 #include "hdf5/checked.hpp"
 #include "hdf5/hdf5.hpp"
 #include "hdf5/stored.hpp"
 #include "job/write.hpp"
+#include "map_file/arithmetic.hpp"
 #include "map_file/job_difference.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/make_layout.hpp"
@@ -99,17 +101,6 @@ void require_datasets(const hdf5::Checked& check, const hdf5::FileId& file, cons
     }
 }
 
-void require_arithmetic(const std::filesystem::path& path, const hdf5::FileId& file) {
-    const std::string in_file = hdf5::read_text(file.id(), attribute::arithmetic).value_or("nothing known");
-    if (in_file == arithmetic()) return;
-    refuse(path,
-           fmt::format(
-               "was computed with other arithmetic ({}; this machine: {}), so the rest would not fit to the "
-               "last bit",
-               harmless(in_file), arithmetic()),
-           "Resume on a machine like the first, or start over with --fresh.");
-}
-
 bool is_finished(const hdf5::Checked& check, const hdf5::FileId& file) {
     const hdf5::DiskFile disk(check.path());
     return hdf5::get_number({check, file.id(), disk}, path::finished, hdf5::Number::int8) == 1;
@@ -138,6 +129,46 @@ bool all_tiles_done(const hdf5::Checked& check, const hdf5::FileId& file, const 
     return true;
 }
 
+// The file says which cells SUNDIALS carried from [start]. From other starts it may have carried any of them, and
+// an audit, which follows the last tile, is its work.
+bool holds_what_sundials_carried(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {
+    if (job.starts.count > 0 || (job.audit.cells > 0 && all_tiles_done(check, file, job))) return true;
+    const hdf5::DiskFile disk(check.path());
+    const hdf5::Stored engines({check, file.id(), disk}, path::engine, hdf5::Number::int8);
+    const parallel::Tiling tiles = tiling(job);
+    for (std::int64_t i = 0; i < tiles.count(); ++i) {
+        const hdf5::Block cells(tiles.tile(i));
+        std::vector<std::int8_t> carried_by(engines.bytes(cells));
+        engines.read(cells, carried_by.data());
+        const bool integrated = std::ranges::any_of(carried_by, [](std::int8_t engine) {
+            return engine == static_cast<std::int8_t>(cell::Engine::cvode) ||
+                   engine == static_cast<std::int8_t>(cell::Engine::arkode);
+        });
+        if (integrated) return true;
+    }
+    return false;
+}
+
+void refuse_to_go_on(const std::filesystem::path& path, const std::string& with, const std::string& in_file,
+                     const std::string& here) {
+    refuse(path,
+           fmt::format("was computed with {} ({}; this machine: {}), so the rest would not fit to the last bit",
+                       with, harmless(in_file), here),
+           "Resume on a machine like the first, or start over with --fresh.");
+}
+
+void require_arithmetic(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {
+    const auto in_file = [&](const char* name) {
+        return hdf5::read_text(file.id(), name).value_or("nothing known");
+    };
+    const std::string computed_with = in_file(attribute::arithmetic);
+    if (computed_with != arithmetic())
+        refuse_to_go_on(check.path(), "other arithmetic", computed_with, arithmetic());
+    const std::string integrated_with = in_file(attribute::sundials);
+    if (integrated_with != sundials_version() && holds_what_sundials_carried(check, file, job))
+        refuse_to_go_on(check.path(), "another release of SUNDIALS", integrated_with, sundials_version());
+}
+
 }  // namespace
 
 Existing inspect(const std::filesystem::path& path, const job::Job& job) {
@@ -157,7 +188,7 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
         require_seal(check, file, Sealed::whole);
         return Existing::complete;
     }
-    require_arithmetic(path, file);
+    require_arithmetic(check, file, job);
     require_seal(check, file, Sealed::frame);
     if (::access(path.c_str(), W_OK) != 0) {
         const std::string reason = std::generic_category().message(errno);

@@ -54,6 +54,7 @@ struct DatasetPlan {
 
 // Paths that the program itself reads or writes by name.
 namespace path {
+inline constexpr const char* engine = "/engine";
 inline constexpr const char* done = "/tiles/done";
 inline constexpr const char* checksum = "/tiles/checksum";
 inline constexpr const char* tile_seconds = "/run/tile_seconds";

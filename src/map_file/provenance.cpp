@@ -8,11 +8,7 @@
 
 #include <array>
 
-#include "batch/cycle_kernel.hpp"
-
-#ifdef __GLIBC__
-#include <gnu/libc-version.h>
-#endif
+#include "map_file/arithmetic.hpp"
 
 // Made by the build (support/version.cmake).
 #if __has_include("version.hpp")
@@ -46,35 +42,12 @@ std::string mpi_version() {
     return all.substr(0, all.find_first_of(",\n"));
 }
 
+}  // namespace
+
 std::string sundials_version() {
     std::array<char, 32> text{};
     SUNDIALSGetVersion(text.data(), static_cast<int>(text.size()));
     return text.data();
-}
-
-std::string math_library() {
-#ifdef __GLIBC__
-    return fmt::format("glibc {}", gnu_get_libc_version());
-#else
-    return "unknown C library";
-#endif
-}
-
-}  // namespace
-
-std::string arithmetic() {
-#if defined(__x86_64__)
-    const std::string scalar = __builtin_cpu_supports("fma") != 0 ? "x86-64, libm with fma" : "x86-64, libm";
-#elif defined(__aarch64__)
-    const std::string scalar = "aarch64, libm";
-#elif defined(__powerpc64__)
-    const std::string scalar = "ppc64, libm";
-#elif defined(__riscv)
-    const std::string scalar = "riscv, libm";
-#else
-    const std::string scalar = "other, libm";
-#endif
-    return fmt::format("{} {}, vectors {}", scalar, math_library(), batch::arithmetic());
 }
 
 Provenance collect_provenance() {

@@ -14,12 +14,12 @@ struct Provenance {
     std::string sundials;
     std::string eigen;
     std::string fmt;
-    std::string arithmetic;  // the instruction path: files made with different ones may differ in the last bits
+    std::string arithmetic;  // map_file/arithmetic.hpp: files made with different ones may differ in the last bits
 };
 
 [[nodiscard]] Provenance collect_provenance();
 
-// The arithmetic this process computes with, e.g. "x86-64 scalar double, glibc 2.36, fma".
-[[nodiscard]] std::string arithmetic();
+// Of the library that is loaded, e.g. "7.1.1".
+[[nodiscard]] std::string sundials_version();
 
 }  // namespace peterka::map_file

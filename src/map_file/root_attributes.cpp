@@ -83,7 +83,7 @@ void write_root_attributes(const hdf5::Checked& check, hid_t file, const job::Jo
     write("git_commit", provenance.git_commit);
     write("hdf5_version", provenance.hdf5);
     write("mpi_version", provenance.mpi);
-    write("sundials_version", provenance.sundials);
+    write(attribute::sundials, provenance.sundials);
     write("eigen_version", provenance.eigen);
     write("fmt_version", provenance.fmt);
     write(attribute::arithmetic, provenance.arithmetic);

@@ -15,6 +15,7 @@ inline constexpr const char* kind = "peterka_kind";
 inline constexpr const char* job = "job";
 inline constexpr const char* job_identity = "job_identity";
 inline constexpr const char* arithmetic = "arithmetic";
+inline constexpr const char* sundials = "sundials_version";
 }  // namespace attribute
 
 void write_root_attributes(const hdf5::Checked& check, hid_t file, const job::Job& job,

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Builds the engine for browsers: WebAssembly by clang, with wasi's C library and nothing of an operating system.
 #   src/page/build_wasm.sh OUTPUT.wasm
-# On Debian 12: apt-get install $(cat src/page/packages.txt)
+# Its packages: apt-get install $(src/page/packages.sh)
 # CXX_WASM names another clang. Nothing is fused and no pass may reorder: bits are those of machines without fused
 # multiply-add, but for sin, cos and exp, which are those of another C library.
 set -euo pipefail
 output=$(realpath -m "$1")
 cd "$(dirname "$0")/.."
 
-compiler=${CXX_WASM:-clang++-16}
+compiler=${CXX_WASM:-$(command -v clang++-16 || echo clang++)}  # 16 where the release's own is older
 command -v "$compiler" >/dev/null || { echo "$compiler is not here" >&2; exit 1; }
 version=$("$compiler" -dumpversion)
 headers=$(realpath -m "$("$compiler" -print-resource-dir)/../../../include/wasm32-wasi/c++/v1")

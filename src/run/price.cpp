@@ -153,8 +153,10 @@ std::string starts_price(const job::Job& job) {
 }
 
 // How often chaos strikes is known only of what was computed: in one cycle of four, or more, nearly everywhere.
+// So it is an upper estimate, and worth a word only where it is far above what the job allows.
 std::string long_chaos_price(const job::Job& job) {
     constexpr double impacts = 0.25;
+    constexpr std::int64_t far = 2;
     const scene::Scene scene(job);
     std::int64_t cycles = 0;
     for (const std::int64_t row : {std::int64_t{0}, scene.rows() - 1}) {
@@ -163,7 +165,7 @@ std::string long_chaos_price(const job::Job& job) {
                                                                job.steady_state, impacts));
         }
     }
-    if (cycles <= job.steady_state.max_cycles) return "";
+    if (cycles <= far * job.steady_state.max_cycles) return "";
     const double seconds = static_cast<double>(cycles) * microseconds_of_a_cycle(job) * 1e-6;
     return fmt::format(
         "#   chaos    takes up to some {} cycles to be told from a long transient where the rig loses least, "

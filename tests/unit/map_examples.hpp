@@ -13,6 +13,7 @@
 
 #include "attractors/solved_cell.hpp"
 #include "job/job.hpp"
+#include "map_file/arithmetic.hpp"
 #include "map_file/provenance.hpp"
 #include "parallel/tiles.hpp"
 #include "quantities/fields.hpp"
@@ -77,7 +78,7 @@ inline job::Job small_basin(std::int64_t rows, std::int64_t columns) {
 }
 
 inline Provenance made_by() {
-    return {"1.2.3", "abcdef", "1.10", "MPI 4", "6.4", "3.4", "9.1", arithmetic()};
+    return {"1.2.3", "abcdef", "1.10", "MPI 4", sundials_version(), "3.4", "9.1", arithmetic()};
 }
 
 // Six kinds of cells, of which the periodic ones lie on one of `orbits` orbits.

@@ -204,5 +204,37 @@ TEST_F(OutputInspect, OtherArithmeticCannotBeResumedButIsCompleteOnceComplete) {
     EXPECT_EQ(inspect(path_, job_), Existing::complete);
 }
 
+class OtherSundials : public OutputInspect {
+  protected:
+    void SetUp() override {
+        Provenance other = examples::made_by();
+        other.sundials = "5.0.0";
+        make_file(path_, job_, other);
+    }
+
+    void write_tile(cell::Engine engine) {
+        change([&](const hdf5::Checked& check, hid_t file) {
+            const hdf5::DiskFile disk(path_);
+            TileStore store({check, file, disk}, job_);
+            const parallel::Tile tile = store.tiling().tile(1);
+            std::vector<quantities::StoredCell> cells = examples::made_up_stored_cells(tile);
+            cells.back().engine = engine;
+            store.write(tile, cells, {});
+        });
+    }
+};
+
+TEST_F(OtherSundials, ConcernsOnlyCellsThatItCarried) {
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+    write_tile(cell::Engine::split);
+    EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+    for (const auto engine : {cell::Engine::cvode, cell::Engine::arkode}) {
+        write_tile(engine);
+        expect_refused("was computed with another release of SUNDIALS (5.0.0;");
+        write_tile(cell::Engine::exact);
+        EXPECT_EQ(inspect(path_, job_), Existing::resumable);
+    }
+}
+
 }  // namespace
 }  // namespace peterka::map_file

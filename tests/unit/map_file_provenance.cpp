@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "batch/cycle_kernel.hpp"
-
 namespace peterka::map_file {
 namespace {
 
@@ -18,17 +16,6 @@ TEST(OutputProvenance, NamesEveryVersion) {
     EXPECT_FALSE(made_by.fmt.empty());
     EXPECT_FALSE(made_by.program_version.empty());
     EXPECT_FALSE(made_by.git_commit.empty());
-}
-
-TEST(OutputProvenance, ArithmeticSaysWhichInstructionsComputed) {
-    EXPECT_EQ(arithmetic(), arithmetic());
-    EXPECT_EQ(collect_provenance().arithmetic, arithmetic());
-#if defined(__x86_64__)
-    EXPECT_TRUE(arithmetic().starts_with("x86-64, libm")) << arithmetic();
-    EXPECT_EQ(arithmetic().find("libm with fma") != std::string::npos, __builtin_cpu_supports("fma") != 0)
-        << arithmetic();
-    EXPECT_TRUE(arithmetic().ends_with(", vectors " + std::string(batch::arithmetic()))) << arithmetic();
-#endif
 }
 
 }  // namespace

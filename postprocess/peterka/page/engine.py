@@ -47,8 +47,8 @@ def _build(built):
         raise NoEngine(f"the engine cannot be built: {error}") from error
     if outcome.returncode != 0:
         lines = outcome.stderr.strip().splitlines() or ["it says nothing"]
-        packages = " ".join((SCRIPT.with_name("packages.txt")).read_text().split())
-        raise NoEngine(f"the engine cannot be built: {lines[0][:200]}; on Debian 12: apt-get install {packages}")
+        packages = subprocess.run([SCRIPT.with_name("packages.sh")], capture_output=True, text=True, check=False).stdout
+        raise NoEngine(f"the engine cannot be built: {lines[0][:200]}; on Debian: apt-get install {packages.strip()}")
     for old in built.parent.glob("engine-*.wasm"):
         if old != built:
             old.unlink(missing_ok=True)
