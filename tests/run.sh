@@ -2,12 +2,13 @@
 # Installs what is missing, builds, and runs tests: C++ units, MPI tests, the program under mpirun, the pictures.
 #   tests/run.sh                  all but those that go through a whole range of cases, and those in a browser
 #   tests/run.sh --all            all, as .ci/run does at each commit; more than twice as long
+#   tests/run.sh --core           functions, what ranks do together, bad jobs, files in their readers: two minutes after the build
 #   tests/run.sh -R PATTERN       of all, those whose name matches
 #   tests/run.sh --rerun-failed   of all, those that failed the last time
 # tests/style.sh has formatting and static analysis.
 set -euo pipefail
 . "$(dirname "$0")/../jobs/arguments.sh"
-read_arguments "--all -R --rerun-failed" 1 "$@"
+read_arguments "--all --core -R --rerun-failed" 1 "$@"
 ! has_option -R || [ ${#words[@]} = 1 ] || refuse "-R wants a pattern"
 has_option -R || [ ${#words[@]} = 0 ] || refuse "${words[0]} follows no -R"
 [ ${#options[@]} -lt 2 ] || refuse "one option at a time"
@@ -15,6 +16,9 @@ cd "$(dirname "$0")/.."
 
 if [ ${#options[@]} = 0 ]; then
     chosen=(--label-exclude thorough)
+    jobs/prepare.sh
+elif has_option --core; then
+    chosen=(-R '[.]|^mpi_tests|^job$|^output$')  # functions' tests are named SUITE.CASE
     jobs/prepare.sh
 else
     has_option --all && chosen=() || chosen=("$@")
