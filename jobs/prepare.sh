@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing and builds peterka into build/, with its tests. Safe to repeat. Used by the other scripts.
-#   jobs/prepare.sh [--program | --packages] [EXTRA_PACKAGE...]     on Debian 12, Ubuntu 24.04 or later; as root or with sudo
+#   jobs/prepare.sh [--program | --packages] [EXTRA_PACKAGE...]     on Debian 12 or 13, as root or with sudo
 #   --program    the program alone, without its tests
 #   --packages   installs, and builds nothing
 set -euo pipefail

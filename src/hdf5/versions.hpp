@@ -1,5 +1,5 @@
 // What releases of HDF5 have under different names: objects of a file are told apart by their address
-// until 1.10 (Debian 12, Ubuntu 24.04) and by a token from 1.12 on (Debian 13). Nothing else asks for a
+// until 1.10 (Debian 12) and by a token from 1.12 on (Debian 13). Nothing else asks for a
 // release.
 #pragma once
 

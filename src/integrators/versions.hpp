@@ -1,5 +1,5 @@
-// What releases of SUNDIALS have under different names, in the words of the newest: 6.4 to 6.7 (Debian 12,
-// Ubuntu 24.04), 7.0, and from 7.1 on (Debian 13). Nothing else asks for a release.
+// What releases of SUNDIALS have under different names, in the words of the newest: 6.4 to 6.7 (Debian 12),
+// 7.0, and from 7.1 on (Debian 13). Nothing else asks for a release.
 #pragma once
 
 #include <arkode/arkode_arkstep.h>
