@@ -56,7 +56,7 @@ def _labels(file):
     return "\n\n".join([
         "## What errors do to a map",
         f"{harmless(file.title, page=True)}: a map of {file.table.cells} cells, solved with each method: cells whose regime or z = p/q is not that of the "
-        "reference run, and cells without a proof.",
+        "reference run, and unverified cells.",
         labels_table(file.table),
         _picture(file),
     ])

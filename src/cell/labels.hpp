@@ -20,7 +20,7 @@ inline constexpr std::int8_t regime_not_computed = -128;
 // Why a cell is unresolved or failed, or what its proof leaves open; `verified` for all others.
 enum class Status : std::int8_t {
     verified = 0,
-    budget = 1,           // max_cycles ran out before any proof
+    budget = 1,           // max_cycles ran out before anything was verified
     conservative = 2,     // nothing dissipates, so nothing settles
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers

@@ -24,14 +24,14 @@ std::string regime_line(const Statistics& statistics, Regime regime, const char*
                        readable_share(cells, statistics.counts.cells), meaning);
 }
 
-// What a cell without a regime ran into, or what a proof leaves open.
+// What a cell without a regime ran into, or what is left open.
 const char* in_words(regime::Status status) {
     using regime::Status;
     switch (status) {
         case Status::verified:
             return "verified";
         case Status::budget:
-            return "no proof within steady_state.max_cycles";
+            return "nothing verified within steady_state.max_cycles";
         case Status::conservative:
             return "nothing dissipates, so nothing settles";
         case Status::too_many_events:
@@ -72,7 +72,7 @@ std::string observed(const findings::Observed& chaos) {
     return fmt::format("chaotic for the {} cycles that were observed; it may settle later", cycles);
 }
 
-// What proofs leave open.
+// What is left open of what was verified.
 std::string open_ends(const findings::Counts& counts) {
     std::string text;
     for (std::size_t status = 1; status < counts.open_by_status.size();

@@ -1,4 +1,4 @@
-// What the cells of a map settle into, and what their proofs leave open.
+// What the cells of a map settle into, and what is left open there.
 #pragma once
 
 #include <string>

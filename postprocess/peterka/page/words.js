@@ -22,9 +22,9 @@ function meaning({ regime, impacts, period }) {
   }[regime];
 }
 
-// By the number of a status; a proof, too, may leave something open.
+// By the number of a status; what was verified, too, may leave something open.
 const WHY = {
-  1: "the budget ran out before any proof",
+  1: "the budget ran out before anything was verified",
   2: "nothing dissipates, so nothing settles",
   3: "there were too many contacts in one cycle",
   4: "the numbers ran out of range",

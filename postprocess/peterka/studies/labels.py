@@ -1,4 +1,4 @@
-"""Labels of a small map by each method and tolerance: share of cells with another label, and of cells without a proof,
+"""Labels of a small map by each method and tolerance: share of cells with another label, and of unverified cells,
 against computing time.
 
 Another label is another regime, p or q than the most careful run's. Shares of 0 have a place of their own at the foot
@@ -33,7 +33,7 @@ def draw(file: StudyFile, ax: Axes | None = None) -> list[Axes] | None:
         for method in methods
     ]
     figure, panels = axes.diagram(WIDTH, HEIGHT, handles, panels=2, ax=ax)
-    names = ("cells with another\nlabel (%)", "cells without\na proof (%)")
+    names = ("cells with another\nlabel (%)", "unverified\ncells (%)")
     for ax, shares, name in zip(panels, (table.changed_share, table.unproved_share), names):
         for method in methods:
             runs = np.flatnonzero(usable & (table.method == method) & np.isfinite(shares))

@@ -47,7 +47,7 @@ def labels_table(table: Labels) -> str:
                 _percent(table.changed_share[run]), _percent(table.unproved_share[run]),
                 _times(table.seconds_per_cell[run] / reference),
             ])
-    return _markdown(["method", "tolerance", "other labels", "without a proof", f"time, {unit}"], rows)
+    return _markdown(["method", "tolerance", "other labels", "unverified", f"time, {unit}"], rows)
 
 
 def stability_table(table: Stability) -> str:
