@@ -52,7 +52,8 @@ def computing(process):
         try:
             if os.readlink(f"/proc/{pid}/exe") == str(BINARY):
                 found.append(pid)
-            ahead += map(int, Path(f"/proc/{pid}/task/{pid}/children").read_text().split())
+            for thread in Path(f"/proc/{pid}/task").iterdir():  # Open MPI 5 starts ranks from one of mpirun's
+                ahead += map(int, (thread / "children").read_text().split())
         except (FileNotFoundError, ProcessLookupError):
             pass  # it has ended meanwhile
     return sorted(found)
