@@ -56,8 +56,8 @@ class LibraryResults {
     template <typename Function>
     void take(Function function) {
         constexpr int arguments = 16384;
-        // Its multiples are spread evenly between 0 and 1. Volatile, as a compiler computes values of functions that
-        // it knows beforehand by itself, and otherwise than the library.
+        // Its multiples are spread evenly between 0 and 1. Volatile, as a compiler computes values of functions
+        // that it knows beforehand by itself, and otherwise than the library.
         const volatile double golden = 0.6180339887498949;
         for (int i = 1; i <= arguments; ++i) {
             const double multiple = i * golden;

@@ -129,8 +129,8 @@ bool all_tiles_done(const hdf5::Checked& check, const hdf5::FileId& file, const 
     return true;
 }
 
-// The file says which cells SUNDIALS carried from [start]. From other starts it may have carried any of them, and
-// an audit, which follows the last tile, is its work.
+// The file says which cells SUNDIALS carried from [start]. From other starts it may have carried any of them,
+// and an audit, which follows the last tile, is its work.
 bool holds_what_sundials_carried(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {
     if (job.starts.count > 0 || (job.audit.cells > 0 && all_tiles_done(check, file, job))) return true;
     const hdf5::DiskFile disk(check.path());

@@ -14,7 +14,8 @@ struct Provenance {
     std::string sundials;
     std::string eigen;
     std::string fmt;
-    std::string arithmetic;  // map_file/arithmetic.hpp: files made with different ones may differ in the last bits
+    std::string
+        arithmetic;  // map_file/arithmetic.hpp: files made with different ones may differ in the last bits
 };
 
 [[nodiscard]] Provenance collect_provenance();
