@@ -6,6 +6,7 @@
 
 #include "attractors/cell_crowd.hpp"
 #include "attractors/start_sequence.hpp"
+#include "attractors/tally.hpp"
 #include "regime/same_attractor.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
@@ -44,8 +45,9 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
     const regime::CellResult& result = first.result;
     cell.start =
         regime::has_period(result.regime)
-            ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
-            : start_of(job.starts, cell.oscillator, first.start);
+        ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
+        : first.start == Tally::no_start ? cell.start
+                                         : start_of(job.starts, cell.oscillator, first.start);
     SteadyMotion motion(room);
     regime::CycleDesk desk;
     const Task<regime::CellResult> search = regime::solve_cell(desk, job, cell, {}, &motion);

@@ -124,6 +124,7 @@ void CellSearch::take_starts(std::span<const Ended> ended) {
         solved_.cell = ended.front().result;
         prospects_.take(solved_.cell);
         take_found(ended.front().found);
+        own_ = Tally::entry_of(solved_.cell, ended.front().found);
         if (count() == 0) tally_.add(solved_.cell, ended.front().found);
         ended = ended.subspan(1);
     }
@@ -218,7 +219,7 @@ std::vector<Begin> CellSearch::finish_starts() {
 
 void CellSearch::tell_attractors() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
-    kept_.resize(std::min(kept_.size(), static_cast<std::size_t>(setting_.of_starts.starts.attractors)));
+    keep_most(kept_, own_, static_cast<std::size_t>(setting_.of_starts.starts.attractors));
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
     for (const Tally::Entry& entry : kept_) {
         solved_.attractors.push_back(as_attractor(entry, count()));

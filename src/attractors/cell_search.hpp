@@ -92,6 +92,7 @@ class CellSearch {
     };
     std::vector<Learned> learned_;
     regime::AttractorTable table_;
+    Tally::Entry own_;  // of [start]
     std::vector<Tally::Entry> kept_;
     std::optional<Kicks> kicks_;
     SolvedCell solved_;

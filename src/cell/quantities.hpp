@@ -234,8 +234,8 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"critical_kick_phase", of_attractor([](auto& attractor) -> auto& { return attractor.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", of_attractor([](auto& attractor) -> auto& { return attractor.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", of_attractor([](auto& attractor) -> auto& { return attractor.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
-    {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", of_kicks, never, usual, {}, {}, 3},
-    {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", of_kicks, never, usual, {}, {}, 3},
+    {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", always, never, usual, {}, {}, 3},
+    {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", always, never, usual, {}, {}, 3},
 };
 // clang-format on
 

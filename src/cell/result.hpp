@@ -106,4 +106,9 @@ inline bool has_period(Regime regime) {
     return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
 }
 
+// Whether a result of this regime tells a motion: those that are unresolved or failed may be on any.
+inline bool is_motion(Regime regime) {
+    return regime != Regime::unresolved && regime != Regime::failed;
+}
+
 }  // namespace peterka::cell
