@@ -67,6 +67,7 @@ void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std:
     std::vector<Tally::Entry> last;
     if (found >= static_cast<std::int32_t>(most)) last.push_back(ordered[static_cast<std::size_t>(found)]);
     if (found < 0 && cell::is_motion(own.result.regime)) last.push_back(own);
+    if (most == 1) last.clear();  // the largest share stays
     ordered.resize(std::min(ordered.size(), most - last.size()));
     ordered.insert(ordered.end(), last.begin(), last.end());
 }

@@ -37,8 +37,8 @@ void add_known(quantities::StoredCell& cell, Slots& slots, std::span<const quant
                std::int64_t kept) {
     const std::int64_t shares = with_share(slots);
     slots.insert(slots.end(), known.begin(), known.end());
-    // the smallest shares give way, but not that of [start], which is known, too
-    for (std::int64_t slot = shares - 1; slot >= 0 && std::ssize(slots) > kept; --slot) {
+    // the smallest shares give way, but neither the largest nor that of [start], which is known, too
+    for (std::int64_t slot = shares - 1; slot > 0 && std::ssize(slots) > kept; --slot) {
         if (slot == cell.start_attractor) continue;
         slots.erase(slots.begin() + slot);
         if (slot < cell.start_attractor) --cell.start_attractor;
