@@ -219,7 +219,8 @@ std::vector<Begin> CellSearch::finish_starts() {
 
 void CellSearch::tell_attractors() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
-    keep_most(kept_, own_, static_cast<std::size_t>(setting_.of_starts.starts.attractors));
+    const auto kept = static_cast<std::size_t>(setting_.of_starts.starts.attractors);
+    keep_most(kept_, own_, setting_.ends == Ends::firsts ? kept_.size() + 1 : kept);
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
     for (const Tally::Entry& entry : kept_) {
         solved_.attractors.push_back(as_attractor(entry, count()));

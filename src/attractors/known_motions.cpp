@@ -19,24 +19,6 @@ bool can_be_followed(const KnownMotion& motion) {
     return motion.regime == Regime::periodic || motion.regime == Regime::sustained_contact;
 }
 
-KnownMotion motion_of(const cell::CellResult& result) {
-    return {.regime = result.regime,
-            .impacts = result.impacts,
-            .period = result.period,
-            .displacement = result.orbit_displacement,
-            .velocity = result.orbit_velocity};
-}
-
-CellAttractor attractor_of(const cell::CellResult& result) {
-    return {.regime = result.regime,
-            .status = result.status,
-            .impacts = result.impacts,
-            .period = result.period,
-            .peak_force = result.peak_force,
-            .orbit_displacement = result.orbit_displacement,
-            .orbit_velocity = result.orbit_velocity};
-}
-
 }  // namespace
 
 KnownMotions::KnownMotions(const scene::Scene& scene, std::int64_t first, std::int64_t end,
@@ -47,6 +29,14 @@ KnownMotions::KnownMotions(const scene::Scene& scene, std::int64_t first, std::i
       end_(end),
       look_(std::move(look)),
       cells_(static_cast<std::size_t>((end - first) * scene.columns())) {}
+
+KnownMotion KnownMotions::motion_of(const cell::CellResult& result) {
+    return {.regime = result.regime,
+            .impacts = result.impacts,
+            .period = result.period,
+            .displacement = result.orbit_displacement,
+            .velocity = result.orbit_velocity};
+}
 
 void KnownMotions::add(std::int64_t cell, std::vector<KnownMotion> known) {
     of(cell) = {true, std::move(known)};
@@ -106,7 +96,7 @@ std::vector<KnownMotions::Found> KnownMotions::solve(const std::vector<Attempt>&
         std::vector<KnownMotion>& known = of(cell).known;
         if (is_known(motion, known, scene_of(cell).oscillator)) continue;
         known.push_back(motion);
-        found.push_back({cell, attractor_of(results[i])});
+        found.push_back({cell, results[i]});
     }
     return found;
 }

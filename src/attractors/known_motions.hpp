@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "attractors/continued_motion.hpp"
-#include "attractors/solved_cell.hpp"
 #include "job/job.hpp"
 #include "scene/scene.hpp"
 
@@ -27,8 +26,10 @@ class KnownMotions {
     };
     struct Found {
         std::int64_t cell;
-        CellAttractor attractor;
+        cell::CellResult result;
     };
+
+    [[nodiscard]] static KnownMotion motion_of(const cell::CellResult& result);
 
     // Of the rows from `first` up to `end`. `look`, called every now and then, may throw. The scene must outlive
     // this.

@@ -73,14 +73,19 @@ void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std:
 }
 
 CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts) {
-    return {.regime = entry.result.regime,
-            .status = entry.result.status,
-            .impacts = entry.result.impacts,
-            .period = entry.result.period,
-            .peak_force = entry.result.peak_force,
-            .share = static_cast<double>(entry.starts) / static_cast<double>(all_starts),
-            .orbit_displacement = entry.result.orbit_displacement,
-            .orbit_velocity = entry.result.orbit_velocity};
+    CellAttractor attractor = without_share(entry.result);
+    attractor.share = static_cast<double>(entry.starts) / static_cast<double>(all_starts);
+    return attractor;
+}
+
+CellAttractor without_share(const regime::CellResult& result) {
+    return {.regime = result.regime,
+            .status = result.status,
+            .impacts = result.impacts,
+            .period = result.period,
+            .peak_force = result.peak_force,
+            .orbit_displacement = result.orbit_displacement,
+            .orbit_velocity = result.orbit_velocity};
 }
 
 }  // namespace peterka::attractors

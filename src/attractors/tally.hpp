@@ -49,5 +49,7 @@ class Tally {
 void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std::size_t most);
 
 [[nodiscard]] CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts);
+// What is known though no start ended on it.
+[[nodiscard]] CellAttractor without_share(const regime::CellResult& result);
 
 }  // namespace peterka::attractors

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "attractors/known_motions.hpp"
+#include "attractors/tally.hpp"
 #include "map_file/known_slots.hpp"
 #include "parallel/collective.hpp"
 #include "quantities/fields.hpp"
@@ -130,14 +131,7 @@ class Rows {
 
     std::vector<KnownMotions::Known> keep(const std::vector<KnownMotions::Found>& found) {
         std::vector<KnownMotions::Known> news;
-        for (const auto& [cell, attractor] : found) {
-            news.push_back({cell,
-                            {.regime = attractor.regime,
-                             .impacts = attractor.impacts,
-                             .period = attractor.period,
-                             .displacement = attractor.orbit_displacement,
-                             .velocity = attractor.orbit_velocity}});
-        }
+        for (const auto& [cell, result] : found) news.push_back({cell, KnownMotions::motion_of(result)});
         found_.insert(found_.end(), found.begin(), found.end());
         return news;
     }
@@ -160,7 +154,9 @@ class Rows {
         const scene::Scales scales =
             scene_.cell(cell / scene_.columns(), cell % scene_.columns()).scales;
         std::vector<quantities::StoredAttractor> known;
-        for (const auto& each : found) known.push_back(quantities::in_file_units(each.attractor, scales));
+        for (const auto& each : found) {
+            known.push_back(quantities::in_file_units(attractors::without_share(each.result), scales));
+        }
         std::ranges::stable_sort(known, {}, [](const quantities::StoredAttractor& slot) {
             return std::tuple(slot.regime, slot.period, slot.impacts, slot.peak_force);
         });
