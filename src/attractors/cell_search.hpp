@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "attractors/kicks.hpp"
+#include "attractors/mean_life.hpp"
 #include "attractors/prospects.hpp"
 #include "attractors/solved_cell.hpp"
 #include "attractors/tally.hpp"
@@ -67,6 +68,8 @@ class CellSearch {
     void know_more();
     [[nodiscard]] std::vector<Begin> finish_starts();
     void tell_attractors();
+    void tell_mean_life();
+    [[nodiscard]] Sooner sooner() const;
     void take_starts(std::span<const Ended> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
     [[nodiscard]] std::vector<Begin> begin_kicks();
@@ -83,6 +86,8 @@ class CellSearch {
     std::int64_t cycles_ = 0;  // of all searches
     Tally tally_;
     Prospects prospects_;
+    bool chaos_may_end_;  // a motion without impacts, or without end of a contact, exists, too
+    MeanLife life_;
     std::vector<Known> known_;
     // Of known_, with what searches leave there.
     struct Learned {
