@@ -5,8 +5,10 @@
                        [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
 
 A place guarantees a value where the motion is one and the same p/q in all cells within --hz and --mm to either side, from all
-starts that are admitted: any (of the map's [starts] and its own; the default), at least a share of them above one half, or the
-job's own alone. Prints the best place in Hz, mm, N and W, and the ten best separate ones; draws STEM_operating_point, the
+starts that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without
+impact anywhere in the box; the default), at least a share of them above one half, or the job's own alone. It is told what of that
+is proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
+17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten best separate ones; draws STEM_operating_point, the
 guaranteed value over the map. --verify computes the box around the best place once more on a finer grid, with the same starts,
 by build/peterka (or --peterka PROGRAM), into the folder of the pictures, and says whether the guarantee holds, and by how much.
 Exit codes: 0 done, whatever came out; 2 a file cannot be read or guarantees nothing, or bad arguments; 3 a picture or the box
@@ -28,9 +30,9 @@ from peterka.files.opened import NotDrawable  # noqa: E402
 from peterka.files.regimes import PERIODIC  # noqa: E402
 from peterka.maps.comparison import label_codes  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
-from peterka.operating import picture, verify, words  # noqa: E402
+from peterka.operating import picture, told, verify, words  # noqa: E402
 from peterka.operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of  # noqa: E402
-from peterka.operating.drift import guaranteed, reach  # noqa: E402
+from peterka.operating.drift import Reach, guaranteed, reach  # noqa: E402
 from peterka.operating.places import Place, best_places  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
@@ -60,18 +62,29 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         starts = ANY if has_starts(file) else JOB
         if starts == JOB:
             tell(f"{file.path} was computed from one start alone: what other starts lead to isn't known")
+    if starts not in (ANY, JOB):
+        told.refuse_few_starts(file, starts)
     quantity = quantity_of(file, arguments.quantity)
     rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
     found = admitted(file, starts, quantity.name)
     guarantee = guaranteed(found, rows, columns, codes_of(arguments.regime))
+    asks = starts != JOB or told.has_job(file)  # a map made by hand may have none
+    stays_free = told.may_stay_free(file, rows, columns) if asks else np.zeros(file.shape, dtype=bool)
+    if starts == ANY:
+        guarantee = np.where(stays_free, np.nan, guarantee)
     places = best_places(guarantee, found, rows, columns)
     what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
     if not places:
+        inside = rows.inside[:, None] & columns.inside[None, :]
+        free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
+            starts == ANY) else ""
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
-                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}; allow less drift, or "
-                           "fewer starts")
+                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}{free}; allow less drift, or "
+                           f"{'a share of the starts (--starts share 0.9)' if starts == ANY else 'fewer starts'}")
     tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: guaranteed in "
          f"{100 * float(np.mean(np.isfinite(guarantee))):.3g} % of the map")
+    for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
+        tell(f"  {line}")
     for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
         tell(line)
     for line in words.best_lines(file, places[0], quantity, fields_at(file, places[0])):
@@ -84,6 +97,19 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
         tell(verify.text_of(file, places[0], checked, quantity))
     return DONE
+
+
+def what_is_told(file: PeterkaFile, starts: str | float, best: Place, reaches: tuple[Reach, Reach], stays_free: bool) -> list[str]:
+    """Lines: what is proved, what sampled, and which motions are left out."""
+    if starts == ANY:
+        older = [] if file.data.has("attractor_orbit_displacement") else [
+            "the file doesn't tell what is known beside its starts: compute it again with this program"]
+        return [told.text_of_proof(file), told.text_of_sampling(told.starts_of(file), None), *older]
+    if starts == JOB:
+        also = "; a motion without impact exists in the best box" if stays_free else ""
+        return [f"by computation: at the cells of a box, from this one start; others may end elsewhere{also}"]
+    return [told.text_of_sampling(told.starts_of(file), best.share),
+            told.text_of_left_out(told.left_out(file, best, *reaches), stays_free)]
 
 
 def fields_at(file: PeterkaFile, place: Place) -> dict[str, float]:

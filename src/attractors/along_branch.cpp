@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "attractors/cell_crowd.hpp"
+#include "attractors/known_motions.hpp"
 #include "attractors/start_sequence.hpp"
+#include "attractors/tally.hpp"
 #include "regime/same_attractor.hpp"
 #include "regime/scalar_engine.hpp"
 #include "regime/solve_cell.hpp"
@@ -44,13 +46,49 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
     const regime::CellResult& result = first.result;
     cell.start =
         regime::has_period(result.regime)
-            ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
-            : start_of(job.starts, cell.oscillator, first.start);
+        ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
+        : first.start == Tally::no_start ? cell.start
+                                         : start_of(job.starts, cell.oscillator, first.start);
     SteadyMotion motion(room);
     regime::CycleDesk desk;
     const Task<regime::CellResult> search = regime::solve_cell(desk, job, cell, {}, &motion);
     regime::run(search, desk, look);
     return regime::same_attractor(result, search.result()) ? motion : SteadyMotion(room);
+}
+
+void append(PointAttractors& point, const regime::CellResult& result, SteadyMotion motion) {
+    point.kept.push_back(without_share(result));
+    point.firsts.push_back({result, Tally::no_start});
+    point.motions.push_back(std::move(motion));
+}
+
+void erase(PointAttractors& point, std::ptrdiff_t slot) {
+    point.kept.erase(point.kept.begin() + slot);
+    point.firsts.erase(point.firsts.begin() + slot);
+    point.motions.erase(point.motions.begin() + slot);
+}
+
+// What other points of the row, and the closed form, know of each.
+std::vector<KnownMotions::Found> find_known(const scene::Scene& scene, std::int64_t row,
+                                            const std::vector<PointAttractors>& points,
+                                            const std::function<void()>& look) {
+    KnownMotions known(scene, row, row + 1, look);
+    std::vector<KnownMotions::Known> news;
+    std::int64_t cell = row * scene.columns();
+    for (const PointAttractors& point : points) {
+        std::vector<KnownMotion> here;
+        for (const FirstEnd& first : point.firsts) here.push_back(KnownMotions::motion_of(first.result));
+        for (const KnownMotion& motion : here) news.push_back({cell, motion});
+        known.add(cell++, std::move(here));
+    }
+    std::vector<KnownMotions::Found> found = known.free_motions();
+    while (!news.empty()) {
+        const std::vector<KnownMotions::Found> more = known.spread(news);
+        news.clear();
+        for (const auto& each : more) news.push_back({each.cell, KnownMotions::motion_of(each.result)});
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
 }
 
 }  // namespace
@@ -68,7 +106,29 @@ std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::i
         point.firsts = std::move(solved.firsts);
         for (const FirstEnd& first : point.firsts) point.motions.push_back(motion_of(job, cell, first, look));
     }
+    for (const auto& [number, result] : find_known(scene, row, points, look)) {
+        const std::int64_t column = number - row * scene.columns();
+        append(points[static_cast<std::size_t>(column)], result,
+               motion_of(job, scene.cell(row, column), {result, Tally::no_start}, look));
+    }
     return points;
+}
+
+void keep_with(PointAttractors& point, std::span<const regime::BranchPoint* const> branches,
+               std::int64_t most) {
+    for (const regime::BranchPoint* branch : branches) {
+        if (slot_of(point, branch->cell) < 0 && cell::is_motion(branch->cell.regime))
+            append(point, branch->cell, branch->motion);
+    }
+    const auto gives_way = [&](std::ptrdiff_t slot) {
+        return point.kept[static_cast<std::size_t>(slot)].share > 0 &&
+               std::ranges::none_of(branches,
+                                    [&](const auto* branch) { return slot_of(point, branch->cell) == slot; });
+    };
+    for (std::ptrdiff_t slot = std::ssize(point.kept) - 1; slot > 0 && std::ssize(point.kept) > most; --slot) {
+        if (gives_way(slot)) erase(point, slot);
+    }
+    while (std::ssize(point.kept) > most) erase(point, std::ssize(point.kept) - 1);
 }
 
 std::int32_t slot_of(const PointAttractors& point, const cell::CellResult& motion) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "attractors/continued_motion.hpp"
 #include "attractors/start_sequence.hpp"
 #include "regime/same_orbit.hpp"
 #include "regime/solve_cell.hpp"
@@ -59,7 +60,9 @@ Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_be
 }
 
 CellSearch::CellSearch(const Setting& setting, std::int64_t row, std::int64_t column)
-    : setting_(setting), cell_(setting.scene.cell(row, column)) {}
+    : setting_(setting),
+      cell_(setting.scene.cell(row, column)),
+      chaos_may_end_(cell_.oscillator.gap < 0 || may_stay_free(cell_.oscillator)) {}
 
 std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
     for (const Ended& each : ended) cycles_ += each.result.cycles;
@@ -107,7 +110,7 @@ std::vector<Begin> CellSearch::next_round() {
     const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
     for (; begun_ < end; ++begun_) {
         searches.push_back(
-            search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_), prospects_.sooner()));
+            search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_), sooner()));
     }
     return searches;
 }
@@ -119,17 +122,24 @@ Begin CellSearch::search_from(const scene::State<double>& start, Sooner sooner) 
     };
 }
 
+// Where chaos may end on a motion without impacts, only a run of its own tells whether a start has left it.
+Sooner CellSearch::sooner() const {
+    return chaos_may_end_ ? Sooner{} : prospects_.sooner();
+}
+
 void CellSearch::take_starts(std::span<const Ended> ended) {
     if (seen_ == 0) {
         solved_.cell = ended.front().result;
         prospects_.take(solved_.cell);
         take_found(ended.front().found);
+        own_ = Tally::entry_of(solved_.cell, ended.front().found);
         if (count() == 0) tally_.add(solved_.cell, ended.front().found);
         ended = ended.subspan(1);
     }
     for (const Ended& start : ended) {
         tally_.add(start.result, start.found);
         prospects_.take(start.result);
+        life_.take(start.result);
         if (setting_.ends == Ends::told) solved_.ends.push_back(start.result);
         take_found(start.found);
     }
@@ -218,12 +228,25 @@ std::vector<Begin> CellSearch::finish_starts() {
 
 void CellSearch::tell_attractors() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
-    kept_.resize(std::min(kept_.size(), static_cast<std::size_t>(setting_.of_starts.starts.attractors)));
+    const auto kept = static_cast<std::size_t>(setting_.of_starts.starts.attractors);
+    keep_most(kept_, own_, setting_.ends == Ends::firsts ? kept_.size() + 1 : kept);
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
     for (const Tally::Entry& entry : kept_) {
         solved_.attractors.push_back(as_attractor(entry, count()));
         if (setting_.ends == Ends::firsts) solved_.firsts.push_back({entry.result, entry.first});
     }
+    tell_mean_life();
+}
+
+// Of chaos, or of what is chaotic for as long as it was followed.
+void CellSearch::tell_mean_life() {
+    const auto lives = [](const CellAttractor& each) {
+        return each.regime == cell::Regime::chaotic || each.status == cell::Status::chaotic_so_far;
+    };
+    const auto slot = std::ranges::find_if(solved_.attractors, lives);
+    if (slot == solved_.attractors.end()) return;
+    slot->mean_life = life_.mean() * cell_.oscillator.period();
+    slot->mean_life_error = life_.error() * cell_.oscillator.period();
 }
 
 std::vector<Begin> CellSearch::begin_kicks() {

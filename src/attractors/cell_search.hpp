@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "attractors/kicks.hpp"
+#include "attractors/mean_life.hpp"
 #include "attractors/prospects.hpp"
 #include "attractors/solved_cell.hpp"
 #include "attractors/tally.hpp"
@@ -22,7 +23,8 @@
 
 namespace peterka::attractors {
 
-// Whether a solved cell tells the end of each start, too, or of the first one on each attractor.
+// Whether a solved cell tells the end of each start, too, or of the first one on each attractor, and then all of
+// these.
 enum class Ends { counted, told, firsts };
 
 // What the cells of a map share; outlives their searches.
@@ -66,6 +68,8 @@ class CellSearch {
     void know_more();
     [[nodiscard]] std::vector<Begin> finish_starts();
     void tell_attractors();
+    void tell_mean_life();
+    [[nodiscard]] Sooner sooner() const;
     void take_starts(std::span<const Ended> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
     [[nodiscard]] std::vector<Begin> begin_kicks();
@@ -82,6 +86,8 @@ class CellSearch {
     std::int64_t cycles_ = 0;  // of all searches
     Tally tally_;
     Prospects prospects_;
+    bool chaos_may_end_;  // a motion without impacts, or without end of a contact, exists, too
+    MeanLife life_;
     std::vector<Known> known_;
     // Of known_, with what searches leave there.
     struct Learned {
@@ -92,6 +98,7 @@ class CellSearch {
     };
     std::vector<Learned> learned_;
     regime::AttractorTable table_;
+    Tally::Entry own_;  // of [start]
     std::vector<Tally::Entry> kept_;
     std::optional<Kicks> kicks_;
     SolvedCell solved_;

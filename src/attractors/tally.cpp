@@ -33,6 +33,11 @@ bool leaves_less_open(regime::Status one, regime::Status other) {
 
 }  // namespace
 
+Tally::Entry Tally::entry_of(const regime::CellResult& result,
+                             std::span<const regime::FoundAttractor> found) {
+    return {.result = result, .orbit = orbit_of(result, found), .starts = 0, .first = no_start};
+}
+
 void Tally::add(const regime::CellResult& result, std::span<const regime::FoundAttractor> found) {
     const std::int32_t known = slot_of(entries_, result);
     if (known >= 0) {
@@ -57,15 +62,30 @@ std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellRe
     return entry == entries.end() ? -1 : static_cast<std::int32_t>(entry - entries.begin());
 }
 
+void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std::size_t most) {
+    const std::int32_t found = slot_of(ordered, own.result);
+    std::vector<Tally::Entry> last;
+    if (found >= static_cast<std::int32_t>(most)) last.push_back(ordered[static_cast<std::size_t>(found)]);
+    if (found < 0 && cell::is_motion(own.result.regime)) last.push_back(own);
+    if (most == 1) last.clear();  // the largest share stays
+    ordered.resize(std::min(ordered.size(), most - last.size()));
+    ordered.insert(ordered.end(), last.begin(), last.end());
+}
+
 CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts) {
-    return {.regime = entry.result.regime,
-            .status = entry.result.status,
-            .impacts = entry.result.impacts,
-            .period = entry.result.period,
-            .peak_force = entry.result.peak_force,
-            .share = static_cast<double>(entry.starts) / static_cast<double>(all_starts),
-            .orbit_displacement = entry.result.orbit_displacement,
-            .orbit_velocity = entry.result.orbit_velocity};
+    CellAttractor attractor = without_share(entry.result);
+    attractor.share = static_cast<double>(entry.starts) / static_cast<double>(all_starts);
+    return attractor;
+}
+
+CellAttractor without_share(const regime::CellResult& result) {
+    return {.regime = result.regime,
+            .status = result.status,
+            .impacts = result.impacts,
+            .period = result.period,
+            .peak_force = result.peak_force,
+            .orbit_displacement = result.orbit_displacement,
+            .orbit_velocity = result.orbit_velocity};
 }
 
 }  // namespace peterka::attractors

@@ -17,6 +17,8 @@ namespace peterka::attractors {
 
 class Tally {
   public:
+    static constexpr std::int64_t no_start = -1;  // but [start]
+
     struct Entry {
         regime::CellResult result;                    // of the first start
         std::optional<regime::FoundAttractor> orbit;  // the same, with the map on which it is one
@@ -24,7 +26,11 @@ class Tally {
         std::int64_t first = 0;  // of them
     };
 
-    // found: what the searches of this start ended on.
+    // Of [start], which isn't counted. found: what its search ended on.
+    [[nodiscard]] static Entry entry_of(const regime::CellResult& result,
+                                        std::span<const regime::FoundAttractor> found);
+
+    // found: what the search of this start ended on.
     void add(const regime::CellResult& result, std::span<const regime::FoundAttractor> found);
 
     // In the order of the file: by share, then regime, q, p and force.
@@ -38,6 +44,12 @@ class Tally {
 // The first of these that a result belongs to; -1 for none.
 [[nodiscard]] std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellResult& result);
 
+// So many of them: those with the largest shares, and `own`, the motion on which [start] ends, in the last place
+// if it is none of these and there are several.
+void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std::size_t most);
+
 [[nodiscard]] CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts);
+// What is known though no start ended on it.
+[[nodiscard]] CellAttractor without_share(const regime::CellResult& result);
 
 }  // namespace peterka::attractors

@@ -230,12 +230,14 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_period", of_attractor([](auto& attractor) -> auto& { return attractor.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
     {"attractor_peak_force_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.peak_force; }), force_over_weight, "its peak impact force over hammer weight, F/(m g0)", always, interpolated},
     {"basin_share", of_attractor([](auto& attractor) -> auto& { return attractor.share; }), number, "share of the cell's starts that end on it"},
+    {"mean_life_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life; }), time, "of chaos from which starts of the cell were seen to escape: its mean life", always, never, usual, {}, {}, 3},
+    {"mean_life_error_s", of_attractor([](auto& attractor) -> auto& { return attractor.mean_life_error; }), time, "standard error of the mean life", always, never, usual, {}, {}, 3},
     {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.kick.size; }), speed, kick_words, of_kicks},
     {"critical_kick_phase", of_attractor([](auto& attractor) -> auto& { return attractor.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", of_attractor([](auto& attractor) -> auto& { return attractor.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", of_attractor([](auto& attractor) -> auto& { return attractor.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
-    {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", of_kicks, never, usual, {}, {}, 3},
-    {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", of_kicks, never, usual, {}, {}, 3},
+    {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", always, never, usual, {}, {}, 3},
+    {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", always, never, usual, {}, {}, 3},
 };
 // clang-format on
 

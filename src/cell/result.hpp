@@ -71,6 +71,10 @@ struct Result {
     std::int32_t start_attractor = -1;  // on which of those that are kept this cell ends; -1: on none
     // On request: the last forcing cycle in which the stop pressed, counted from the start; 0 if it never did.
     std::int32_t last_impact = goes_on;
+    // Not stored: the trajectory's own cycles, and how many of them it took until errors had grown by e^20, the
+    // start being forgotten: 0 if they never did.
+    std::int32_t followed_cycles = 0;
+    std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, of a job without [starts]: of the orbit on which this cell ends
 };
 
@@ -83,6 +87,10 @@ struct Attractor {
     std::int32_t period = -1;
     double peak_force = unknown;  // F/(k A0)
     double share = 0;             // of the cell's starts
+    // Of chaos from which starts of the cell were seen to escape: its mean life and the standard error of that,
+    // in 1/omega.
+    double mean_life = unknown;
+    double mean_life_error = unknown;
     // On request, of periodic ones.
     Kick kick = {};
     double orbit_displacement = unknown;  // as of a cell
@@ -104,6 +112,11 @@ bool same_label(const Result<a_units>& a, const Result<b_units>& b) {
 // Whether a motion of this regime repeats itself, so that its numbers depend on no window.
 inline bool has_period(Regime regime) {
     return regime == Regime::no_impact || regime == Regime::periodic || regime == Regime::sustained_contact;
+}
+
+// Whether a result of this regime tells a motion: those that are unresolved or failed may be on any.
+inline bool is_motion(Regime regime) {
+    return regime != Regime::unresolved && regime != Regime::failed;
 }
 
 }  // namespace peterka::cell

@@ -15,23 +15,33 @@ bool impacts_for_ever(const StoredAttractor& attractor) {
     return attractor.regime == Regime::periodic || attractor.regime == Regime::chaotic;
 }
 
+bool is_in_use(const StoredAttractor& attractor) {
+    return attractor.regime != static_cast<Regime>(regime::regime_not_computed);
+}
+
 AttractorLabel label_of(const StoredAttractor& attractor) {
     return {attractor.regime, attractor.period, attractor.impacts};
 }
 
-// here: those in use, the largest share first.
+// all: those in use, the largest share first, and last what is known without a share.
 void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
-              std::span<const StoredAttractor> here) {
+              std::span<const StoredAttractor> all) {
     StartCounts& counts = findings.counts;
     ++counts.cells;
     ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
-    const auto hits = std::ranges::count_if(here, impacts_for_ever);
-    counts.mixed += hits > 0 && hits < std::ssize(here) ? 1 : 0;
+    const auto hits = std::ranges::count_if(all, impacts_for_ever);
+    counts.mixed += hits > 0 && hits < std::ssize(all) ? 1 : 0;
     counts.never_hit += hits == 0 ? 1 : 0;
+    const auto found = std::ranges::count_if(all, [](const auto& slot) { return slot.share > 0; });
+    const auto here = all.first(static_cast<std::size_t>(found));
+    const auto known = all.subspan(here.size());
+    const auto known_hits = std::ranges::count_if(known, impacts_for_ever);
+    counts.known_hit += known_hits > 0 ? 1 : 0;
+    counts.known_free += known_hits < std::ssize(known) ? 1 : 0;
     counts.minority += cell.start_attractor > 0 ? 1 : 0;
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
-    add_kick(counts.kicks, here);
+    add_kick(counts.kicks, all);
     if (here.size() < 2) return;
     const AttractorLabel first = label_of(here[0]);
     const AttractorLabel second = label_of(here[1]);
@@ -45,6 +55,8 @@ void StartCounts::add(const StartCounts& other) {
     cells += other.cells;
     mixed += other.mixed;
     never_hit += other.never_hit;
+    known_free += other.known_free;
+    known_hit += other.known_hit;
     minority += other.minority;
     not_kept += other.not_kept;
     left_over += other.left_over;
@@ -61,7 +73,7 @@ void add_attractors(StartFindings& findings, std::span<const quantities::StoredC
         here.clear();
         for (std::size_t slot = 0; slot < slots; ++slot) {
             const StoredAttractor& attractor = attractors[slot * cells.size() + cell];
-            if (attractor.share > 0) here.push_back(attractor);
+            if (is_in_use(attractor)) here.push_back(attractor);
         }
         add_cell(findings, cells[cell], here);
     }

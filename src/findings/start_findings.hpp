@@ -16,8 +16,10 @@ struct StartCounts {
     static constexpr std::size_t told_apart = 8;           // numbers of attractors; the last one: or more
     std::array<std::int64_t, told_apart + 1> by_number{};  // cells with so many attractors
     std::int64_t cells = 0;
-    std::int64_t mixed = 0;      // cells in which some starts end with impacts and some without
-    std::int64_t never_hit = 0;  // cells in which no start ends with impacts
+    std::int64_t mixed = 0;       // cells that have motions with impacts and without
+    std::int64_t never_hit = 0;   // cells that have none with impacts, as far as is known
+    std::int64_t known_free = 0;  // cells with one without impacts on which no start ended
+    std::int64_t known_hit = 0;   // the same with impacts
     std::int64_t minority = 0;   // cells in which [start] ends on another attractor than most starts
     std::int64_t not_kept = 0;   // cells in which it ends on none of those that are kept
     std::int64_t left_over = 0;  // cells with more attractors than are kept

@@ -110,6 +110,12 @@ void MapFile::write_branches(const parallel::Tile& tile, std::span<const regime:
     tiles_.write(tile, stored, {seconds, rank_}, several);
 }
 
+void MapFile::write_attractors(std::int64_t index, std::span<const quantities::StoredCell> cells,
+                               std::span<const quantities::StoredAttractor> attractors) {
+    tiles_.write_again(tiling().tile(index), cells,
+                       encode(quantities::stored_attractor_fields(job_), attractors));
+}
+
 RemainingTiles MapFile::remaining_tiles() {
     const parallel::Share share = parallel::share_of(tiling().count(), communicator_);
     RemainingTiles remaining{.tiles = parallel::TileSet(tiling().count())};

@@ -72,6 +72,10 @@ class MapFile {
     void write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
                         std::span<const attractors::PointAttractors> attractors, double seconds);
 
+    // A tile of a map that is done, with other attractors: slot after slot, cell by cell.
+    void write_attractors(std::int64_t index, std::span<const quantities::StoredCell> cells,
+                          std::span<const quantities::StoredAttractor> attractors);
+
     // Independent. Throws if the file's name is gone or leads to another file.
     void require_presence() const { disk_.require_presence(); }
 

@@ -58,6 +58,16 @@ void TileStore::write(const parallel::Tile& tile, std::span<const quantities::St
     }
 }
 
+void TileStore::write_again(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+                            std::span<const std::byte> several) {
+    const hdf5::Block entry(tile.index, 1);
+    TileOrigin origin{.seconds = seconds(tile)};
+    rank_.read(entry, &origin.rank);
+    const std::int8_t not_done = 0;
+    done_.write(entry, &not_done);
+    write(tile, cells, origin, several);
+}
+
 void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byte> bytes,
                             const TileOrigin& origin) {
     const std::byte* next = bytes.data();

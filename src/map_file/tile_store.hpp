@@ -37,6 +37,10 @@ class TileStore {
     // done mark: a kill in between leaves no mark that lies.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                const TileOrigin& origin, std::span<const std::byte> several = {});
+    // A tile that is done once more, by whom and in what time it was: its mark is taken away until it is whole
+    // again.
+    void write_again(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
+                     std::span<const std::byte> several);
     // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as
     // they are.
     [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;

@@ -61,6 +61,7 @@ class Search {
                     co_return co_await settled(*contact, Regime::sustained_contact);
                 }
                 if (trajectory_.is_at_checkpoint() && !conservative_) {
+                    note_what_is_forgotten();
                     if (grew_too_much()) co_return unproved(Regime::unresolved, Status::budget);
                     if (joins_chaos()) co_return unproved(Regime::chaotic, Status::verified);
                     if (const std::int64_t q = test_ ? 0 : recurrence_.candidate(); q > 0) {
@@ -115,6 +116,10 @@ class Search {
     }
     [[nodiscard]] const CellResult* attractor_reached() const {
         return known_ != nullptr ? known_->reached_from(trajectory_.state()) : nullptr;
+    }
+    void note_what_is_forgotten() {
+        if (forgot_after_ == 0 && growth_.sensitivity() > rounding_decides)
+            forgot_after_ = trajectory_.cycles();
     }
     [[nodiscard]] bool grew_too_much() const {
         return most_growth_ < std::numeric_limits<double>::infinity() && growth_.sensitivity() > most_growth_;
@@ -228,6 +233,8 @@ class Search {
         CellResult result = attractor;
         result.cycles = spent.cycles;
         result.sensitivity = spent.sensitivity;
+        result.followed_cycles = spent.followed_cycles;
+        result.forgot_after = spent.forgot_after;
         return result;
     }
 
@@ -258,6 +265,8 @@ class Search {
         result.cycles = static_cast<std::int32_t>(std::min<std::int64_t>(
             map_.cycles_spent() - trajectory_.not_needed(), std::numeric_limits<std::int32_t>::max()));
         result.sensitivity = growth_.sensitivity();
+        result.followed_cycles = static_cast<std::int32_t>(trajectory_.cycles());
+        result.forgot_after = static_cast<std::int32_t>(forgot_after_);
         return result;
     }
 
@@ -265,6 +274,7 @@ class Search {
     const AttractorTable::OfOneMap* known_;  // nullptr: none
     bool knows_chaos_;
     bool conservative_;
+    std::int64_t forgot_after_ = 0;  // cycles; 0: not yet
     FollowedTrajectory trajectory_;
     Settling settling_;
     Recurrence recurrence_;

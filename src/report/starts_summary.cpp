@@ -63,6 +63,19 @@ std::string commonest_pairs(const StartFindings& findings) {
     return text + (pairs.size() > shown ? fmt::format(" and {} more\n", pairs.size() - shown) : "\n");
 }
 
+// Beside what starts found.
+std::string what_is_known(const StartCounts& counts) {
+    std::string text;
+    const auto add = [&](std::int64_t cells, const char* what) {
+        if (cells == 0) return;
+        text += fmt::format("{} {} in {} cells", text.empty() ? "  known, though no start ended on it:" : ",",
+                            what, readable_count(cells));
+    };
+    add(counts.known_free, "a motion without impacts");
+    add(counts.known_hit, "one with impacts");
+    return text.empty() ? text : text + "\n";
+}
+
 // An attractor with share s is missed by n starts with probability (1 - s)^n.
 std::string what_is_missed(std::int64_t starts) {
     constexpr double even = 0.5;
@@ -84,9 +97,10 @@ std::string starts_summary(const job::Job& job, const StartFindings& findings) {
     if (job.starts.count == 0 || counts.cells == 0) return "";
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
     text += numbers(counts) + commonest_pairs(findings);
-    text += fmt::format(
-        "  with impacts from some starts and without from others: {}; without impacts from every start: {}\n",
-        readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
+    text += fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
+                        readable_share(counts.mixed, counts.cells),
+                        readable_share(counts.never_hit, counts.cells));
+    text += what_is_known(counts);
     text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
                         job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",
                         readable_share(counts.minority, counts.cells));

@@ -15,6 +15,7 @@
 #include "report/omitted.hpp"
 #include "report/summary.hpp"
 #include "run/audit_map.hpp"
+#include "run/known_motions.hpp"
 #include "run/map_borders.hpp"
 #include "run/solve_missing.hpp"
 #include "run/words.hpp"
@@ -123,6 +124,7 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
         try {
             if (complete) refuse_damage(plan, file.remaining_tiles());
             if (!complete) solve_missing_tiles(session, plan, scene, stop, file);
+            if (!complete) add_known_motions(session, scene, file);
             solve_seconds = solving.seconds();
             if (!complete) audit_map(session, plan, scene, stop, file);
             const findings::Statistics statistics = file.statistics();

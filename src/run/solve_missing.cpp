@@ -10,6 +10,7 @@
 #include "refine/region.hpp"
 #include "refine/regions.hpp"
 #include "run/known_attractors.hpp"
+#include "run/known_motions.hpp"
 #include "run/progress_style.hpp"
 #include "run/solve_tiles.hpp"
 #include "run/whole_branches.hpp"
@@ -84,6 +85,7 @@ parallel::TileSet find_missing_tiles(const Session& session, const RunPlan& plan
     if (session.is_root() && remaining.damaged > 0 && !plan.quiet) {
         tell("peterka: {} tiles are damaged (wrong checksum) and are computed again\n", remaining.damaged);
     }
+    add_tiles_to_tell_again(session, plan.job, file, remaining.tiles);
     return std::move(remaining.tiles);
 }
 

@@ -14,12 +14,18 @@ namespace {
 using attractors::PointAttractors;
 using regime::BranchPoint;
 
-// Which of the attractors each point of a branch is on.
-void name_attractors(std::vector<BranchPoint>& branch, const std::vector<PointAttractors>& attractors) {
+// Which of the attractors each point of each branch is on, of which there are so many.
+void name_attractors(std::vector<BranchPoint>& branches, std::vector<PointAttractors>& attractors,
+                     std::int64_t most) {
     for (std::size_t column = 0; column < attractors.size(); ++column) {
-        regime::CellResult& cell = branch[column].cell;
-        cell.attractors = attractors[column].count;
-        cell.start_attractor = slot_of(attractors[column], cell);
+        std::vector<const BranchPoint*> here;
+        for (std::size_t i = column; i < branches.size(); i += attractors.size()) here.push_back(&branches[i]);
+        keep_with(attractors[column], here, most);
+    }
+    for (std::size_t i = 0; i < branches.size() && !attractors.empty(); ++i) {
+        regime::CellResult& cell = branches[i].cell;
+        cell.attractors = attractors[i % attractors.size()].count;
+        cell.start_attractor = slot_of(attractors[i % attractors.size()], cell);
     }
 }
 
@@ -36,10 +42,10 @@ std::function<void(const parallel::Tile& tile, const parallel::Look& look)> whol
         std::vector<BranchPoint> points;
         for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
             std::vector<BranchPoint> branch = regime::follow_branch(scene, row, look);
-            name_attractors(branch, attractors);
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }
+        name_attractors(points, attractors, scene.job().starts.attractors);
         file.write_branches(tile, points, attractors, stopwatch.seconds());
     };
 }

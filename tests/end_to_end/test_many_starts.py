@@ -67,10 +67,13 @@ def test_shares_and_slots_are_sound(starts_file):
         np.testing.assert_allclose(share.sum(axis=0), 1, rtol=0, atol=1e-12)
         assert np.array_equal((share > 0).sum(axis=0), cells.attractors.values)
         assert np.all(np.diff(share, axis=0) <= 0)
-        assert np.array_equal(regime == EMPTY, share == 0)
+        used = regime != EMPTY
+        assert np.all(used[share > 0]) and np.all(np.diff(used.astype(int), axis=0) <= 0)
         assert (cells.attractors.values > 1).mean() > 0.3  # 41 % with 32 starts in this window
         mine = cells.start_attractor.values
-        assert mine.min() >= -1
+        # whatever [start] ends on is one of them
+        motion = np.isin(cells.regime.values, (0, 1, 2, 3))
+        assert mine.min() >= -1 and np.all(mine[motion] >= 0)
         slot = np.maximum(mine, 0)[None]
         for name in ("regime", "impacts", "period"):
             of_slot = np.take_along_axis(cells[f"attractor_{name}"].values, slot, axis=0)[0]
@@ -100,7 +103,8 @@ def test_a_refined_map_agrees_with_a_full_one(tmp_path):
     for name in ("attractors", "start_attractor"):
         assert np.array_equal(refined[name][computed], full[name][computed])
     for name in ("attractor_regime", "basin_share", "attractor_peak_force_ratio"):
-        assert refined[name][:, computed].tobytes() == full[name][:, computed].tobytes(), name
+        ours, theirs = (np.where(one["basin_share"] > 0, one[name], 0)[:, computed] for one in (refined, full))
+        assert ours.tobytes() == theirs.tobytes(), name
     np.testing.assert_allclose(refined["basin_share"].sum(axis=0), 1, rtol=0, atol=1e-9)
     filled = ~computed
     assert np.mean(refined["attractors"][filled] == full["attractors"][filled]) > 0.98

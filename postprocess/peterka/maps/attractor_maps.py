@@ -33,11 +33,11 @@ KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
 
 @picture(PeterkaFile)
 def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
-    """On how many attractors the starts of a cell end."""
-    def label(regime, attractors):
-        return np.where(regime == NOT_COMPUTED, 0, np.clip(attractors, 1, len(NUMBERS) - 1))
+    """How many attractors of a cell are known: those on which its starts end, and others."""
+    def label(regime, attractors, slots):
+        return np.where(regime == NOT_COMPUTED, 0, np.clip(_known(attractors, slots), 1, len(NUMBERS) - 1))
 
-    reduced, counts = class_picture(file, ["regime", "attractors"], label, len(NUMBERS))
+    reduced, counts = class_picture(file, ["regime", "attractors", "attractor_regime"], label, len(NUMBERS))
     handles = [axes.legend_patch(f"{NUMBERS[n]} ({axes.percent(counts[n] / counts.sum())})", NUMBER_COLOURS[n], n == 0)
                for n in np.flatnonzero(counts)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, [(handles, 3, "attractors of a cell (share of the map)")], ax=ax)
@@ -70,11 +70,11 @@ def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     """The critical kick of the periodic attractor with the largest share, or of the cell's own orbit; cells in which none was
     found are told apart by whether another motion is known. None where no orbit was kicked."""
-    names = ["regime", *KICKS] + (["attractors"] if file.slots else [])
+    names = ["regime", *KICKS] + (["attractors", "attractor_regime"] if file.slots else [])
 
-    def kinds(regime, kick, tried, attractors=None):
+    def kinds(regime, kick, tried, *known):
         kick, tried = (_of_kicked(values, tried) for values in (kick, tried))
-        others = np.full(regime.shape, NONE_FOUND) if attractors is None else np.where(attractors == 1, ALONE, NONE_FOUND)
+        others = np.where(_known(*known) == 1, ALONE, NONE_FOUND) if known else np.full(regime.shape, NONE_FOUND)
         kind = np.where(np.isfinite(kick), THROWN, np.where(np.isfinite(tried), others, NO_ORBIT))
         return np.where(regime == NOT_COMPUTED, WAITING, kind)
 
@@ -94,6 +94,11 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     axes.show_classes(ax, classes, KIND_COLOURS, WAITING)
     whose = "likeliest orbit" if file.slots else "orbit"
     return _with_scale(figure, ax, bar_ax, file, reduced, f"critical kick of the {whose}, at its worst phase (m/s)", top)
+
+
+def _known(attractors, slots):
+    """How many attractors of each cell are known; slots (slot, row, column) hold the regimes of those that are kept."""
+    return np.maximum(attractors, (slots != NOT_COMPUTED).sum(axis=0))
 
 
 def _of_kicked(values, tried):

@@ -2,10 +2,10 @@
 
 A map with [starts] tells all attractors of a cell: on [attractor][rows][columns] attractor_regime int8, attractor_impacts
 and attractor_period int32, attractor_peak_force_ratio f64 and basin_share f64 (share of the starts; empty slots have 0 and
-regime -128), and on [rows][columns] start_attractor int32, the slot in which the job's own start ends, -1 for none of them.
-Which starts are admitted:
+regime -128; motions that are known though no start ended on them have share 0 and a regime), and on [rows][columns]
+start_attractor int32, the slot in which the job's own start ends, -1 for none of them. Which starts are admitted:
 
-    any      all of them, and the job's own: each must end in that regime
+    any      all of them, and the job's own: each must end in that regime, and no other motion be known
     share s  at least the share s of them, s above one half
     job      the job's own start alone, as in a map without [starts]
 
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..files.checked_hdf5 import INTEGER, REAL
-from ..files.regimes import PERIODIC, check_labels
+from ..files.regimes import NOT_COMPUTED, PERIODIC, check_labels
 from ..maps.comparison import label_codes
 from ..maps.map_file import PeterkaFile
 
@@ -113,9 +113,12 @@ def _band(file, first, band, starts, name, slots):
         raise file.refusal("has a basin_share that is no share")
     regime, impacts, period = (stored[f"attractor_{key}"] for key in ("regime", "impacts", "period"))
     check_labels(file.data, {"regime": regime, "impacts": impacts, "period": period})
-    codes = np.where(_strikes(regime, impacts) & (shares > 0), label_codes(regime, impacts, period), NO_REGIME)
+    used = (regime != NOT_COMPUTED) & ((shares > 0) | (starts == ANY))
+    codes = np.where(_strikes(regime, impacts) & used, label_codes(regime, impacts, period), NO_REGIME)
     least = 1.0 if starts == ANY else starts
     code, share = _common(codes, shares, least - ROUNDING)
+    if starts == ANY:
+        code = np.where((used & (codes != code)).any(axis=0), NO_REGIME, code)
     here = (codes == code) & (code != NO_REGIME)
     kept = file.data.values("start_attractor", rows)
     worst = _worst(file, QUANTITIES[name], stored, here, (value, kept), (slice(0, slots), rows))

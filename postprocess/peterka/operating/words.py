@@ -10,10 +10,10 @@ from .places import Place
 
 
 def starts_in_words(starts: str | float) -> str:
-    """"from every start", or from which of them."""
+    """From which of the starts."""
     if starts == JOB:
         return "from the job's own start"
-    return "from every start" if starts == ANY else f"from {100 * starts:g} % of the starts"
+    return "from every start tried" if starts == ANY else f"from {100 * starts:g} % of the starts"
 
 
 def drift_in_words(file: PeterkaFile, rows: Reach, columns: Reach) -> str:

@@ -1,0 +1,80 @@
+"""What the cells of a map have in common with its hammer swinging freely: frequency, damping and gap in its own units, as they
+follow from the job and the axes, whatever these run over."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Reals
+
+PLACE = ("frequency_ratio", "gap_ratio", "frequency_hz", "gap_m")  # coordinates that belong to [operating_point]
+
+
+@dataclass(frozen=True)
+class Swing:
+    """frequency_ratio, damping_ratio, gap_ratio: Omega/omega, zeta and gap/A0, arrays that fit each other's shapes."""
+
+    frequency_ratio: Reals
+    damping_ratio: Reals
+    gap_ratio: Reals
+
+    def stays_free(self) -> np.ndarray:
+        """Whether the steady motion without a stop keeps away from it, as linear springs have it."""
+        square = np.square(self.frequency_ratio)
+        with np.errstate(divide="ignore"):
+            amplitude = square / np.sqrt((1 - square) ** 2 + (2 * self.damping_ratio) ** 2 * square)
+        return amplitude < self.gap_ratio
+
+
+class UnreadableJob(ValueError):
+    """A job's text that doesn't tell what it has to."""
+
+
+def tables_of(text: object) -> dict[str, Any]:
+    """The tables of a job's text."""
+    try:
+        return tomllib.loads(text)  # type: ignore[arg-type]  # what is no text is refused below
+    except (tomllib.TOMLDecodeError, RecursionError, TypeError, AttributeError) as error:
+        raise UnreadableJob("holds no job that can be read") from error
+
+
+def number_of(tables: Mapping[str, Any], path: str) -> float | None:
+    """The number at "hammer.mass_kg"; None where there is none."""
+    value: Any = tables
+    for key in path.split("."):
+        value = value.get(key) if isinstance(value, dict) else None
+    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
+
+
+def swing_of(tables: Mapping[str, Any], coordinates: Mapping[str, Reals]) -> Swing:
+    """The Swing where the axes have these values, {name in the file: array}; UnreadableJob where the job doesn't tell it."""
+    along = {_path(name): np.asarray(values, dtype=float) for name, values in coordinates.items()}
+
+    def first(*paths):
+        """(which of them is given, its number): what an axis has goes before a table."""
+        for source in (along, {path: number_of(tables, path) for path in paths}):
+            for path in paths:
+                if source.get(path) is not None:
+                    return path.split(".")[1], np.asarray(source[path])
+        raise UnreadableJob(f"holds a job that doesn't tell {' or '.join(paths)}")
+
+    mass = first("hammer.mass_kg")[1]
+    name, value = first("hammer.natural_frequency_hz", "hammer.stiffness_n_per_m")
+    natural = value if name == "natural_frequency_hz" else np.sqrt(value / mass) / (2 * np.pi)
+    name, value = first("hammer.damping_ratio", "hammer.damping_ns_per_m")
+    damping = value if name == "damping_ratio" else value / (4 * np.pi * mass * natural)
+    name, value = first("operating_point.frequency_ratio", "operating_point.frequency_hz")
+    frequency = value if name == "frequency_ratio" else value / natural
+    name, value = first("operating_point.gap_ratio", "operating_point.gap_m")
+    gap = value if name == "gap_ratio" else value / first("cart.amplitude_m")[1]
+    return Swing(frequency, damping, gap)
+
+
+def _path(name):
+    if name in PLACE:
+        return f"operating_point.{name}"
+    table = next((table for table in ("hammer", "cart", "contact", "start") if name.startswith(f"{table}_")), None)
+    return f"{table}.{name[len(table) + 1:]}" if table else name

@@ -1,0 +1,141 @@
+"""What the numbers of a map can tell of other starts, other places and other motions: what is proved, what is sampled, and
+with how many starts a question can be answered.
+
+A motion with a share s of the starts is missed by n of them with (1 - s)^n. In one case of twenty, 16 miss one with 17 %, 59
+one with 5 %, 299 one with 1 %.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import beta
+
+from ..arrays import Mask
+from ..files import job_numbers
+from ..files.regimes import NAMES, NO_IMPACT, NOT_COMPUTED, PERIODIC
+from ..maps.map_file import PeterkaFile
+from .drift import Reach
+from .places import Place
+
+DOUBT = 0.05  # in one case of twenty
+USUAL = (0.05, 0.01)  # shares, to compare with
+CLOSED_FORM = "a motion without impact"
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A motion of the box that a place isn't judged by: `name`, in how many `cells` it is known, and its largest `share` of the
+    starts of one of them; 0: none found it."""
+
+    name: str
+    cells: int
+    share: float
+
+
+def has_job(file: PeterkaFile) -> bool:
+    """Whether a file holds the text of its job."""
+    return isinstance(file.data.attribute("job"), str)
+
+
+def starts_of(file: PeterkaFile) -> int:
+    """How many starts each cell has."""
+    count = job_numbers.number_of(_tables(file), "starts.count")
+    if count is None or not 1 <= count < 1e15:
+        raise file.refusal("holds a job that doesn't tell how many starts its cells have")
+    return int(count)
+
+
+def share_excluded(starts: int) -> float:
+    """The share that so many starts, which all end elsewhere, exclude: one as large would be missed in one case of twenty."""
+    return 1 - DOUBT ** (1 / starts)
+
+
+def starts_needed(share: float) -> int:
+    """How many starts, all of which end in one motion, tell that it has such a share."""
+    return int(np.ceil(np.log(DOUBT) / np.log(share) - 1e-9))
+
+
+def least_share(share: float, starts: int) -> float:
+    """The share of all starts that a motion has at least, in 19 cases of 20, where such a share of these ended on it (Clopper
+    and Pearson)."""
+    ended = round(share * starts)
+    return float(beta.ppf(DOUBT, ended, starts - ended + 1)) if ended else 0.0
+
+
+def refuse_few_starts(file: PeterkaFile, share: float) -> None:
+    """Refuses a question that the starts of a file can't answer."""
+    starts = starts_of(file)
+    if share >= 1:
+        raise file.refusal("can't tell a share of 1, whatever its starts: ask for --starts any, or for a share below 1")
+    needed = starts_needed(share)
+    if starts < needed:
+        raise file.refusal(f"has {starts} starts of each cell, which can't tell a share of {share:g}: even where all of them end in one "
+                           f"motion, others may have {100 * share_excluded(starts):.2g} % (in one case of twenty); {needed} could "
+                           f"tell it: --set starts.count={needed}")
+
+
+def may_stay_free(file: PeterkaFile, rows: Reach, columns: Reach) -> Mask:
+    """Whether the hammer can swing without impact anywhere in the box around each cell, (rows, columns): in closed form, not at
+    the cells alone."""
+    tables = _tables(file)
+    found = np.zeros(file.shape, dtype=bool)
+    # its amplitude has one peak along the frequency and the stop is farthest at the largest gap: a box has the least of its
+    # amplitudes over its gap at a corner
+    for up in (-1, 1):
+        for right in (-1, 1):
+            coordinates = {file.columns.name: (file.columns.values + right * columns.width)[None, :],
+                           file.rows.name: (file.rows.values + up * rows.width)[:, None]}
+            try:
+                found |= np.broadcast_to(job_numbers.swing_of(tables, coordinates).stays_free(), file.shape)
+            except job_numbers.UnreadableJob as error:
+                raise file.refusal(str(error)) from error
+    return found
+
+
+def left_out(file: PeterkaFile, place: Place, rows: Reach, columns: Reach) -> list[LeftOut]:
+    """Other motions than that of a place which are known in the cells of its box, those with the largest shares first."""
+    box = (slice(place.row - rows.before[place.row], place.row + rows.after[place.row] + 1),
+           slice(place.column - columns.before[place.column], place.column + columns.after[place.column] + 1))
+    regime, impacts, period, share = (file.data.values(name, (slice(None), box[0]))[:, :, box[1]] for name in
+                                      ("attractor_regime", "attractor_impacts", "attractor_period", "basin_share"))
+    names = np.where(regime == PERIODIC, np.char.add(np.char.add(impacts.astype(str), "/"), period.astype(str)),
+                     np.array(NAMES)[np.clip(regime, 0, len(NAMES) - 1)])
+    names[regime == NOT_COMPUTED] = ""
+    own = f"{place.orbit[0]}/{place.orbit[1]}"
+    found = [LeftOut(str(name), int((names == name).any(axis=0).sum()), float(np.where(names == name, share, 0).sum(axis=0).max()))
+             for name in np.unique(names) if name not in ("", own)]
+    return sorted(found, key=lambda one: (-one.share, -one.cells, one.name))
+
+
+def text_of_left_out(found: list[LeftOut], stays_free: bool) -> str:
+    """Of the best place, in words."""
+    words = [f"{one.name} (in {one.cells} cells of the box, " +
+             (f"up to {100 * one.share:.2g} % of a cell's starts)" if one.share > 0 else "found by no start)") for one in found]
+    if stays_free and all(one.name != NAMES[NO_IMPACT] for one in found):
+        words.append(f"{CLOSED_FORM} (between cells of the box, in closed form)")
+    return "left out: " + (", ".join(words) or "no motion that is known")
+
+
+def text_of_sampling(starts: int, share: float | None) -> str:
+    """What so many starts of each cell tell of all starts: where all of them end in one motion, or a share of them."""
+    others = ", ".join(f"{starts_needed(1 - each)} exclude more than {100 * each:g} %" for each in USUAL
+                       if each < share_excluded(starts))
+    if share is None:
+        return (f"by sampling: all {starts} starts of each cell of a box end in it, and no other motion is known there; a motion with less than "
+                f"{100 * share_excluded(starts):.2g} % of the starts isn't excluded{f' ({others})' if others else ''}")
+    return (f"by sampling: {starts} starts of each cell of a box; of all starts at least {100 * least_share(share, starts):.4g} % end in it "
+            "at each of the best box's cells, in 19 cases of 20")
+
+
+def text_of_proof(file: PeterkaFile) -> str:
+    """What holds for every start and everywhere in a box."""
+    springs = ", of linear springs" if job_numbers.number_of(_tables(file), "hammer.cubic_stiffness_n_per_m3") else ""
+    return f"by proof: nowhere in these boxes, nor between their cells, can the hammer swing without impact (closed form{springs})"
+
+
+def _tables(file):
+    try:
+        return job_numbers.tables_of(file.data.attribute("job"))
+    except job_numbers.UnreadableJob as error:
+        raise file.refusal(str(error)) from error
+

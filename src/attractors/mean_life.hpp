@@ -1,0 +1,41 @@
+// For how long chaos lives from which some starts of a cell escape.
+//
+// Escapes come at random, as often in a late cycle as in an early one: so the mean life is all the time that
+// starts were seen on the chaos, whether they escaped or not, over the number of escapes. A start is on it once
+// it has forgotten where it began; those that end before tell nothing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "regime/cell_result.hpp"
+
+namespace peterka::attractors {
+
+class MeanLife {
+  public:
+    // Of a start, in any order.
+    void take(const regime::CellResult& result) {
+        if (result.forgot_after == 0) return;
+        const bool escaped = cell::has_period(result.regime);
+        // what ended on an orbit did so a little before that was proved; without impacts, after the last one
+        const std::int64_t end =
+            result.regime == cell::Regime::no_impact ? result.last_impact : result.followed_cycles;
+        if (escaped && end <= result.forgot_after) return;
+        cycles_ += std::max<std::int64_t>(end - result.forgot_after, 0);
+        escapes_ += escaped ? 1 : 0;
+    }
+
+    // In forcing cycles, with its standard error; NaN where none escaped.
+    [[nodiscard]] double mean() const {
+        return escapes_ > 0 ? static_cast<double>(cycles_) / static_cast<double>(escapes_) : cell::unknown;
+    }
+    [[nodiscard]] double error() const { return mean() / std::sqrt(static_cast<double>(escapes_)); }
+
+  private:
+    std::int64_t cycles_ = 0;
+    std::int64_t escapes_ = 0;
+};
+
+}  // namespace peterka::attractors
