@@ -22,6 +22,7 @@
 #include "map_file/make_layout.hpp"
 #include "map_file/map_size.hpp"
 #include "map_file/memory_file.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
@@ -38,6 +39,7 @@ constexpr hdf5::Variable fact_variables[] = {
 constexpr hdf5::Variable whole_summary[] = {
     checksum_of_file,
     {"finished", hdf5::Number::int8, 0, "1", "1 once everything in the file is final"},
+    record_of_bytes,
 };
 
 hdf5::Block whole(const DatasetPlan& plan) {
@@ -99,6 +101,14 @@ void write_bytes(const std::filesystem::path& path, std::span<const std::byte> b
     if (!std::ranges::equal(there, bytes)) fail_to_write(path, "reading back what was written", EIO);
 }
 
+// All of its bytes are final.
+void put_record(std::span<std::byte> bytes) {
+    const std::string record = record_for(bytes.size(), {}, [&](std::uint64_t offset, std::span<std::byte> to) {
+        std::ranges::copy(bytes.subspan(offset, to.size()), to.begin());
+    });
+    std::ranges::copy(std::as_bytes(std::span(record)), bytes.end() - std::ssize(record));
+}
+
 }  // namespace
 
 void require_place(const std::filesystem::path& path, std::int64_t largest_bytes) {
@@ -122,8 +132,9 @@ void write_whole_file(const std::filesystem::path& path, const job::Job& job, co
                       const Contents& contents, const RunFacts& facts) {
     const std::filesystem::path temporary = temporary_name(path);
     const hdf5::Checked check(path);
-    const std::vector<std::byte> bytes =
+    std::vector<std::byte> bytes =
         bytes_of_file(check, [&](hid_t file) { fill_file(check, file, job, provenance, contents, facts); });
+    put_record(bytes);
     clear_temporary(temporary);
     try {
         write_bytes(temporary, bytes);

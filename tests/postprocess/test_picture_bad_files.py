@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from picture_samples import write_basin, write_map
-from sealing import SealedFile
+from sealing import SealedFile, renew_record
 
 
 def replaced(path, name, values):
@@ -102,6 +102,7 @@ def one_storage_twice(path):
     content = path.read_bytes()
     assert content.count(of["period"]) == 1
     path.write_bytes(content.replace(of["period"], of["impacts"]))
+    renew_record(path)
     return path
 
 
@@ -151,6 +152,7 @@ def unnamed_coordinate(path):
     """What is attached to it still refers to it."""
     with h5py.File(path, "r+") as file:
         del file["attractors/attractor"]
+    renew_record(path)
     return path
 
 
