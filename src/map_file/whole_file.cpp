@@ -54,8 +54,9 @@ void write_values(const hdf5::Checked& check, hid_t file, const Table& table) {
     hdf5::write_block(check, dataset.id(), hdf5::Number::float64, whole(table.plan), table.values.data());
 }
 
-void fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job, const Provenance& provenance,
-               const Contents& contents, const RunFacts& facts) {
+// Gives the end of the file, that of its record.
+std::uint64_t fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job,
+                        const Provenance& provenance, const Contents& contents, const RunFacts& facts) {
     write_root_attributes(check, file, job, provenance);
     for (const RootText& each : contents.texts) hdf5::write_attribute(check, file, each.name, each.text);
     std::vector<DatasetPlan> plans;
@@ -69,6 +70,8 @@ void fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job, cons
     hdf5::write_text(check, file, path::hosts, facts.hosts);
     write_seal(check, file, Sealed::whole);
     hdf5::write_number(check, file, path::finished, 1);
+    const DatasetPlan record{"/summary", record_of_bytes, {}};
+    return ranges_of(check, file, {&record, 1}).at(0).end;
 }
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const char* call, int error) {
@@ -132,8 +135,8 @@ void write_whole_file(const std::filesystem::path& path, const job::Job& job, co
                       const Contents& contents, const RunFacts& facts) {
     const std::filesystem::path temporary = temporary_name(path);
     const hdf5::Checked check(path);
-    std::vector<std::byte> bytes =
-        bytes_of_file(check, [&](hid_t file) { fill_file(check, file, job, provenance, contents, facts); });
+    std::vector<std::byte> bytes = bytes_of_file(
+        check, [&](hid_t file) { return fill_file(check, file, job, provenance, contents, facts); });
     put_record(bytes);
     clear_temporary(temporary);
     try {

@@ -107,6 +107,8 @@ class CheckedFile:
             value = value.reshape(())[()]
         if isinstance(value, bytes):
             value = value.decode("utf-8", "replace")
+        if isinstance(value, str):  # h5py keeps what is no UTF-8 as halves of letters, which can't be written
+            value = value.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
     def numbers(self) -> dict[str, h5py.Dataset]:
