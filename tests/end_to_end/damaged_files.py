@@ -9,6 +9,7 @@ import importlib
 import io
 import os
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -30,6 +31,7 @@ SECONDS = 10  # of the processor, after which a reader hangs
 PATIENCE = 300  # the same of a clock: the machine may be busy
 PROGRAMS = ("draw", "explore")
 LARGEST = 2**30  # bytes of memory
+OF_RUN = re.compile(r"[Tt]his run:|of computing in all")  # what /run tells
 REFUSED, SAME, OTHER, TRACEBACK, WORDS = range(5)  # exit codes of a child
 
 KINDS = {
@@ -159,7 +161,7 @@ class Readers:
     def _run(self):
         done = subprocess.run(launch.command("run", "job.toml"), cwd=self.folder, env=launch.ENVIRONMENT, timeout=PATIENCE,
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-        done.stdout = "\n".join(line for line in done.stdout.splitlines() if not line.startswith("This run"))
+        done.stdout = "\n".join(line for line in done.stdout.splitlines() if not OF_RUN.search(line))
         return done
 
     def _read(self, path):

@@ -117,12 +117,10 @@ def test_something_added_is_found(copy):
     assert refused(copy) == ""
 
 
-def test_what_differs_from_run_to_run_may_be_changed_in_a_map(copy):
-    """What is written whole has a checksum over all of its bytes."""
+def test_what_differs_from_run_to_run_may_be_changed(copy):
     with h5py.File(copy, "r+") as file:
         file["run/ranks"][()] = 7
-        is_whole = file.attrs["peterka_kind"] in ("curves", "trace", "study")
-    assert "wrong checksum" in launch.run("run", "job.toml", cwd=copy.parent).stderr if is_whole else drawable(copy)
+    assert drawable(copy)
 
 
 def test_a_file_of_the_layout_before_says_what_it_lacks(copy):
