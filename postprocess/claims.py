@@ -26,6 +26,7 @@ from peterka.claims.markdown import markdown  # noqa: E402
 from peterka.claims.page import Block, Pictures, blocks  # noqa: E402
 from peterka.claims.sensitivity import rows  # noqa: E402
 from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.files.whole_file import write_text  # noqa: E402
 from peterka.look import axes  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
@@ -87,8 +88,8 @@ def write(text: list[Block], pictures: Path, page: Path) -> None:
         for name in block.names if isinstance(block, Pictures) else ():
             if (page / "pictures").resolve() != pictures.resolve():
                 shutil.copyfile(pictures / f"{name}.png", page / "pictures" / f"{name}.png")
-    (page / "claims.md").write_text(markdown(text, "pictures"), encoding="utf-8")
-    (page / "claims.html").write_text(html(text, pictures), encoding="utf-8")
+    write_text(page / "claims.md", markdown(text, "pictures"))
+    write_text(page / "claims.html", html(text, pictures))
 
 
 if __name__ == "__main__":

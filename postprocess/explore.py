@@ -24,6 +24,7 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
+from peterka.files.whole_file import write_text  # noqa: E402
 from peterka.maps.map_file import COORDINATES, PeterkaFile  # noqa: E402
 from peterka.page.layers import MOST_CELLS  # noqa: E402
 from peterka.page.page import page  # noqa: E402
@@ -46,7 +47,7 @@ def main() -> int:
     for note in notes:
         tell(note)
     try:
-        write_whole(output, text)
+        write_text(output, text)
     except OSError as error:
         complain(f"cannot write {output}: {error.strerror or error}")
         return BAD_OUTPUT
@@ -83,16 +84,6 @@ def with_plane(file: OpenedFile, every: int) -> PeterkaFile:
     if min(rows, columns) < 2:
         raise file.refusal(f"has too few rows or columns for --every {every}")
     return file
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Never half a page under its name."""
-    unfinished = path.with_name(f".{path.name}.unfinished")
-    try:
-        unfinished.write_text(text, encoding="utf-8")
-        os.replace(unfinished, path)
-    finally:
-        unfinished.unlink(missing_ok=True)
 
 
 if __name__ == "__main__":

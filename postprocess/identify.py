@@ -25,6 +25,7 @@ import peterka.program.interpreter  # noqa: F401, I001: before all that needs pa
 import numpy as np
 from peterka.files.csv_table import column_names
 from peterka.files.opened import NotDrawable
+from peterka.files.whole_file import write_text
 from peterka.identification import picture
 from peterka.identification.fit import Fit, fit, fit_each
 from peterka.identification.impact_table import COLUMNS, fault_of, from_impact, read_impacts
@@ -51,7 +52,7 @@ def main() -> int:
     sources = [path.name for path in (*arguments.files, *arguments.driven)] or ["restitution and contact time"]
     rig = arguments.rig or Path(f"{Path(sources[0]).stem if arguments.files or arguments.driven else 'identified'}_rig.toml")
     try:
-        rig.write_text(rig_text(result, sources, arguments.amplitude_mm and 1e-3 * arguments.amplitude_mm), encoding="utf-8")
+        write_text(rig, rig_text(result, sources, arguments.amplitude_mm and 1e-3 * arguments.amplitude_mm))
         tell(rig)
     except OSError as error:
         complain(f"cannot write {rig}: {error.strerror or error}")

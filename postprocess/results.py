@@ -19,6 +19,7 @@ import peterka.program.interpreter  # noqa: E402, F401, I001: before all that ne
 
 from peterka import results_page  # noqa: E402
 from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.files.whole_file import write_text  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
 from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
 
@@ -49,7 +50,7 @@ def write(text: str, pictures: list[str], page: Path, folder: Path) -> None:
     page.parent.mkdir(parents=True, exist_ok=True)
     for name in pictures:
         shutil.copyfile(folder / name, page.parent / name)
-    page.write_text(text, encoding="utf-8")
+    write_text(page, text)
 
 
 if __name__ == "__main__":

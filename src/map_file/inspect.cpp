@@ -23,6 +23,7 @@
 #include "map_file/make_layout.hpp"
 #include "map_file/matches_plan.hpp"
 #include "map_file/provenance.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
@@ -33,6 +34,7 @@ namespace peterka::map_file {
 namespace {
 
 constexpr const char* other_name = "Choose another name with --output, or remove the file yourself.";
+constexpr const char* not_trusted = "Don't trust it; compute it again with --fresh, or under another name.";
 constexpr const char* start_over = "Start over with --fresh, or choose another name with --output.";
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why, const char* what_to_do) {
@@ -55,6 +57,8 @@ hdf5::FileId open_map(const hdf5::Checked& check) {
     const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
     if (is_hdf5 < 0) refuse(path, "cannot be read: " + hdf5::hdf5_reason(), other_name);
     if (is_hdf5 == 0) refuse(path, "is not an HDF5 file, so not a map", other_name);
+    if (const std::string fault = fault_in_bytes(check); !fault.empty())
+        refuse(path, fault, are_broken(path) ? not_trusted : other_name);
     const hdf5::PropertiesId access =
         file_access(check);  // outlives the call: closing it would clear HDF5's reason
     hdf5::FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
@@ -99,11 +103,6 @@ void require_datasets(const hdf5::Checked& check, const hdf5::FileId& file, cons
                    start_over);
         }
     }
-}
-
-bool is_finished(const hdf5::Checked& check, const hdf5::FileId& file) {
-    const hdf5::DiskFile disk(check.path());
-    return hdf5::get_number({check, file.id(), disk}, path::finished, hdf5::Number::int8) == 1;
 }
 
 // That of the tiles is looked at by all ranks together (MapFile::remaining_tiles).
@@ -184,7 +183,7 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
         return Existing::complete;
     }
     require_datasets(check, file, job);
-    if (is_finished(check, file) && all_tiles_done(check, file, job)) {
+    if (says_finished(check, file.id()) && all_tiles_done(check, file, job)) {
         require_seal(check, file, Sealed::whole);
         return Existing::complete;
     }
@@ -200,9 +199,10 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
 
 bool holds_complete_map(const std::filesystem::path& path) {
     if (!holds_file(path)) return false;
+    if (are_broken(path)) return false;  // of this program, and nothing to be kept
     const hdf5::Checked check(path);
     const hdf5::FileId file = open_map(check);
-    return is_own_link(file.id(), path::finished) && is_finished(check, file);
+    return says_finished(check, file.id());
 }
 
 }  // namespace peterka::map_file

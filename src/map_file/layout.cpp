@@ -187,6 +187,7 @@ std::vector<DatasetPlan> layout(const job::Job& job) {
     add_tiles_and_run(plans, job);
     std::ranges::move(audit_plans(job), std::back_inserter(plans));
     for (const hdf5::Variable& variable : summary_variables) plans.push_back({"/summary", variable, {}});
+    if (job.layout > 2) plans.push_back({"/summary", record_of_bytes, {}});
     return plans;
 }
 

@@ -15,8 +15,9 @@
 
 namespace peterka::map_file {
 
-// Files of version 1 have no checksum over what lies outside the tiles. In those of version 2 the label of a
-// cell with status 0, then named `proved`, may depend on rounding; they can still be read.
+// Files of version 1 have no checksum over what lies outside the tiles. Those of version 2 have none over their
+// raw bytes, and the label of a cell with status 0, then named `proved`, may depend on rounding; they can still
+// be read.
 inline constexpr int layout_version = cell::newest_layout;
 inline constexpr int oldest_readable = 2;
 inline constexpr std::int64_t attractor_capacity = 256;
@@ -24,6 +25,10 @@ inline constexpr std::int64_t attractor_capacity = 256;
 // The seal (seal.hpp).
 inline constexpr hdf5::Variable checksum_of_file{
     "checksum", hdf5::Number::uint64, 0, "", "XXH3 (64 bits) of all that is final in the file; written last"};
+
+// The record of raw bytes (raw_bytes.hpp), at the end of the file.
+inline constexpr hdf5::Variable record_of_bytes{
+    "bytes", hdf5::Number::text, 0, "", "XXH3 (64 bits) of the file's bytes outside these ranges"};
 
 struct Dimension {
     std::string name;  // of the scale, in the same group
@@ -68,6 +73,7 @@ inline constexpr const char* failures = "/summary/failures";
 inline constexpr const char* sum_of_file = "/summary/checksum";
 inline constexpr const char* sum_of_frame = "/summary/frame";
 inline constexpr const char* finished = "/summary/finished";
+inline constexpr const char* bytes = "/summary/bytes";
 inline constexpr const char* attractor = "/attractor";
 inline constexpr const char* attractor_count = "/attractors/count";
 inline constexpr const char* attractor_cells = "/attractors/cells";

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "hdf5/checked.hpp"
@@ -18,6 +19,7 @@
 #include "map_file/layout.hpp"
 #include "map_file/make_layout.hpp"
 #include "map_file/map_size.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
@@ -60,8 +62,10 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     make_datasets(check, file.id(), plans);
     write_coordinates(check, file.id(), plans, job);
     write_seal(check, file.id(), Sealed::frame);
+    std::vector<ByteRange> numbers = ranges_of(check, file.id(), plans);
     check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");
     check(H5Fclose(file.release()), "H5Fclose");
+    write_record(path, std::move(numbers));
 }
 
 // Not through a link.

@@ -43,7 +43,9 @@ hdf5::SpaceId space_of(const hdf5::Checked& check, const DatasetPlan& plan) {
 hdf5::PropertiesId creation_of(const hdf5::Checked& check, const DatasetPlan& plan) {
     hdf5::PropertiesId properties = new_properties(check, H5P_DATASET_CREATE);
     leave_out_times(check, properties);
-    check(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY), "H5Pset_alloc_time");
+    const bool is_last = plan.path() == path::bytes;
+    check(H5Pset_alloc_time(properties.id(), is_last ? H5D_ALLOC_TIME_LATE : H5D_ALLOC_TIME_EARLY),
+          "H5Pset_alloc_time");
     check(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_ALLOC), "H5Pset_fill_time");
     if (plan.variable.number != hdf5::Number::text) {
         check(H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &plan.variable.fill), "H5Pset_fill_value");
@@ -165,6 +167,8 @@ void make_datasets(const hdf5::Checked& check, hid_t file, std::span<const Datas
                   "H5DSattach_scale");
         }
     }
+    check(H5Fflush(file, H5F_SCOPE_LOCAL), "H5Fflush");  // heaps of attributes take their room
+    hdf5::write_text(check, file, path::bytes, "");      // and this one its own, behind all else
 }
 
 void write_coordinates(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans,

@@ -19,6 +19,7 @@ namespace peterka::map_file {
 [[nodiscard]] hdf5::PropertiesId file_access(const hdf5::Checked& check);
 [[nodiscard]] hdf5::PropertiesId file_creation(const hdf5::Checked& check);
 
+// Among the plans is that of the record of bytes, which becomes the end of the file.
 void make_datasets(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans);
 void write_coordinates(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans,
                        const job::Job& job);

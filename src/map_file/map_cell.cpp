@@ -11,7 +11,9 @@
 #include "map_file/layout.hpp"
 #include "map_file/make_layout.hpp"
 #include "map_file/matches_plan.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/root_attributes.hpp"
+#include "map_file/seal.hpp"
 #include "map_file/tile_store.hpp"
 #include "support/errors.hpp"
 
@@ -35,10 +37,22 @@ hdf5::FileId open_to_read(const hdf5::Checked& check, const std::string& key) {
         refuse(path, "does not exist (looked for from the current folder)", key);
     if (!std::filesystem::is_regular_file(path, unknown)) refuse(path, "is not a regular file", key);
     if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "is not an HDF5 file, or may not be read", key);
+    if (const std::string fault = fault_in_bytes(check); !fault.empty()) refuse(path, fault, key);
     const hdf5::PropertiesId access = file_access(check);
     hdf5::FileId file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()));
     if (file.id() < 0) refuse(path, "is damaged: " + hdf5::hdf5_reason(), key);
     return file;
+}
+
+// Its rig and axes are believed as its own run would believe them. Cells have checksums of their own.
+void require_trust(const hdf5::Checked& check, const hdf5::FileId& file, const std::string& key) {
+    try {
+        if (is_sealed(check, file.id(), says_finished(check, file.id()) ? Sealed::whole : Sealed::frame))
+            return;
+    } catch (const Failure&) {  // a seal is made of what the file says, and this one says what can't be
+    }
+    refuse(check.path(), "is damaged: something outside its cells is not what was written (wrong checksum)",
+           key);
 }
 
 job::Job job_in(const std::filesystem::path& path, const hdf5::FileId& file, const std::string& key) {
@@ -66,6 +80,7 @@ job::Job read_map_job(const std::filesystem::path& path, const std::string& key)
     const hdf5::Checked check(path);
     const hdf5::FileId file = open_to_read(check, key);
     job::Job job = job_in(path, file, key);
+    require_trust(check, file, key);
     if (job.kind == job::Kind::map || job.kind == job::Kind::basin) return job;
     refuse(path, fmt::format("is of kind \"{}\", which has no plane of cells", job::name(job.kind)), key);
 }

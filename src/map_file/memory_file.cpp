@@ -51,7 +51,8 @@ herr_t keep_image(void*) {
 
 }  // namespace
 
-std::vector<std::byte> bytes_of_file(const hdf5::Checked& check, const std::function<void(hid_t)>& fill) {
+std::vector<std::byte> bytes_of_file(const hdf5::Checked& check,
+                                     const std::function<std::uint64_t(hid_t)>& fill) {
     constexpr std::size_t growth = 1 << 20;
     Image image;
     H5FD_file_image_callbacks_t callbacks{take_memory, copy_memory, resize_memory, free_memory,
@@ -61,12 +62,10 @@ std::vector<std::byte> bytes_of_file(const hdf5::Checked& check, const std::func
     check(H5Pset_file_image_callbacks(access.id(), &callbacks), "H5Pset_file_image_callbacks");
     hdf5::FileId file(check(
         H5Fcreate(check.path().c_str(), H5F_ACC_TRUNC, file_creation(check).id(), access.id()), "H5Fcreate"));
-    fill(file.id());
+    const std::uint64_t end = fill(file.id());
     check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "H5Fflush");
-    hsize_t size = 0;
-    check(H5Fget_filesize(file.id(), &size), "H5Fget_filesize");
     check(H5Fclose(file.release()), "H5Fclose");
-    image.bytes.resize(static_cast<std::size_t>(size));
+    image.bytes.resize(static_cast<std::size_t>(end));
     return std::move(image.bytes);
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -13,8 +14,8 @@
 
 namespace peterka::map_file {
 
-// The bytes of the file that `fill` fills.
+// The bytes of the file that `fill` fills, to the end that it tells: the memory grows in steps.
 [[nodiscard]] std::vector<std::byte> bytes_of_file(const hdf5::Checked& check,
-                                                   const std::function<void(hid_t)>& fill);
+                                                   const std::function<std::uint64_t(hid_t)>& fill);
 
 }  // namespace peterka::map_file

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 #include <hdf5_hl.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,32 +13,12 @@
 #include "hdf5/versions.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/matches_plan.hpp"
+#include "map_file/sum.hpp"
 #include "support/errors.hpp"
 
 namespace peterka::map_file {
 
 namespace {
-
-class Sum {
-  public:
-    void add(std::span<const std::byte> bytes) { XXH3_64bits_update(state_.get(), bytes.data(), bytes.size()); }
-    void add(std::uint64_t number) { add(std::as_bytes(std::span(&number, 1))); }
-    void add(std::string_view text) {
-        add(std::uint64_t{text.size()});
-        add(std::as_bytes(std::span(text)));
-    }
-    [[nodiscard]] std::uint64_t value() const { return XXH3_64bits_digest(state_.get()); }
-
-  private:
-    struct Free {
-        void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-    };
-    std::unique_ptr<XXH3_state_t, Free> state_ = [] {
-        std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
-        if (!state || XXH3_64bits_reset(state.get()) != XXH_OK) throw std::bad_alloc();
-        return state;
-    }();
-};
 
 struct Names {
     std::vector<std::string> all;
@@ -173,7 +151,7 @@ class Sealing {
         const int rank = H5Sget_simple_extent_ndims(space.id());
         for (unsigned i = 0; i < static_cast<unsigned>(rank); ++i) add_scales(dataset.id(), i);
         const bool is_coordinate = rank == 1 && path.rfind('/') == 0;
-        if (path == path::sum_of_file || path == path::finished) return;
+        if (path == path::sum_of_file || path == path::finished || path == path::bytes) return;
         if (part_ == Sealed::frame && !is_coordinate) return;
         disk_ == nullptr ? add_from_memory(dataset.id(), type.id(), values) : add_from_disk(dataset.id(), path);
     }
@@ -230,6 +208,12 @@ void write_seal(const hdf5::Checked& check, hid_t file, Sealed part) {
     const std::uint64_t sum = seal_of(check, file, nullptr, part);
     const hdf5::DatasetId dataset(check(H5Dopen2(file, place_of(part), H5P_DEFAULT), "H5Dopen2"));
     check(H5Dwrite(dataset.id(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &sum), "H5Dwrite");
+}
+
+bool says_finished(const hdf5::Checked& check, hid_t file) {
+    if (!is_own_link(file, path::finished)) return false;
+    const hdf5::DiskFile disk(check.path());
+    return hdf5::get_number({check, file, disk}, path::finished, hdf5::Number::int8) == 1;
 }
 
 bool is_sealed(const hdf5::Checked& check, hid_t file, Sealed part) {

@@ -9,7 +9,8 @@
 //     of a dataset also type, shape, along each dimension the number of scales and their paths, and its bytes,
 //     tile by tile where it is chunked.
 // The bytes of chunked datasets but /attractor are left out: /tiles/checksum, which is in, vouches for them. So
-// are those of the seal itself and of /summary/finished, which is written after it. Types are "i4", "u8", "f8",
+// are those of the seal itself, of /summary/finished, which is written after it, and of /summary/bytes, which
+// vouches for itself (raw_bytes.hpp). Types are "i4", "u8", "f8",
 // "S4096" for texts of fixed room, and "text". DIMENSION_LIST and REFERENCE_LIST are told by the scales.
 //
 // An unfinished map has a seal of its frame, /summary/frame: the same without the bytes of all datasets but
@@ -37,6 +38,9 @@ enum class Sealed {
 
 // Writes the seal into a file that HDF5 makes.
 void write_seal(const hdf5::Checked& check, hid_t file, Sealed part);
+
+// Whether the file on the disk is marked as finished.
+[[nodiscard]] bool says_finished(const hdf5::Checked& check, hid_t file);
 
 // Whether the file on the disk has the seal that belongs to it.
 [[nodiscard]] bool is_sealed(const hdf5::Checked& check, hid_t file, Sealed part = Sealed::whole);

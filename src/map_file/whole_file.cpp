@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "hdf5/attributes.hpp"
@@ -22,6 +24,7 @@
 #include "map_file/make_layout.hpp"
 #include "map_file/map_size.hpp"
 #include "map_file/memory_file.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
@@ -38,6 +41,7 @@ constexpr hdf5::Variable fact_variables[] = {
 constexpr hdf5::Variable whole_summary[] = {
     checksum_of_file,
     {"finished", hdf5::Number::int8, 0, "1", "1 once everything in the file is final"},
+    record_of_bytes,
 };
 
 hdf5::Block whole(const DatasetPlan& plan) {
@@ -52,8 +56,19 @@ void write_values(const hdf5::Checked& check, hid_t file, const Table& table) {
     hdf5::write_block(check, dataset.id(), hdf5::Number::float64, whole(table.plan), table.values.data());
 }
 
-void fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job, const Provenance& provenance,
-               const Contents& contents, const RunFacts& facts) {
+// What differs from run to run, and the record behind it.
+std::vector<ByteRange> unsummed(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans) {
+    std::vector<DatasetPlan> left_out;
+    std::ranges::copy_if(plans, std::back_inserter(left_out), [](const DatasetPlan& plan) {
+        return plan.group == "/run" || plan.path() == path::bytes;
+    });
+    return ranges_of(check, file, left_out);
+}
+
+// Gives what its record doesn't sum.
+std::vector<ByteRange> fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job,
+                                 const Provenance& provenance, const Contents& contents,
+                                 const RunFacts& facts) {
     write_root_attributes(check, file, job, provenance);
     for (const RootText& each : contents.texts) hdf5::write_attribute(check, file, each.name, each.text);
     std::vector<DatasetPlan> plans;
@@ -67,6 +82,7 @@ void fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job, cons
     hdf5::write_text(check, file, path::hosts, facts.hosts);
     write_seal(check, file, Sealed::whole);
     hdf5::write_number(check, file, path::finished, 1);
+    return unsummed(check, file, plans);
 }
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const char* call, int error) {
@@ -99,6 +115,15 @@ void write_bytes(const std::filesystem::path& path, std::span<const std::byte> b
     if (!std::ranges::equal(there, bytes)) fail_to_write(path, "reading back what was written", EIO);
 }
 
+void put_record(std::span<std::byte> bytes, std::vector<ByteRange> unsummed) {
+    unsummed.pop_back();  // its own
+    const ReadBytes read = [&](std::uint64_t offset, std::span<std::byte> to) {
+        std::ranges::copy(bytes.subspan(offset, to.size()), to.begin());
+    };
+    const std::string record = record_for(bytes.size(), std::move(unsummed), read);
+    std::ranges::copy(std::as_bytes(std::span(record)), bytes.end() - std::ssize(record));
+}
+
 }  // namespace
 
 void require_place(const std::filesystem::path& path, std::int64_t largest_bytes) {
@@ -122,8 +147,12 @@ void write_whole_file(const std::filesystem::path& path, const job::Job& job, co
                       const Contents& contents, const RunFacts& facts) {
     const std::filesystem::path temporary = temporary_name(path);
     const hdf5::Checked check(path);
-    const std::vector<std::byte> bytes =
-        bytes_of_file(check, [&](hid_t file) { fill_file(check, file, job, provenance, contents, facts); });
+    std::vector<ByteRange> unsummed;
+    std::vector<std::byte> bytes = bytes_of_file(check, [&](hid_t file) {
+        unsummed = fill_file(check, file, job, provenance, contents, facts);
+        return unsummed.back().end;
+    });
+    put_record(bytes, std::move(unsummed));
     clear_temporary(temporary);
     try {
         write_bytes(temporary, bytes);

@@ -14,7 +14,9 @@ import disk_faults
 import jobs
 import launch
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "postprocess"))
+TESTS = Path(__file__).parents[1]
+sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]
+sealing = importlib.import_module("sealing")
 pictures = importlib.import_module("peterka.pictures")
 NotDrawable = importlib.import_module("peterka.files.opened").NotDrawable
 
@@ -87,6 +89,13 @@ def test_one_flipped_bit_in_any_dataset_is_found(copy):
     assert shown == {}
 
 
+def test_the_record_of_bytes_is_a_dataset_and_the_end_of_the_file(copy):
+    with h5py.File(copy) as file:
+        dataset = file["summary/bytes"]
+        assert dataset.id.get_offset() + dataset.id.get_storage_size() == copy.stat().st_size
+        assert dataset[()].startswith(b"peterka bytes 1, XXH3 ")
+
+
 @pytest.mark.parametrize("attribute, value", [("natural_frequency_hz", 45.0), ("hammer_mass_kg", 2.98),
                                               ("title", "another"), ("job", "kind = 'map'")])
 def test_a_changed_attribute_is_found(copy, attribute, value):
@@ -117,6 +126,7 @@ def test_what_differs_from_run_to_run_may_be_changed(copy):
 def test_a_file_of_the_layout_before_says_what_it_lacks(copy):
     with h5py.File(copy, "r+") as file:
         file.attrs["peterka_layout"] = np.int32(1)
+    sealing.renew_record(copy)
     assert refused(copy) == ""
     run = launch.run("run", "job.toml", cwd=copy.parent)
     assert "have no checksum over what lies outside their cells" in run.stderr

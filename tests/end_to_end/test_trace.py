@@ -1,7 +1,10 @@
 """Traces: the same at any number of ranks, open in xarray, and true to the map whose cell they follow."""
 
+import importlib
 import shutil
 import signal
+import sys
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -11,6 +14,11 @@ import xarray
 import jobs
 import launch
 import map_contents
+
+TESTS = Path(__file__).parents[1]
+DATA = TESTS / "data"
+sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]
+sealing = importlib.import_module("sealing")
 
 
 def compute(folder, text, *arguments, ranks=None):
@@ -140,6 +148,7 @@ def unfinished(source, path):
     shutil.copy(source, path)
     with h5py.File(path, "r+") as file:
         file["tiles/done"][0] = 0
+        file["summary/finished"][()] = 0
     return path
 
 
@@ -148,6 +157,23 @@ def without_a_dataset(source, path):
     with h5py.File(path, "r+") as file:
         del file["impacts"]
     return path
+
+
+def of_another_rig(source, path):
+    """One bit in the text of the job: 0.298 kg becomes 0.398 kg."""
+    content = source.read_bytes()
+    assert content.count(b"mass_kg = 0.298") >= 1
+    path.write_bytes(content.replace(b"mass_kg = 0.298", b"mass_kg = 0.398"))
+    return path
+
+
+def of_another_rig_whose_bytes_are_summed_anew(source, path):
+    sealing.renew_record(of_another_rig(source, path))
+    return path
+
+
+def of_another_rig_and_layout_2(_, path):
+    return of_another_rig(DATA / "layout_2.h5", path)
 
 
 def no_hdf5(_, path):
@@ -161,12 +187,23 @@ def missing(_, path):
 
 @pytest.mark.parametrize("make, message", [
     (missing, "does not exist"), (no_hdf5, "is not an HDF5 file"), (damaged, "is damaged (wrong checksum)"),
-    (unfinished, "has not computed yet"), (without_a_dataset, "dataset /impacts is missing"),
+    (unfinished, "has not computed yet"), (without_a_dataset, "(wrong checksum)"),
+    (of_another_rig, "its bytes are not what was written (wrong checksum)"),
+    (of_another_rig_whose_bytes_are_summed_anew, "something outside its cells is not what was written (wrong checksum)"),
+    (of_another_rig_and_layout_2, "something outside its cells is not what was written (wrong checksum)"),
 ])
 def test_a_bad_map_file_is_refused(tmp_path, small_map_file, make, message):
     path = make(small_map_file, tmp_path / "map.h5")
     said = refused(tmp_path, jobs.trace_of(path, "row = 0\ncolumn = 0"))
     assert message in said and "map.h5" in said
+
+
+@pytest.mark.parametrize("make", [of_another_rig, of_another_rig_whose_bytes_are_summed_anew, of_another_rig_and_layout_2])
+def test_a_basin_takes_no_rig_from_a_damaged_map(tmp_path, small_map_file, make):
+    path = make(small_map_file, tmp_path / "map.h5")
+    starts = jobs.axis("displacement_ratio", -3.0, 0.5, 3) + jobs.axis("velocity_ratio", -4.0, 4.0, 3)
+    said = refused(tmp_path, f'schema = 1\nkind = "basin"\n[basin]\nmap = "{path}"\nrow = 0\ncolumn = 0\n{starts}')
+    assert "(wrong checksum)" in said and "basin.map" in said
 
 
 @pytest.mark.parametrize("settings, message", [

@@ -1,8 +1,11 @@
 """Sample files are sealed when they are closed, as a stranger would who knows how: what is in them must be judged."""
 
+from contextlib import suppress
+from pathlib import Path
+
 import h5py
 import numpy as np
-from peterka.files import own_objects, seal
+from peterka.files import own_objects, raw_bytes, seal
 
 SPOILT = (own_objects.NotOwn, seal.Broken, OSError, RuntimeError, KeyError, ValueError, TypeError)
 
@@ -18,20 +21,58 @@ class SealedFile(h5py.File):
 
 
 def seal_file(path):
-    """Writes the seal; a file that can't have one stays without."""
-    try:
-        with h5py.File(path, "r+") as file:
-            group = file.require_group("summary")
-            for name, kind in (("finished", np.int8), ("checksum", np.uint64)):
-                if name not in group:
-                    group.create_dataset(name, data=kind(1))
-        with h5py.File(path, "r") as file, open(path, "rb") as raw:
-            value = seal.seal_of(file, raw, own_objects.storages(file, path_size(raw)))
-        with h5py.File(path, "r+") as file:
-            if file["summary/checksum"].dtype == np.uint64:  # else it is what is wrong with the file
-                file["summary/checksum"][()] = value
-    except SPOILT:
-        pass
+    """Writes the seal and the record of bytes; a file that can't have one stays without."""
+    with suppress(*SPOILT):
+        write_seal(path)
+    with suppress(*SPOILT):
+        write_record(path)
+
+
+def write_seal(path):
+    """Over the content."""
+    with h5py.File(path, "r+") as file:
+        group = file.require_group("summary")
+        for name, kind in (("finished", np.int8), ("checksum", np.uint64)):
+            if name not in group:
+                group.create_dataset(name, data=kind(1))
+        if "bytes" not in group:
+            group.create_dataset("bytes", data=no_record())
+    with h5py.File(path, "r") as file, open(path, "rb") as raw:
+        value = seal.seal_of(file, raw, own_objects.storages(file, path_size(raw)))
+    with h5py.File(path, "r+") as file:
+        if file["summary/checksum"].dtype == np.uint64:  # else it is what is wrong with the file
+            file["summary/checksum"][()] = value
+
+
+def write_record(path):
+    """Over all bytes but the record itself, which becomes the end of the file."""
+    with h5py.File(path, "r+") as file:
+        if "summary/bytes" in file:
+            del file["summary/bytes"]
+    with h5py.File(path, "r+") as file:  # opened anew, HDF5 knows of no hole to put it into
+        place = file.create_dataset("summary/bytes", data=no_record()).id.get_offset()
+    assert place + raw_bytes.RECORD_SIZE == Path(path).stat().st_size
+    renew_record(path)
+
+
+def renew_record(path):
+    """Of a file whose bytes were changed: its ranges stay; where there were none, all but the record itself is summed."""
+    with open(path, "r+b") as raw:
+        size = path_size(raw)
+        place = size - raw_bytes.RECORD_SIZE
+        raw.seek(place)
+        record = raw.read()
+        lines = f"{place} {size}\n".encode().ljust(raw_bytes.RECORD_SIZE - raw_bytes.FIRST_LINE, b"\0")
+        if record.startswith(raw_bytes.TITLE):
+            lines = record[raw_bytes.FIRST_LINE:]
+        numbers = [int(word) for word in lines.rstrip(b"\0").split()]
+        first = raw_bytes.first_line(raw, lines, list(zip(numbers[::2], numbers[1::2])))
+        raw.seek(place)
+        raw.write(first + lines)
+
+
+def no_record():
+    return np.array(b"", f"S{raw_bytes.RECORD_SIZE}")
 
 
 def path_size(raw):

@@ -5,6 +5,7 @@ import csv
 import h5py
 import numpy as np
 import pytest
+from peterka.files.whole_file import written_whole
 from picture_samples import ALL_CLASSES, write_basin, write_map
 from scipy.io import loadmat
 from sweep_samples import write_sweep
@@ -125,3 +126,36 @@ def test_draw_exports_the_same(sample, tmp_path, run_program, draw):
     assert run_program("export", sample)[0] == 0
     assert (tmp_path / "out" / "a.csv").read_bytes() == (tmp_path / "a.csv").read_bytes()
     assert draw(sample, "--export", "xls").code == 2
+
+
+def test_names_that_the_layout_does_not_have_stay_out(tmp_path, run_program):
+    """Neither a formula as a column, nor a line of its own in VTK, nor a twin of a field that is computed."""
+    strange = ["=cmd|' /C calc'!A1", "a\nSCALARS b", "peak_force_n", "frequency_hz", "title", "\u202elong", "Upper"]
+    fields = {name: np.full((4, 6), 17.0) for name in strange}
+    path = write_map(tmp_path / "a.h5", ALL_CLASSES, fields=fields | {"other": np.ones((4, 6))})
+    assert run_program("export", path, "--as", "csv,vtk,mat")[0] == 0
+    with open(tmp_path / "a.csv", newline="", encoding="utf-8") as text:
+        heads = next(csv.reader(text))
+    assert len(set(heads)) == len(heads) and not set(heads) & (set(strange) - {"peak_force_n", "frequency_hz"}) and "other" in heads
+    found, arrays = read_vtk(tmp_path / "a.vtk"), loadmat(tmp_path / "a.mat")
+    assert "other" in found and not (found["peak_force_n"] == 17).any()
+    assert not (arrays["peak_force_n"] == 17).any() and not (arrays["frequency_hz"] == 17).any() and arrays["title"] == ["Sample"]
+
+
+def test_an_export_follows_no_link_and_shares_no_name(sample, tmp_path, run_program):
+    victim = tmp_path / "victim"
+    victim.write_text("mine")
+    for name in (".a.csv.unfinished", "a.csv"):
+        (tmp_path / name).symlink_to(victim)
+    assert run_program("export", sample)[0] == 0
+    assert victim.read_text() == "mine"
+    assert not (tmp_path / "a.csv").is_symlink()
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".a.csv.unfinished", "a.csv", "a.h5", "victim"]
+
+
+def test_two_at_once_write_two_files(tmp_path):
+    with written_whole(tmp_path / "a") as first, written_whole(tmp_path / "a") as second:
+        first.write("first")
+        second.write("second")
+        assert len(list(tmp_path.iterdir())) == 2
+    assert [path.name for path in tmp_path.iterdir()] == ["a"] and (tmp_path / "a").read_text() == "first"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from conftest import POSTPROCESS
 from picture_samples import write_basin, write_map
-from sealing import SealedFile
+from sealing import SealedFile, renew_record
 
 
 def replaced(path, name, values):
@@ -102,6 +102,7 @@ def one_storage_twice(path):
     content = path.read_bytes()
     assert content.count(of["period"]) == 1
     path.write_bytes(content.replace(of["period"], of["impacts"]))
+    renew_record(path)
     return path
 
 
@@ -151,6 +152,7 @@ def unnamed_coordinate(path):
     """What is attached to it still refers to it."""
     with h5py.File(path, "r+") as file:
         del file["attractors/attractor"]
+    renew_record(path)
     return path
 
 
@@ -239,3 +241,23 @@ def test_the_good_files_are_still_drawn(tmp_path, draw):
     outcome = draw(tmp_path / "missing.h5", write_map(tmp_path / "good.h5"), "--formats", "png")
     assert outcome.code == 2
     assert outcome.pictures == ["good_force_1_1.png", "good_force_all.png", "good_map.png"]
+
+
+@pytest.mark.parametrize("place", ["name", "attribute"])
+def test_names_that_are_no_text_are_told(place, tmp_path, draw):
+    path = write_map(tmp_path / "bad.h5")
+    with SealedFile(path, "r+") as file:
+        if place == "name":
+            file.create_group(b"\xff\xfe")
+        else:
+            file.attrs.create(b"\xff\xfe", 1.0)
+    outcome = draw(path)
+    assert outcome.code == 2 and outcome.stderr.endswith("has a name in / that is no text\n")
+
+
+def test_a_title_that_is_no_text_is_drawn(tmp_path, draw):
+    path = write_map(tmp_path / "odd.h5")
+    with SealedFile(path, "r+") as file:
+        file.attrs["title"] = np.bytes_(b"\xff\xfe title")
+    outcome = draw(path)
+    assert outcome.code == 0 and outcome.stderr == ""

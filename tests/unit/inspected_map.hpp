@@ -18,6 +18,7 @@
 #include "map_file/layout.hpp"
 #include "map_file/make_file.hpp"
 #include "map_file/make_layout.hpp"
+#include "map_file/raw_bytes.hpp"
 #include "map_file/seal.hpp"
 #include "map_file/tile_store.hpp"
 #include "support/errors.hpp"
@@ -28,11 +29,13 @@ class InspectedMap : public ::testing::Test {
   protected:
     void make() { make_file(path_, job_, made_by()); }
 
+    // As somebody would who knows how to renew the record of the file's bytes.
     void change(const std::function<void(const hdf5::Checked&, hid_t)>& task) {
         const hdf5::Checked check(path_);
-        const hdf5::FileId file(
-            check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, file_access(check).id()), "H5Fopen"));
+        hdf5::FileId file(check(H5Fopen(path_.c_str(), H5F_ACC_RDWR, file_access(check).id()), "H5Fopen"));
         task(check, file.id());
+        check(H5Fclose(file.release()), "H5Fclose");
+        if (are_broken(path_)) write_record(path_, {place_of_record(std::filesystem::file_size(path_))});
     }
 
     void write_all_tiles() {

@@ -1,5 +1,6 @@
 """The fields of a map's or a basin's cells, named and in the units in which people measure."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +14,7 @@ from ..maps.map_file import PeterkaFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
 NOT_COMPUTED = "not_computed"
+PLAIN_NAME = re.compile(r"[a-z][a-z0-9_]{0,62}")  # as all of the layout's: nothing that a table or a program would take for more
 SUFFIXES = {"impact_speed": "m_s", "impulse": "n_s", "contact_time": "s", "max_displacement": "mm"}
 MILLI = {"max_displacement": 1e3}
 
@@ -38,13 +40,14 @@ class Side:
 
 
 def fields_of(file: PeterkaFile) -> list[Field]:
-    """The Fields of a map or basin, the label first."""
+    """The Fields of a map or basin, the label first. What a stranger has added is left out where its name is none of the
+    layout's kind, or that of another field or axis."""
     first = ["regime", "impacts", "period", "peak_force_ratio"]
     edges = {f"edge_distance_{side}": (word, factor) for side, word, factor in (
         ("frequency_ratio", "edge_distance_frequency_hz", file.positive("natural_frequency_hz")),
         ("gap_ratio", "edge_distance_gap_mm", 1e3 * (file.positive("cart_amplitude_m") or 0))) if factor}
     found = []
-    for name in [*first, *(name for name in file.data.names() if name not in first)]:
+    for name in [*first, *(name for name in file.data.names() if name not in first and PLAIN_NAME.fullmatch(name))]:
         try:
             kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
         except NotDrawable:  # a group, an axis, or a table of something else
@@ -56,7 +59,9 @@ def fields_of(file: PeterkaFile) -> list[Field]:
         else:
             suffix = SUFFIXES.get(name)
             found.append(Field(name, f"{name}_{suffix}" if suffix else name, MILLI.get(name, 1.0), kind in INTEGER))
-    return found
+    taken = {name for side in sides_of(file) for name in (side.name, side.ratio_name)} | {"title"}
+    taken |= {field.name for field in found if field.name != field.dataset}
+    return [field for field in found if field.name != field.dataset or field.name not in taken]
 
 
 def sides_of(file: PeterkaFile) -> tuple[Side, Side]:

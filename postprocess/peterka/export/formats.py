@@ -2,14 +2,13 @@
 
 import argparse
 import csv
-import os
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
 
 from ..files.opened import OpenedFile
+from ..files.whole_file import written_whole
 from ..maps.map_file import PeterkaFile
 from .cells import bands, fields_of, regime_word, sides_of
 
@@ -21,7 +20,7 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
     fields, (rows, columns) = fields_of(file), sides_of(file)
     sides = [(columns, 1), (rows, 0)]
     heads = [name for side, _ in sides for name in dict.fromkeys([side.name, side.ratio_name])]
-    with _whole(path, "w", newline="", encoding="utf-8") as out:
+    with written_whole(path, "w", newline="", encoding="utf-8") as out:
         table = csv.writer(out)
         table.writerow([*heads, *(field.name for field in fields)])
         for first, band in bands(file, fields):
@@ -36,7 +35,7 @@ def write_csv(file: PeterkaFile, path: Path) -> None:
 def write_vtk(file: PeterkaFile, path: Path) -> None:
     """Points are the cells' centres, in the axes' units; each field is an array of their data."""
     fields, (rows, columns) = fields_of(file), sides_of(file)
-    with _whole(path, "wb") as out:
+    with written_whole(path, "wb") as out:
         title = file.title.encode("ascii", "replace").decode()[:200]
         out.write(f"# vtk DataFile Version 3.0\n{title}\nBINARY\nDATASET RECTILINEAR_GRID\nDIMENSIONS "
                   f"{len(columns.values)} {len(rows.values)} 1\n".encode())
@@ -62,7 +61,7 @@ def write_matlab(file: PeterkaFile, path: Path) -> None:
         variables |= {side.name: side.values, side.ratio_name: side.ratios}
     from scipy.io import savemat  # it takes long to load, and few ask for it
 
-    with _whole(path, "wb") as out:
+    with written_whole(path, "wb") as out:
         savemat(out, variables | {"title": file.title}, oned_as="row", long_field_names=True)
 
 
@@ -87,18 +86,6 @@ def export(file: OpenedFile, folder: Path, formats: Iterable[str]) -> Iterator[P
         path = folder / f"{file.path.stem}.{name}"
         FORMATS[name](file, path)
         yield path
-
-
-@contextmanager
-def _whole(path, mode, **options):
-    """A file that appears under its name when it is complete."""
-    unfinished = path.with_name(f".{path.name}.unfinished")
-    try:
-        with open(unfinished, mode, **options) as out:
-            yield out
-        os.replace(unfinished, path)
-    finally:
-        unfinished.unlink(missing_ok=True)
 
 
 def _once(side):

@@ -2,7 +2,7 @@
 
 Sizes and types are checked before anything is read, and links and data that lie in other files are refused
 (own_objects.py), so that a file can neither ask for any amount of memory nor make this program read what is not its own.
-verify() compares the whole of it with its checksums. Every refusal is a NotDrawable whose message is one sentence with the file's name.
+Before HDF5 opens it, its raw bytes are compared with their checksum (raw_bytes.py); verify() compares the whole of it with its checksums. Every refusal is a NotDrawable whose message is one sentence with the file's name.
 """
 
 import os
@@ -17,7 +17,7 @@ import h5py
 import numpy as np
 
 from ..arrays import Integers
-from . import own_objects, seal
+from . import own_objects, raw_bytes, seal
 from .harmless import harmless
 
 MAX_CHUNK_BYTES = 2**28  # HDF5 reads whole chunks
@@ -107,6 +107,8 @@ class CheckedFile:
             value = value.reshape(())[()]
         if isinstance(value, bytes):
             value = value.decode("utf-8", "replace")
+        if isinstance(value, str):  # h5py keeps what is no UTF-8 as halves of letters, which can't be written
+            value = value.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
         return value if isinstance(value, str) or is_number(value) else None
 
     def numbers(self) -> dict[str, h5py.Dataset]:
@@ -203,6 +205,8 @@ class CheckedFile:
         if not self.path.is_file():
             raise self.refusal("is not a regular file")
         try:
+            if fault := raw_bytes.fault_of(self.path):
+                raise self.refusal(fault)
             return h5py.File(self.path, "r")
         except PermissionError as error:
             raise self.refusal("may not be read (permission denied)") from error

@@ -77,7 +77,7 @@ def storages(file: h5py.File, file_size: int) -> dict[str, Storage | None]:
 
 def _walk(group, path, found, addresses, file_size):
     _check_attributes(group, path or "/", file_size)
-    for name in sorted(group, key=lambda text: text.encode("utf-8", "surrogateescape")):
+    for name in sorted(_texts(group, path), key=lambda text: text.encode("utf-8", "surrogateescape")):
         child = f"{path}/{name}"
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
             raise NotOwn(f"has no dataset {child[1:]} of its own, but a link")
@@ -95,12 +95,20 @@ def _walk(group, path, found, addresses, file_size):
             raise NotOwn(f"has {child[1:]}, which is neither a group nor a dataset")
 
 
+def _texts(names, path):
+    """As a list; h5py gives bytes for what is no UTF-8."""
+    found = list(names)
+    if not all(isinstance(name, str) for name in found):
+        raise NotOwn(f"has a name in {path or '/'} that is no text")
+    return found
+
+
 def _address(item):
     return h5py.h5o.get_info(item.id).addr
 
 
 def _check_attributes(item, path, file_size):
-    for name in item.attrs:
+    for name in _texts(item.attrs, path):
         attribute = h5py.h5a.open(item.id, name.encode())
         count = int(np.prod(attribute.shape, dtype=float))
         if max(attribute.get_storage_size(), count * attribute.get_type().get_size()) > file_size:

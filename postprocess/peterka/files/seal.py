@@ -19,6 +19,7 @@ except ImportError:  # told where a file is verified
     xxhash = None  # type: ignore[assignment]
 
 SEAL, FRAME, FINISHED = "/summary/checksum", "/summary/frame", "/summary/finished"
+RECORD = "/summary/bytes"  # of raw_bytes.py, which vouches for itself
 ATTRACTOR, RUN = "/attractor", "/run"
 TOLD_BY_SCALES = {"DIMENSION_LIST", "REFERENCE_LIST"}
 AT_ONCE = 2**22  # bytes
@@ -50,7 +51,7 @@ def seal_of(file: h5py.File, raw: BinaryIO, storages: Mapping[str, Storage | Non
         item, storage = file[path], storages[path]
         _add_object(total, item, path, storage)
         is_coordinate = storage is not None and len(item.shape) == 1 and path.count("/") == 1
-        if storage is not None and path not in (SEAL, FINISHED) and (whole or is_coordinate):
+        if storage is not None and path not in (SEAL, FINISHED, RECORD) and (whole or is_coordinate):
             _add_data(total, path, raw, storage)
     return total.intdigest()
 

@@ -1,7 +1,6 @@
 """Figures that are one picture, and the place of a picture in a figure of somebody else's."""
 
 import io
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpecBase
 
+from ..files.whole_file import written_whole
 from . import style
 
 COARSE_DPI, FINE_DPI, FINE_FROM = 300, 600, 800  # a map of more than FINE_FROM cells a side needs the finer raster
@@ -89,11 +89,7 @@ def figure_of(drawn: Axes | Sequence[Axes]) -> Figure:
 
 def save(figure: Figure, path: Path) -> None:
     """Writes a finished picture in the format of its suffix; an interrupted one never passes for a picture."""
-    unfinished = path.with_name(f".{path.name}.unfinished")
     kind = path.suffix[1:]
-    try:
-        figure.savefig(unfinished, format=kind, dpi=figure.dpi, metadata=METADATA[kind])
+    with written_whole(path, "wb") as out:
+        figure.savefig(out, format=kind, dpi=figure.dpi, metadata=METADATA[kind])
         figure.set_layout_engine("none")  # other formats have the same layout: making it takes longer than drawing
-        os.replace(unfinished, path)
-    finally:
-        unfinished.unlink(missing_ok=True)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..files.whole_file import write_text
 from ..maps.map_file import PeterkaFile
 from .admitted import Quantity, admitted, read_code
 from .drift import Reach
@@ -49,7 +50,7 @@ def verify(file: PeterkaFile, place: Place, reaches: tuple[Reach, Reach], starts
         sizes[paths[name]] = _finer(axis, along, at)
     folder.mkdir(parents=True, exist_ok=True)
     job, box = folder / f"{file.path.stem}_box.toml", folder / f"{file.path.stem}_box.h5"
-    job.write_text(text, encoding="utf-8")
+    write_text(job, text)
     _run(job, box, sizes, file, ranks, binary)
     with PeterkaFile(box) as finer:
         found = admitted(finer, starts, quantity.name)

@@ -1,0 +1,90 @@
+"""The checksum over a file's raw bytes, looked at before HDF5 opens it: HDF5 believes what it reads of texts and references.
+
+src/map_file/raw_bytes.hpp describes the record, the last bytes of a file. Files of layout 2 have none, and one that another
+program has written anew has it elsewhere: what HDF5 makes of those is tried by a process of its own first (trial.py).
+"""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import BinaryIO
+
+try:
+    import xxhash
+except ImportError:  # told where a file is looked at
+    xxhash = None  # type: ignore[assignment]
+
+RECORD_SIZE = 4096  # bytes
+TITLE = b"peterka bytes 1, XXH3 "
+FIRST_LINE = len(TITLE) + 16 + 1
+AT_ONCE = 2**20  # bytes
+LOST_RECORD = 1  # exit code of trial.py
+MOST_SECONDS = 30  # that a trial may take, starting up included
+BROKEN = "is damaged: its bytes are not what was written (wrong checksum); compute it again"
+_RANGES = re.compile(rb"(?:[0-9]{1,19} [0-9]{1,19}\n)+")
+
+
+def fault_of(path: Path) -> str | None:
+    """Why HDF5 must not open the file, without its name; None where it may. Raises OSError."""
+    if xxhash is None:
+        return "can't be verified without the Python module xxhash (Debian: apt-get install python3-xxhash)"
+    with open(path, "rb") as raw:
+        sound = are_sound(raw)
+    if sound is None:
+        return _fault_in_trial(path)
+    return None if sound else BROKEN
+
+
+def are_sound(raw: BinaryIO) -> bool | None:
+    """Whether the bytes are those that the record was made of; None where no record is at the end."""
+    size = os.fstat(raw.fileno()).st_size
+    record = _read(raw, max(size - RECORD_SIZE, 0), RECORD_SIZE)
+    if size < RECORD_SIZE or not record.startswith(TITLE):
+        return None
+    lines = record[FIRST_LINE:]
+    ranges = _ranges_in(lines, size)
+    return ranges is not None and record[:FIRST_LINE] == first_line(raw, lines, ranges)
+
+
+def first_line(raw: BinaryIO, lines: bytes, ranges: list[tuple[int, int]]) -> bytes:
+    """Of a record with these lines, to its end, and the ranges that they tell."""
+    total, at = xxhash.xxh3_64(lines), 0
+    for begin, end in ranges:
+        while at < begin:
+            piece = _read(raw, at, min(AT_ONCE, begin - at))
+            total.update(piece)
+            at += len(piece)
+        at = end
+    return TITLE + f"{total.intdigest():016x}\n".encode()
+
+
+def _ranges_in(lines, size):
+    """In order, apart, and with the record itself in the last; None where they aren't."""
+    text = lines.rstrip(b"\0")
+    if not _RANGES.fullmatch(text):
+        return None
+    numbers = [int(word) for word in text.split()]
+    in_order = all(low < high for low, high in zip(numbers, numbers[1:]))
+    return list(zip(numbers[::2], numbers[1::2])) if in_order and numbers[-2] <= size - RECORD_SIZE < numbers[-1] == size else None
+
+
+def _read(raw, offset, size):
+    raw.seek(offset)
+    data = raw.read(size)
+    if not data and size:
+        raise OSError("is cut short")
+    return data
+
+
+def _fault_in_trial(path):
+    paths = os.pathsep.join(filter(None, [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH")]))
+    try:
+        trial = subprocess.run([sys.executable, "-m", f"{__package__}.trial", str(path.resolve())], timeout=MOST_SECONDS,
+                               env=os.environ | {"PYTHONPATH": paths}, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    except subprocess.TimeoutExpired:
+        return "is damaged: HDF5 doesn't get through it"
+    if trial.returncode == LOST_RECORD:
+        return "is damaged: the record of its bytes, at its end, is none (wrong checksum); compute it again"
+    return None if trial.returncode == 0 else "is damaged: HDF5 breaks down over it"

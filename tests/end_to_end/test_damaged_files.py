@@ -1,0 +1,45 @@
+"""A sample of what tests/endurance/damaged_files.py does by the thousand: whatever bytes of a finished file are damaged, each
+program says so in one line, or shows what it should."""
+
+import random
+
+import pytest
+
+import damaged_files
+from damaged_files import Damage
+
+SEED = 31
+
+
+@pytest.fixture(scope="module", params=damaged_files.KINDS)
+def readers(request, tmp_path_factory):
+    return damaged_files.Readers(tmp_path_factory.mktemp("damaged"), request.param)
+
+
+def heap_of_texts(content):
+    """Where the first collection of HDF5's global heap begins, which has no checksum of its own."""
+    return content.index(b"GCOL")
+
+
+def with_byte(content, place, value):
+    return Damage(f"byte {place} set to {value}", content[:place] + bytes([value]) + content[place + 1:])
+
+
+def hostile_heaps(content):
+    """Sizes of the collection and of its first object: none, and nearly all there is. HDF5 goes round in circles, or falls."""
+    heap = heap_of_texts(content)
+    yield Damage("a zeroed sector of the heap", content[:heap + 512] + bytes(512) + content[heap + 1024:])
+    for place in (heap + 8, heap + 9, heap + 15, heap + 24, heap + 25, heap + 31):  # sizes
+        yield with_byte(content, place, 255 - content[place])
+
+
+def test_a_damaged_file_is_refused_or_shown_as_it_was(readers):
+    chance = random.Random(SEED)
+    tried = [*hostile_heaps(readers.content), *damaged_files.damages(readers.content, 24, chance)]
+    wrong = {damage.what: what for damage in tried for came, what in [readers.by_python(damage)] if came == "wrong"}
+    assert wrong == {}
+
+
+def test_run_refuses_it_too(readers):
+    tried = list(hostile_heaps(readers.content))[::3]
+    assert {damage.what: readers.by_run(damage) for damage in tried} == {damage.what: ("refused", "") for damage in tried}
