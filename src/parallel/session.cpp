@@ -73,6 +73,8 @@ bool somebody_speaks(const Session& session) {
     } else {
         tell_ranks_after(session);
         say(message);
+        // Open MPI 5 hands on what ranks write until one of them aborts, and not what it has not read yet.
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
     }
     MPI_Abort(session.communicator(), static_cast<int>(code));
     std::_Exit(static_cast<int>(code));

@@ -12,6 +12,11 @@
 namespace peterka {
 namespace {
 
+// Open MPI 4's is orterun, or a link to it; that of 5 becomes PRRTE's.
+bool is_launcher(const std::string& program) {
+    return program.starts_with("mpirun") || program.starts_with("orterun") || program.starts_with("prterun");
+}
+
 // The terminal to which mpirun on this machine, our parent, hands our stderr on; a daemon on another machine
 // has none.
 std::optional<std::string> terminal_of_mpirun() {
@@ -19,7 +24,7 @@ std::optional<std::string> terminal_of_mpirun() {
     std::error_code unreadable;
     const auto launcher = "/proc/" + std::to_string(getppid());
     const auto name = std::filesystem::read_symlink(launcher + "/exe", unreadable).filename().string();
-    if (unreadable || !(name.starts_with("mpirun") || name.starts_with("orterun"))) return std::nullopt;
+    if (unreadable || !is_launcher(name)) return std::nullopt;
     const auto target = std::filesystem::read_symlink(launcher + "/fd/2", unreadable).string();
     if (unreadable || !target.starts_with("/dev/pts/")) return std::nullopt;
     return target;

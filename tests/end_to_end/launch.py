@@ -44,6 +44,12 @@ def start(*arguments, cwd, ranks=None):
     )
 
 
+def hands_on_last_words():
+    """Whether mpirun hands on what ranks write after it was told to end; Open MPI 5 doesn't."""
+    version = subprocess.run([MPIEXEC, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    return "Open MPI" not in version or re.search(r"Open MPI\) (\d+)", version)[1] == "4"
+
+
 def computing(process):
     """The process numbers of the program itself: of all ranks, where mpirun started them."""
     found, ahead = [], [process.pid]

@@ -66,7 +66,7 @@ def test_its_cell_may_be_named_by_row_and_column_or_by_values(tmp_path, small_ma
         jobs.write(tmp_path, basin_of(small_map_file, settings))
         told = launch.run("check", "job.toml", cwd=tmp_path).stdout
         assert f"rig      that of row 11, column 13 of {small_map_file}" in told
-        assert f"frequency_ratio = {frequency!r} " in told and f"gap_ratio = {gap!r} " in told
+        assert f"frequency_ratio = {float(frequency)!r} " in told and f"gap_ratio = {float(gap)!r} " in told
 
 
 def test_a_complete_basin_is_left_alone(tmp_path, map_over_stops):

@@ -96,17 +96,20 @@ def test_other_signals_stop_a_program_of_its_own(tmp_path, name):
 
 
 def test_ctrl_c_under_mpirun_says_what_happened_and_how_to_go_on(tmp_path):
-    """mpirun turns it into SIGTERM, about two seconds later, and ends with a code of its own."""
+    """mpirun turns it into SIGTERM, that of Open MPI 4 about two seconds later, and ends with a code of its own; that of
+    Open MPI 5 hands on nothing more that a rank writes."""
     jobs.write(tmp_path, jobs.small_map(columns=1500, rows=1500))
     process = launch.start("run", "job.toml", cwd=tmp_path, ranks=2)
     assert "cells to compute" in process.stderr.readline()
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=launch.HANGING)
     said = [line for line in errors.splitlines() if line.startswith("peterka: stopped early")]
-    assert len(said) == 1, errors
-    assert "what is finished is kept, and the same command goes on from job.h5" in said[0]
+    if launch.hands_on_last_words():
+        assert len(said) == 1, errors
+        assert "what is finished is kept, and the same command goes on from job.h5" in said[0]
     if "mpich" not in launch.MPIEXEC:
         assert process.returncode not in (0, 5)
+    if "mpich" not in launch.MPIEXEC and launch.hands_on_last_words():
         assert re.search("SIGTERM from mpi(run|exec), which sends it upon Ctrl-C, too, and ends with its own exit code",
                          said[0]), said
     assert 0 < map_contents.done_tiles(tmp_path / "job.h5") < map_contents.tile_count(tmp_path / "job.h5")
