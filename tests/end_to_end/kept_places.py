@@ -33,7 +33,7 @@ amplitude_m = 0.89e-3
 def random_rigs(seed, count):
     """Tables of jobs, each with a window of frequencies and gaps: (text, {axis: (from, to)})."""
     rigs = [{**rig, "stop": kept_claims.spring(rig["ki"], rig["ci"])} for rig in kept_claims.random_rigs(seed, count)]
-    return [(RIG.format(**rig), {"frequency_ratio": (0.6, 3.0), "gap_ratio": (0.0, 1.5)}) for rig in rigs]
+    return [(RIG.format(**rig), {"frequency_ratio": (0.6, 4.0), "gap_ratio": (0.0, 2.0)}) for rig in rigs]
 
 
 def places(folder, rig, window, starts, which, drift, points=60):
