@@ -36,12 +36,12 @@ struct StartCounts {
     std::int64_t never_hit = 0;   // cells that have none with impacts, as far as is known
     std::int64_t known_free = 0;  // cells with one without impacts on which no start ended
     std::int64_t known_hit = 0;   // the same with impacts
-    std::int64_t minority = 0;   // cells in which [start] ends on another attractor than most starts
-    std::int64_t not_kept = 0;   // cells in which it ends on none of those that are kept
-    std::int64_t left_over = 0;  // cells with more attractors than are kept
-    std::int64_t dying = 0;      // cells with chaos from which starts were seen to escape
+    std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts
+    std::int64_t not_kept = 0;    // cells in which it ends on none of those that are kept
+    std::int64_t left_over = 0;   // cells with more attractors than are kept
+    std::int64_t dying = 0;       // cells with chaos from which starts were seen to escape
     ShortestLife shortest;
-    KickCounts kicks;            // also without [starts]
+    KickCounts kicks;  // also without [starts]
 
     void add(const StartCounts& other);
 };
@@ -68,6 +68,7 @@ struct StartFindings {
 // Adds the cells of a tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
 // yet count nowhere.
 void add_attractors(StartFindings& findings, const parallel::Tile& tile,
-                    std::span<const quantities::StoredCell> cells, std::span<const quantities::StoredAttractor> attractors);
+                    std::span<const quantities::StoredCell> cells,
+                    std::span<const quantities::StoredAttractor> attractors);
 
 }  // namespace peterka::findings

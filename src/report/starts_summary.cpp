@@ -81,7 +81,8 @@ std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
     const scene::Cell cell = scene.cell(counts.shortest.row, counts.shortest.column);
     const double cycle = cell.oscillator.period() / cell.scales.frequency_rad_per_s;
     return fmt::format(
-        "  chaos from which starts escape: in {} cells; its mean life is shortest where it is {:.2g} +- {:.1g} s, "
+        "  chaos from which starts escape: in {} cells; its mean life is shortest where it is {:.2g} +- {:.1g} "
+        "s, "
         "{:.2g} cycles\n",
         readable_count(counts.dying), counts.shortest.seconds, counts.shortest.error,
         counts.shortest.seconds / cycle);
@@ -109,9 +110,9 @@ std::string starts_summary(const scene::Scene& scene, const StartFindings& findi
     if (job.starts.count == 0 || counts.cells == 0) return "";
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
     text += numbers(counts) + commonest_pairs(findings);
-    text += fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
-                        readable_share(counts.mixed, counts.cells),
-                        readable_share(counts.never_hit, counts.cells));
+    text +=
+        fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
+                    readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
     text += what_is_known(counts);
     text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
                         job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",

@@ -11,7 +11,8 @@ namespace {
 using regime::CellResult;
 using regime::Regime;
 
-CellResult start(Regime regime, std::int32_t forgot_after, std::int32_t followed, std::int32_t last_impact = -1) {
+CellResult start(Regime regime, std::int32_t forgot_after, std::int32_t followed,
+                 std::int32_t last_impact = -1) {
     CellResult result;
     result.regime = regime;
     result.forgot_after = forgot_after;
@@ -26,8 +27,8 @@ TEST(MeanLife, IsTheTimeOnTheChaosOverTheEscapes) {
     life.take(start(Regime::no_impact, 50, 700, 350));  // 300 until its last impact
     life.take(start(Regime::periodic, 100, 800));
     life.take(start(Regime::unresolved, 100, 300));
-    life.take(start(Regime::no_impact, 0, 40, 30));     // never forgot where it began
-    life.take(start(Regime::no_impact, 60, 90, 55));    // forgot it after the last impact
+    life.take(start(Regime::no_impact, 0, 40, 30));   // never forgot where it began
+    life.take(start(Regime::no_impact, 60, 90, 55));  // forgot it after the last impact
     EXPECT_EQ(life.mean(), (1000 + 300 + 700 + 200) / 2.0);
     EXPECT_DOUBLE_EQ(life.error(), life.mean() / std::sqrt(2.0));
 }
@@ -50,8 +51,9 @@ TEST(MeanLife, IsThatOfLivesThatAreCutOff) {
         MeanLife life;
         for (int n = 0; n < 400; ++n) {
             const double lived = lives(random);
-            life.take(lived < 1000 ? start(Regime::no_impact, 50, 2000, 50 + static_cast<std::int32_t>(lived) + 1)
-                                   : start(Regime::chaotic, 50, 1050));
+            life.take(lived < 1000
+                          ? start(Regime::no_impact, 50, 2000, 50 + static_cast<std::int32_t>(lived) + 1)
+                          : start(Regime::chaotic, 50, 1050));
         }
         square += std::pow((life.mean() - mean) / life.error(), 2) / times;
     }

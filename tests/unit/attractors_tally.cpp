@@ -100,7 +100,8 @@ TEST(Tally, AnOrbitIsTheSameWithAndWithoutAWeakTerm) {
 TEST(Tally, KeepsTheOwnMotionAndTheLargestShares) {
     const auto kept_with = [](const CellResult& own, std::size_t most) {
         Tally tally;
-        for (const double displacement : {0.1, 0.1, 0.1, 0.2, 0.2, 0.3}) tally.add(orbit(1, 1, displacement), {});
+        for (const double displacement : {0.1, 0.1, 0.1, 0.2, 0.2, 0.3})
+            tally.add(orbit(1, 1, displacement), {});
         auto entries = tally.in_order();
         keep_most(entries, Tally::entry_of(own, {}), most);
         std::vector<std::pair<double, std::int64_t>> kept;
