@@ -46,7 +46,7 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
     const regime::CellResult& result = first.result;
     cell.start =
         regime::has_period(result.regime)
-        ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
+            ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
         : first.start == Tally::no_start ? cell.start
                                          : start_of(job.starts, cell.oscillator, first.start);
     SteadyMotion motion(room);

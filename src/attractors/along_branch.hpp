@@ -23,7 +23,8 @@ struct PointAttractors {
     double gap = 0;                                  // [A0]
 };
 
-// All of them, and what is known beside the starts (attractors/known_motions.hpp), of a row of the sweep's scene, in the order of the axis. `look`, called every now and then, may throw.
+// All of them, and what is known beside the starts (attractors/known_motions.hpp), of a row of the sweep's
+// scene, in the order of the axis. `look`, called every now and then, may throw.
 [[nodiscard]] std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::int64_t row,
                                                              const std::function<void()>& look);
 

@@ -23,8 +23,8 @@
 
 namespace peterka::attractors {
 
-// Whether a solved cell tells the end of each start, too, or of the first one on each attractor, and then all of
-// these.
+// Whether a solved cell tells the end of each start, too, or of the first one on each attractor, and then all
+// of these.
 enum class Ends { counted, told, firsts };
 
 // What the cells of a map share; outlives their searches.

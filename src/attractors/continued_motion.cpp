@@ -20,8 +20,7 @@ constexpr std::int64_t fewest_cycles = 300;
 constexpr std::int64_t periods_to_prove = 6;
 
 bool coincide(const KnownMotion& a, const KnownMotion& b, const scene::Oscillator<double>& oscillator) {
-    const double tolerance =
-        oscillator.cubic != 0 ? regime::same_point_with_and_without : regime::same_point;
+    const double tolerance = oscillator.cubic != 0 ? regime::same_point_with_and_without : regime::same_point;
     return a.period == b.period && regime::coincide(a.displacement, b.displacement, tolerance) &&
            regime::coincide(a.velocity, b.velocity, tolerance);
 }

@@ -33,7 +33,8 @@ struct KnownMotion {
 // Whether there is a motion without impact, as far as linear springs tell.
 [[nodiscard]] bool may_stay_free(const scene::Oscillator<double>& oscillator);
 // It; any other regime where the cubic spring lets it reach the stop.
-[[nodiscard]] Task<cell::CellResult> free_motion(regime::CycleDesk& desk, const job::Job& job, scene::Cell cell);
+[[nodiscard]] Task<cell::CellResult> free_motion(regime::CycleDesk& desk, const job::Job& job,
+                                                 scene::Cell cell);
 
 // The orbit to which Newton's method leads from another cell's, solved like any start that begins on it; what
 // is known already, or isn't stable, comes as failed. `known` and the job must outlive this.

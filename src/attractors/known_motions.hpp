@@ -1,9 +1,9 @@
 // The motions that a whole map knows to exist in its cells though no start found them there: those without
 // impact, and each orbit of a cell, followed from cell to cell for as far as it goes.
 //
-// A round continues what the last one brought to the cells beside it. What a cell gets depends on what all cells
-// knew in the beginning, not on who computes it: rows may be shared out, if each share is told what came to the
-// rows beside it.
+// A round continues what the last one brought to the cells beside it. What a cell gets depends on what all
+// cells knew in the beginning, not on who computes it: rows may be shared out, if each share is told what came
+// to the rows beside it.
 #pragma once
 
 #include <cstdint>
@@ -31,10 +31,9 @@ class KnownMotions {
 
     [[nodiscard]] static KnownMotion motion_of(const cell::CellResult& result);
 
-    // Of the rows from `first` up to `end`. `look`, called every now and then, may throw. The scene must outlive
-    // this.
-    KnownMotions(const scene::Scene& scene, std::int64_t first, std::int64_t end,
-                 std::function<void()> look);
+    // Of the rows from `first` up to `end`. `look`, called every now and then, may throw. The scene must
+    // outlive this.
+    KnownMotions(const scene::Scene& scene, std::int64_t first, std::int64_t end, std::function<void()> look);
 
     // What a cell of these rows knows; a cell that nobody adds gets nothing.
     void add(std::int64_t cell, std::vector<KnownMotion> known);

@@ -33,8 +33,7 @@ bool leaves_less_open(regime::Status one, regime::Status other) {
 
 }  // namespace
 
-Tally::Entry Tally::entry_of(const regime::CellResult& result,
-                             std::span<const regime::FoundAttractor> found) {
+Tally::Entry Tally::entry_of(const regime::CellResult& result, std::span<const regime::FoundAttractor> found) {
     return {.result = result, .orbit = orbit_of(result, found), .starts = 0, .first = no_start};
 }
 

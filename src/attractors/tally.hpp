@@ -44,8 +44,8 @@ class Tally {
 // The first of these that a result belongs to; -1 for none.
 [[nodiscard]] std::int32_t slot_of(std::span<const Tally::Entry> entries, const regime::CellResult& result);
 
-// So many of them: those with the largest shares, and `own`, the motion on which [start] ends, in the last place
-// if it is none of these and there are several.
+// So many of them: those with the largest shares, and `own`, the motion on which [start] ends, in the last
+// place if it is none of these and there are several.
 void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std::size_t most);
 
 [[nodiscard]] CellAttractor as_attractor(const Tally::Entry& entry, std::int64_t all_starts);

@@ -1,6 +1,7 @@
 #include "findings/start_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -24,8 +25,8 @@ AttractorLabel label_of(const StoredAttractor& attractor) {
 }
 
 // all: those in use, the largest share first, and last what is known without a share.
-void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
-              std::span<const StoredAttractor> all) {
+void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::span<const StoredAttractor> all,
+              const parallel::Place& place) {
     StartCounts& counts = findings.counts;
     ++counts.cells;
     ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];
@@ -41,6 +42,11 @@ void add_cell(StartFindings& findings, const quantities::StoredCell& cell,
     counts.minority += cell.start_attractor > 0 ? 1 : 0;
     counts.not_kept += cell.start_attractor < 0 ? 1 : 0;
     counts.left_over += cell.attractors > std::ssize(here) ? 1 : 0;
+    for (const StoredAttractor& each : all) {
+        if (std::isnan(each.mean_life)) continue;
+        ++counts.dying;
+        counts.shortest.take({each.mean_life, each.mean_life_error, place.row, place.column});
+    }
     add_kick(counts.kicks, all);
     if (here.size() < 2) return;
     const AttractorLabel first = label_of(here[0]);
@@ -60,10 +66,13 @@ void StartCounts::add(const StartCounts& other) {
     minority += other.minority;
     not_kept += other.not_kept;
     left_over += other.left_over;
+    dying += other.dying;
+    shortest.take(other.shortest);
     kicks.add(other.kicks);
 }
 
-void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
+void add_attractors(StartFindings& findings, const parallel::Tile& tile,
+                    std::span<const quantities::StoredCell> cells,
                     std::span<const StoredAttractor> attractors) {
     const std::size_t slots = cells.empty() ? 0 : attractors.size() / cells.size();
     std::vector<StoredAttractor> here;
@@ -75,7 +84,9 @@ void add_attractors(StartFindings& findings, std::span<const quantities::StoredC
             const StoredAttractor& attractor = attractors[slot * cells.size() + cell];
             if (is_in_use(attractor)) here.push_back(attractor);
         }
-        add_cell(findings, cells[cell], here);
+        const auto position = static_cast<std::int64_t>(cell);
+        add_cell(findings, cells[cell], here,
+                 {tile.row + position / tile.extent.columns, tile.column + position % tile.extent.columns});
     }
 }
 

@@ -4,13 +4,29 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
+#include <tuple>
 
 #include "findings/kick_counts.hpp"
+#include "parallel/tiles.hpp"
 #include "quantities/fields.hpp"
 
 namespace peterka::findings {
+
+// Of chaos that ends, where its mean life is shortest.
+struct ShortestLife {
+    double seconds = std::numeric_limits<double>::infinity();
+    double error = 0;
+    std::int64_t row = -1;
+    std::int64_t column = -1;
+
+    [[nodiscard]] bool found() const { return row >= 0; }
+    void take(const ShortestLife& other) {
+        if (std::tie(other.seconds, other.row, other.column) < std::tie(seconds, row, column)) *this = other;
+    }
+};
 
 struct StartCounts {
     static constexpr std::size_t told_apart = 8;           // numbers of attractors; the last one: or more
@@ -20,10 +36,12 @@ struct StartCounts {
     std::int64_t never_hit = 0;   // cells that have none with impacts, as far as is known
     std::int64_t known_free = 0;  // cells with one without impacts on which no start ended
     std::int64_t known_hit = 0;   // the same with impacts
-    std::int64_t minority = 0;   // cells in which [start] ends on another attractor than most starts
-    std::int64_t not_kept = 0;   // cells in which it ends on none of those that are kept
-    std::int64_t left_over = 0;  // cells with more attractors than are kept
-    KickCounts kicks;            // also without [starts]
+    std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts
+    std::int64_t not_kept = 0;    // cells in which it ends on none of those that are kept
+    std::int64_t left_over = 0;   // cells with more attractors than are kept
+    std::int64_t dying = 0;       // cells with chaos from which starts were seen to escape
+    ShortestLife shortest;
+    KickCounts kicks;  // also without [starts]
 
     void add(const StartCounts& other);
 };
@@ -47,9 +65,10 @@ struct StartFindings {
     std::map<AttractorPair, std::int64_t> pairs;  // cells
 };
 
-// Adds the cells of one tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
+// Adds the cells of a tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
 // yet count nowhere.
-void add_attractors(StartFindings& findings, std::span<const quantities::StoredCell> cells,
+void add_attractors(StartFindings& findings, const parallel::Tile& tile,
+                    std::span<const quantities::StoredCell> cells,
                     std::span<const quantities::StoredAttractor> attractors);
 
 }  // namespace peterka::findings

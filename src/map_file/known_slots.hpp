@@ -21,7 +21,8 @@ using Slots = std::vector<quantities::StoredAttractor>;  // of a cell, those in 
 // Whether one of these gave way to what is known.
 [[nodiscard]] bool lost_slots(const quantities::StoredCell& cell, const Slots& slots, std::int64_t kept);
 
-// `slots`: its own; as many as are kept come out of it, with what is known behind them. start_attractor follows.
+// `slots`: its own; as many as are kept come out of it, with what is known behind them. start_attractor
+// follows.
 void add_known(quantities::StoredCell& cell, Slots& slots, std::span<const quantities::StoredAttractor> known,
                std::int64_t kept);
 

@@ -38,7 +38,7 @@ findings::Statistics survey_share(const TileStore& tiles, parallel::Share share)
         const parallel::Tile tile = tiles.tiling().tile(index);
         const std::vector<quantities::StoredCell> cells = tiles.read(tile);
         findings::add_tile(mine, tile, cells);
-        findings::add_attractors(mine.starts, cells, tiles.read_attractors(tile));
+        findings::add_attractors(mine.starts, tile, cells, tiles.read_attractors(tile));
         const double seconds = tiles.seconds(tile);
         if (!std::isnan(seconds)) mine.tile_seconds += seconds;
     }

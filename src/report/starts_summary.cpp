@@ -76,6 +76,18 @@ std::string what_is_known(const StartCounts& counts) {
     return text.empty() ? text : text + "\n";
 }
 
+std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
+    if (!counts.shortest.found()) return "";
+    const scene::Cell cell = scene.cell(counts.shortest.row, counts.shortest.column);
+    const double cycle = cell.oscillator.period() / cell.scales.frequency_rad_per_s;
+    return fmt::format(
+        "  chaos from which starts escape: in {} cells; its mean life is shortest where it is {:.2g} +- {:.1g} "
+        "s, "
+        "{:.2g} cycles\n",
+        readable_count(counts.dying), counts.shortest.seconds, counts.shortest.error,
+        counts.shortest.seconds / cycle);
+}
+
 // An attractor with share s is missed by n starts with probability (1 - s)^n.
 std::string what_is_missed(std::int64_t starts) {
     constexpr double even = 0.5;
@@ -92,14 +104,15 @@ std::string what_is_missed(std::int64_t starts) {
 
 }  // namespace
 
-std::string starts_summary(const job::Job& job, const StartFindings& findings) {
+std::string starts_summary(const scene::Scene& scene, const StartFindings& findings) {
+    const job::Job& job = scene.job();
     const StartCounts& counts = findings.counts;
     if (job.starts.count == 0 || counts.cells == 0) return "";
     std::string text = fmt::format("\nWhere {} starts of each cell end\n", readable_count(job.starts.count));
     text += numbers(counts) + commonest_pairs(findings);
-    text += fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
-                        readable_share(counts.mixed, counts.cells),
-                        readable_share(counts.never_hit, counts.cells));
+    text +=
+        fmt::format("  motions with impacts and without: {} of the cells; none with impacts is known: {}\n",
+                    readable_share(counts.mixed, counts.cells), readable_share(counts.never_hit, counts.cells));
     text += what_is_known(counts);
     text += fmt::format("  {} another attractor than most starts in {} of the cells\n",
                         job.kind == job::Kind::sweep ? "a branch is on" : "[start] ends on",
@@ -110,7 +123,7 @@ std::string starts_summary(const job::Job& job, const StartFindings& findings) {
     if (counts.left_over > 0)
         text += fmt::format("  {} cells have more attractors than starts.attractors keeps\n",
                             readable_count(counts.left_over));
-    return text + what_is_missed(job.starts.count);
+    return text + dying_chaos(scene, counts) + what_is_missed(job.starts.count);
 }
 
 }  // namespace peterka

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "findings/start_findings.hpp"
-#include "job/job.hpp"
+#include "scene/scene.hpp"
 
 namespace peterka {
 
 // "" where the job has no [starts].
-[[nodiscard]] std::string starts_summary(const job::Job& job, const findings::StartFindings& findings);
+[[nodiscard]] std::string starts_summary(const scene::Scene& scene, const findings::StartFindings& findings);
 
 }  // namespace peterka

@@ -155,7 +155,7 @@ std::string summary_text(const SummaryInput& input) {
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
            long_chaos_in_words(input.scene, input.findings.statistics) +
-           starts_summary(input.scene.job(), input.findings.statistics.starts) +
+           starts_summary(input.scene, input.findings.statistics.starts) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +

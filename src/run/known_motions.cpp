@@ -151,8 +151,7 @@ class Rows {
     }
     void add(TileSlots& tile, std::size_t i, std::span<const KnownMotions::Found> found) const {
         const std::int64_t cell = found.front().cell;
-        const scene::Scales scales =
-            scene_.cell(cell / scene_.columns(), cell % scene_.columns()).scales;
+        const scene::Scales scales = scene_.cell(cell / scene_.columns(), cell % scene_.columns()).scales;
         std::vector<quantities::StoredAttractor> known;
         for (const auto& each : found) {
             known.push_back(quantities::in_file_units(attractors::without_share(each.result), scales));

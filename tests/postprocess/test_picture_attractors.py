@@ -9,7 +9,7 @@ from peterka.files.opened import NotDrawable
 from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
-from picture_samples import Drawn, colour_named, write_map
+from picture_samples import Drawn, colour_named, orbit, write_map
 from sealing import SealedFile
 
 
@@ -93,3 +93,16 @@ def test_a_share_that_is_none_is_refused(tmp_path):
     shares[0] = 1.5
     with PeterkaFile(write_attractors(tmp_path / "a.h5", shares)) as file, pytest.raises(NotDrawable, match="no share"):
         attractor_maps.commonest(file)
+
+
+def test_what_is_known_without_a_start_counts(tmp_path):
+    """A cell whose starts all end on one orbit, and of which another is known, is none with one motion alone."""
+    path = write_attractors(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        place = 1, 1, 1  # beside the one attractor of the middle cell
+        file["attractor_regime"][place], file["attractor_impacts"][place], file["attractor_period"][place] = orbit(1, 2)
+    with PeterkaFile(path) as file:
+        number = Drawn(attractor_maps.draw_number(file), tmp_path / "number.png")
+        kick = Drawn(attractor_maps.draw_kick(file), tmp_path / "kick.png")
+    assert "1 (16.7 %)" in number.legend_texts() and "2 (50.0 %)" in number.legend_texts(), number.legend_texts()
+    assert not any("one motion alone" in text for text in kick.legend_texts())

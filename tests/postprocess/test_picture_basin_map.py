@@ -136,3 +136,13 @@ def test_two_colours(basin, tmp_path):
 
 def test_the_operating_point_is_in_the_title(basin):
     assert figure_of(basin_map.draw_impact(basin))._suptitle.get_text() == "Sample\nΩ/ω = 1.8, gap/A₀ = 1.6"
+
+
+@pytest.mark.parametrize("damping, gap, cells, told", [
+    (0.01, 1.6, [[orbit(1, 1)] * 4] * 4, True),  # the swing is 1.446 at 1.8 times the natural frequency
+    (0.01, 1.4, [[orbit(1, 1)] * 4] * 4, False), (0.01, 1.6, CELLS, False), (None, 1.6, [[orbit(1, 1)] * 4] * 4, False)])
+def test_a_motion_without_impact_that_no_start_found_is_told(tmp_path, damping, gap, cells, told):
+    more = {} if damping is None else {"damping_ratio": damping}
+    with PeterkaFile(write_basin(tmp_path / "a.h5", cells, TABLE[1:2], gap_ratio=gap, **more)) as file:
+        texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
+    assert ("a motion without impact exists, too: none of these starts ends on it" in texts) == told

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace peterka::attractors {
 namespace {
 
@@ -91,6 +94,27 @@ TEST(Tally, AnOrbitIsTheSameWithAndWithoutAWeakTerm) {
     EXPECT_EQ(tally.in_order().size(), 1U);
     tally.add(orbit(1, 1, 0.5 + 1e-4), {});
     EXPECT_EQ(tally.in_order().size(), 2U);
+}
+
+// What [start] ends on is one of a cell's attractors, whether another start found it or not.
+TEST(Tally, KeepsTheOwnMotionAndTheLargestShares) {
+    const auto kept_with = [](const CellResult& own, std::size_t most) {
+        Tally tally;
+        for (const double displacement : {0.1, 0.1, 0.1, 0.2, 0.2, 0.3})
+            tally.add(orbit(1, 1, displacement), {});
+        auto entries = tally.in_order();
+        keep_most(entries, Tally::entry_of(own, {}), most);
+        std::vector<std::pair<double, std::int64_t>> kept;
+        for (const auto& entry : entries) kept.emplace_back(entry.result.orbit_displacement, entry.starts);
+        return kept;
+    };
+    using Kept = std::vector<std::pair<double, std::int64_t>>;
+    EXPECT_EQ(kept_with(orbit(1, 1, 0.2), 8), (Kept{{0.1, 3}, {0.2, 2}, {0.3, 1}}));
+    EXPECT_EQ(kept_with(orbit(1, 1, 0.4), 8), (Kept{{0.1, 3}, {0.2, 2}, {0.3, 1}, {0.4, 0}}));
+    EXPECT_EQ(kept_with(orbit(1, 1, 0.4), 3), (Kept{{0.1, 3}, {0.2, 2}, {0.4, 0}}));
+    EXPECT_EQ(kept_with(orbit(1, 1, 0.3), 2), (Kept{{0.1, 3}, {0.3, 1}}));
+    EXPECT_EQ(kept_with(orbit(1, 1, 0.4), 1), (Kept{{0.1, 3}}));
+    EXPECT_EQ(kept_with(of_regime(Regime::unresolved), 2), (Kept{{0.1, 3}, {0.2, 2}}));
 }
 
 }  // namespace

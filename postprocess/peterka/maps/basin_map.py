@@ -21,6 +21,7 @@ from ..look.classes import CLASSES, INDEX, class_of, classify
 from ..look.fills import Fill, fill
 from ..look.picture import picture
 from .map_file import PeterkaFile
+from .peterka_map import edge_of_no_impact
 from .reduce import class_picture
 
 WIDTH = 3.7  # in
@@ -92,7 +93,7 @@ def _draw(file, ax, names, label, entries, columns, marks=()):
     gap = file.number("gap_ratio")
     shows_stop = gap is not None and file.columns.edges[0] <= gap <= file.columns.edges[-1]
     stop = [Line2D([], [], label="stop at $t$ = 0: $x$ = gap", **STOP)] if shows_stop else []
-    legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop], 1, None)]
+    legends = [(_legend_entries(counts, entries), columns, None), ([*marks, *stop, *_missed_free_motion(file)], 1, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [colour for _, colour in entries], INDEX["not computed yet"])
     axes.label_axes(ax, file)
@@ -101,6 +102,17 @@ def _draw(file, ax, names, label, entries, columns, marks=()):
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, axes.operating_point(file), ax)
     return ax
+
+
+def _missed_free_motion(file):
+    """An entry that tells of a motion without impact, as the closed form of linear springs has it, on which none of the starts ends."""
+    ratio, damping, gap = file.positive("frequency_ratio"), file.number("damping_ratio"), file.number("gap_ratio")
+    known = ratio is not None and damping is not None and gap is not None and file.computed == 1
+    if not known or not edge_of_no_impact(np.float64(ratio), damping) < gap:
+        return []
+    if any((band["regime"] == NO_IMPACT).any() for _, band in file.bands(["regime"])):
+        return []
+    return [Line2D([], [], label="a motion without impact exists, too: none of these starts ends on it", linestyle="none")]
 
 
 def _class_entries():
