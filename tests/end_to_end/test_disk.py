@@ -43,7 +43,7 @@ def test_a_disk_too_small_for_the_map(tmp_path, small_disk, ranks):
     disk = small_disk(400)
     finished = launch.run("run", "job.toml", "--output", "disk/job.h5", cwd=tmp_path, ranks=ranks)
     assert finished.returncode == 3
-    assert "disk/job.h5: the file needs 619." in said(finished)
+    assert "disk/job.h5: the file needs 623." in said(finished)
     assert list(disk.iterdir()) == []
 
 
