@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ MORE_RANKS_THAN_CORES = {
     "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
     "OMPI_MCA_reachable": "weighted",
 }
+RIG = re.compile(r"^[ \t]*rig[ \t]*=.*$", re.MULTILINE)
 PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
 
 
@@ -68,7 +70,7 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
         path = _written(job, Path(folder))
         result = Path(output) if output is not None else Path(folder) / "result.h5"
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
-        _call(["run", str(path), "--output", str(result), "--quiet", *settings], ranks)
+        _call(["run", _argument(path), "--output", _argument(result), "--quiet", *settings], ranks)
         data = open(result)
         return data if output is not None else data.load()
 
@@ -77,7 +79,7 @@ def check(job: str | os.PathLike | Mapping, **changes: Any) -> str:
     """What a job means and costs, as the program's `check` prints it; computes nothing. Raises JobError."""
     with tempfile.TemporaryDirectory(prefix="peterka-") as folder:
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
-        return _call(["check", str(_written(job, Path(folder))), *settings], 1)
+        return _call(["check", _argument(_written(job, Path(folder))), *settings], 1)
 
 
 def _written(job, folder):
@@ -87,9 +89,24 @@ def _written(job, folder):
     elif isinstance(job, os.PathLike) or "\n" not in job:
         return Path(job)
     path = folder / "job.toml"
-    path.write_text(re.sub(r'^(rig\s*=\s*")([^"/][^"]*)', lambda rig: f"{rig[1]}{Path(rig[2]).resolve()}", job, count=1,
-                           flags=re.MULTILINE), encoding="utf-8")
+    path.write_text(_with_rig_from_here(job), encoding="utf-8")
     return path
+
+
+def _with_rig_from_here(job):
+    """The text of a job, whose rig file is named from the root; one that is no TOML stays, and the program says why."""
+    try:
+        rig = tomllib.loads(job).get("rig")
+    except tomllib.TOMLDecodeError:
+        return job
+    if not isinstance(rig, str) or "\0" in rig:
+        return job
+    return RIG.sub(lambda _: text_of({"rig": str(Path(rig).absolute())}).rstrip("\n"), job, count=1)
+
+
+def _argument(path):
+    """As the program takes for a path, not for an option."""
+    return os.path.join(".", path) if str(path).startswith("-") else str(path)
 
 
 def _flat(changes):
@@ -109,6 +126,8 @@ def _override(value):
 def _call(arguments, ranks):
     if ranks < 1:
         raise ValueError(f"{ranks} ranks can't compute anything")
+    if any("\0" in argument for argument in arguments):
+        raise PeterkaError("a path or a setting has a byte of zero in it")
     launch = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
     environment = (MORE_RANKS_THAN_CORES | (AS_ROOT if os.geteuid() == 0 else {})) if ranks > 1 else {}
     try:

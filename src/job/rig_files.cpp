@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_rigs = 16;  // that begin from one another
+
 constexpr std::array<std::string_view, 3> rig_tables{"hammer", "cart", "contact"};
 
 // Of which a hammer has one.
@@ -121,6 +123,12 @@ class Rigs {
                          fmt::format("names a file that isn't there; it is looked for from the folder of "
                                      "the file that names it, as {}; {}",
                                      path.string(), did_you_mean(path, *word)));
+        }
+        if (chain_.size() > most_rigs) {
+            return fault(named,
+                         fmt::format("is the end of a chain of more than {} rigs, each of which begins from "
+                                     "the next; write its tables into one of them",
+                                     most_rigs));
         }
         for (std::size_t i = 0; i < chain_.size(); ++i) {
             if (fs::equivalent(chain_[i], path, unknown)) return cycle(named, i);

@@ -103,6 +103,18 @@ void require_room_for_previous(const std::filesystem::path& path) {
                               previous.string()));
 }
 
+// Names are the folder's, and live through a loss of power once that is on the disk.
+void settle_folder_of(const std::filesystem::path& path) {
+    const int descriptor = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;  // one may be written into and not be read
+    int error = 0;
+    while (::fsync(descriptor) != 0 && (error = errno) == EINTR) error = 0;
+    ::close(descriptor);
+    if (error == 0 || error == EINVAL || error == EROFS) return;  // the latter: nothing to wait for
+    throw Failure(ExitCode::output, fmt::format("{}: fsync of its folder failed: {}.", path.string(),
+                                                std::generic_category().message(error)));
+}
+
 void move_file(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::error_code error;
     std::filesystem::rename(from, to, error);
@@ -137,6 +149,7 @@ void clear_temporary(const std::filesystem::path& temporary) {
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
     hdf5::DiskFile(temporary).settle();
     move_file(temporary, path);
+    settle_folder_of(path);
 }
 
 void remove_previous(const std::filesystem::path& path) {

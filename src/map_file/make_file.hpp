@@ -22,7 +22,7 @@ namespace peterka::map_file {
 // somebody's and refused.
 void clear_temporary(const std::filesystem::path& temporary);
 
-// Waits until the disk has a file whole, then gives it its name.
+// Waits until the disk has a file whole, then gives it its name, and waits until the disk has that, too.
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
 // Removes previous_name(path) if it is a complete map.

@@ -6,6 +6,8 @@
 // * FAULTY_HOW: ENOSPC, EIO, EDQUOT, EINTR; "short": half of the bytes; "persistent ENOSPC", ...: from there on
 // * FAULTY_PATH: part of the path of the files
 // * FAULTY_COUNT: a file to which the number of these calls is written at the end, if there were any
+// * FAULTY_RECORD: a file to which a line is added for each call that concerns FAULTY_PATH: its kind and the
+// path
 // * FAULTY_RANK: of the MPI ranks this one alone
 //
 // Nothing else changes. Calls of a kind are counted under all their names.
@@ -49,6 +51,7 @@ struct Settings {
     int error_number = error(lasts ? how.substr(how.find(' ') + 1) : how);  // 0: the call is short
     std::string path = value("FAULTY_PATH");
     std::string count = value("FAULTY_COUNT");
+    std::string record = value("FAULTY_RECORD");
     bool mine = value("FAULTY_RANK").empty() || value("FAULTY_RANK") == value("OMPI_COMM_WORLD_RANK");
 };
 
@@ -57,8 +60,10 @@ class Faults {
     enum class Verdict { sound, fails, is_short };
 
     [[nodiscard]] bool concern(const char* path) const {
-        return set_.mine && path != nullptr && !set_.path.empty() &&
-               std::strstr(path, set_.path.c_str()) != nullptr;
+        const bool does = set_.mine && path != nullptr && !set_.path.empty() &&
+                          std::strstr(path, set_.path.c_str()) != nullptr;
+        if (does) last_path = path;
+        return does;
     }
     [[nodiscard]] bool concern(int descriptor) const {
         if (!set_.mine || set_.path.empty()) return false;
@@ -72,6 +77,7 @@ class Faults {
     }
     // Sets errno where the call fails.
     Verdict judge(const char* call, bool concerned) {
+        if (concerned) record(call);
         if (!concerned || call != set_.call) return Verdict::sound;
         ++calls_;
         if (set_.at == 0 || (set_.lasts ? calls_ < set_.at : calls_ != set_.at)) return Verdict::sound;
@@ -88,6 +94,17 @@ class Faults {
     }
 
   private:
+    void record(const char* call) const {
+        if (set_.record.empty()) return;
+        const int before = errno;
+        if (std::FILE* file = std::fopen(set_.record.c_str(), "a")) {
+            std::fprintf(file, "%s %s\n", call, last_path.c_str());
+            std::fclose(file);
+        }
+        errno = before;
+    }
+
+    static inline thread_local std::string last_path;  // that was asked about
     Settings set_;
     std::atomic<long> calls_ = 0;
 };

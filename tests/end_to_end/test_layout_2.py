@@ -49,3 +49,31 @@ def test_a_run_leaves_it_alone_and_says_why(old):
     assert run.returncode == 3 and "has layout version 2, this program writes version 3" in run.stderr
     assert "don't say of each label whether rounding may decide it" in run.stderr
     assert old.read_bytes() == before
+
+
+def with_a_heap_that_crashes_hdf5(path):
+    """The size of the first text in the global heap, which has no checksum, and in a file of this layout none of ours."""
+    content = bytearray(path.read_bytes())
+    content[content.index(b"GCOL") + 25] ^= 0xFF
+    path.write_bytes(content)
+
+
+def test_hdf5_breaks_down_over_a_damaged_one_in_a_process_of_its_own(old):
+    with_a_heap_that_crashes_hdf5(old)
+    with pytest.raises(importlib.import_module("peterka.files.opened").NotDrawable, match="HDF5 breaks down over it"):
+        pictures.open_file(old)
+    jobs.write(old.parent, jobs.trace_of(old, "row = 0\ncolumn = 1"))
+    for job, code in (("job.toml", 2), ("layout_2.toml", 3)):
+        run = launch.run("run", job, cwd=old.parent)
+        assert run.returncode == code and "is damaged: HDF5 breaks down over it" in run.stderr, run.stderr
+
+
+def test_one_that_another_program_has_written_anew_is_read(old, small_map_file):
+    """Its record of bytes isn't its end any more; the seal says that nothing was lost."""
+    copy = old.with_name("copy.h5")
+    shutil.copy(small_map_file, copy)
+    with h5py.File(copy, "r+") as file:
+        file.create_group("run/of_another_program")
+        file["run/of_another_program/numbers"] = list(range(1000))
+    with pictures.open_file(copy) as file:
+        assert file.kind == "map"

@@ -1,9 +1,13 @@
 """identify.py: closed forms against brute force, honest errors, words for recordings that don't tell."""
 
+import os
+import subprocess
+import sys
 from functools import cache
 
 import numpy as np
 import pytest
+from conftest import POSTPROCESS
 from peterka.identification.contact_pulse import identified, pulse
 from peterka.identification.fit import fit
 from peterka.identification.impact_table import from_impact
@@ -155,3 +159,12 @@ def test_a_file_that_is_no_recording_gets_words(tmp_path, run_program, text, rea
 def test_bad_arguments(run_program, arguments, reason):
     code, _, err = run_program("identify", "--mass-kg", MASS, *arguments)
     assert code == 2 and reason in err and err.count("\n") == 1, err
+
+
+def test_what_never_ends_is_no_recording():
+    """Two gigabytes are a bound on memory that /dev/zero must not reach."""
+    code = "import resource, sys; resource.setrlimit(resource.RLIMIT_AS, (2**31, 2**31)); import identify; sys.exit(identify.main())"
+    for option in ([], ["--driven"]):
+        done = subprocess.run([sys.executable, "-c", code, *option, "/dev/zero", "--mass-kg", "0.298"], cwd=POSTPROCESS,
+                              env=os.environ | {"OPENBLAS_NUM_THREADS": "1"}, capture_output=True, text=True, check=False)
+        assert done.returncode == 2 and "too large" in done.stderr, done.stderr

@@ -126,3 +126,29 @@ def test_it_is_installed_by_pip(tmp_path):
     said = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True,
                           env=os.environ | {"PYTHONPATH": str(tmp_path / "site")}).stdout
     assert said.startswith(str(tmp_path / "site")) and said.endswith("True\n")
+
+
+@pytest.mark.parametrize("line", ['rig = "stop.toml"', "rig = 'stop.toml'", '  rig="stop.toml"  # of the workshop', 'rig = "\\u0073top.toml"'])
+@pytest.mark.parametrize("name", ["plain", 'quo"ted', "back\\slash", "emoji \U0001f528"])
+def test_a_rig_is_looked_for_from_here_whatever_this_folder_is_called(line, name, tmp_path, monkeypatch):
+    folder = tmp_path / name
+    folder.mkdir()
+    (folder / "stop.toml").write_text(RIG[RIG.index("[hammer]"):])
+    monkeypatch.chdir(folder)
+    plane = MAP[MAP.index("[axes"):]
+    assert "mass_kg = 0.298" in peterka.check(f'schema = 1\nkind = "map"\n{line}\n{plane}')
+
+
+def test_a_path_is_no_option(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(peterka.PeterkaError):
+        peterka.check("--help")
+    (tmp_path / "--help").write_text(MAP)
+    assert "mass_kg = 0.298" in peterka.check("--help")
+    assert peterka.run("--help", ranks=1, output="-map.h5").regime.shape == (4, 4)
+    assert (tmp_path / "-map.h5").is_file()
+
+
+def test_a_byte_of_zero_is_told():
+    with pytest.raises(peterka.PeterkaError, match="a byte of zero"):
+        peterka.check("job\0.toml")

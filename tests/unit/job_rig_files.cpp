@@ -108,6 +108,20 @@ TEST_F(RigFiles, ARigMayBeginFromAnotherThatLiesBesideIt) {
     EXPECT_EQ(heavy.cart.amplitude_m, 0.89e-3);
 }
 
+TEST_F(RigFiles, AChainOfRigsHasAnEnd) {
+    const auto chain_of = [&](int rigs) {
+        for (int i = 1; i < rigs; ++i) {
+            write("rigs/" + std::to_string(i) + ".toml", "rig = \"" + std::to_string(i + 1) + ".toml\"\n");
+        }
+        write("rigs/" + std::to_string(rigs) + ".toml", hammer_table + cart_table + contact_table);
+        return complaint_about(job_head + "rig = \"rigs/1.toml\"\n" + axes_tables);
+    };
+    EXPECT_EQ(chain_of(16), "accepted");
+    for (const int rigs : {17, 20'000}) {
+        EXPECT_NE(chain_of(rigs).find("is the end of a chain of more than 16 rigs"), std::string::npos);
+    }
+}
+
 TEST_F(RigFiles, AnOverrideNamesAnotherRig) {
     write("rigs/mine.toml", hammer_table + cart_table + contact_table);
     write("rigs/other.toml", "rig = \"mine.toml\"\n[cart]\namplitude_m = 3e-3\n");

@@ -69,7 +69,8 @@ def column_names(path: Path) -> list[str]:
     """Those that the file's first line has, whatever they mean."""
     try:
         with open(path, encoding="utf-8-sig", errors="replace") as file:
-            first = next((line for line in file if line.strip() and not line.startswith("#")), "")[:LONGEST_LINE]
+            lines = iter(lambda: file.readline(LONGEST_LINE), "")  # what never ends may have no line either
+            first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     except OSError as error:
         raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
     separator = next((mark for mark in SEPARATORS if mark in first), ",")
@@ -78,9 +79,11 @@ def column_names(path: Path) -> list[str]:
 
 def _text(path, what, largest_bytes):
     try:
-        if path.stat().st_size > largest_bytes:
+        with open(path, "rb") as file:
+            content = file.read(largest_bytes + 1)
+        if len(content) > largest_bytes:
             raise NotDrawable(f"{path} is too large for a list of {what}")
-        return path.read_text(encoding="utf-8-sig")
+        return content.decode("utf-8-sig")
     except OSError as error:
         raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:
