@@ -81,8 +81,8 @@ std::string dying_chaos(const scene::Scene& scene, const StartCounts& counts) {
     const scene::Cell cell = scene.cell(counts.shortest.row, counts.shortest.column);
     const double cycle = cell.oscillator.period() / cell.scales.frequency_rad_per_s;
     return fmt::format(
-        "  chaos from which starts escape: in {} cells; its mean life is shortest where it is {:.2g} +- {:.1g} "
-        "s, "
+        "  cells with chaos from which starts escape: {}; its mean life, where it is shortest: {:.2g} +- "
+        "{:.1g} s, "
         "{:.2g} cycles\n",
         readable_count(counts.dying), counts.shortest.seconds, counts.shortest.error,
         counts.shortest.seconds / cycle);

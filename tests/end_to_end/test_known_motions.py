@@ -18,10 +18,10 @@ FEW = 5  # starts: much is missed
 ZETA = 0.06 / (2 * 0.298 * 2 * math.pi * 4.5)
 
 
-def text(attractors=8, columns=96, rows=40):
+def text(attractors=8, columns=64, rows=40, count=FEW):
     """Gaps above 1, where impacts and no impact coexist."""
     return (jobs.RIG.format(kind="map", title="few starts") + jobs.axis("frequency_ratio", 1.5, 4.0, columns)
-            + jobs.axis("gap_ratio", 1.0, 3.0, rows) + many_starts.table(FEW, attractors=attractors))
+            + jobs.axis("gap_ratio", 1.0, 3.0, rows) + many_starts.table(count, attractors=attractors))
 
 
 @pytest.fixture(scope="module")
@@ -65,9 +65,9 @@ def test_the_orbits_of_neighbours_exist(tmp_path, known_file):
     """An integrator that begins on them stays."""
     cells = read(known_file)
     slots = np.argwhere(without_share(cells) & (cells["attractor_regime"] == PERIODIC))
-    assert len(slots) > 12
+    assert len(slots) > 8
     rng = np.random.default_rng(1)
-    for slot, row, column in rng.permutation(slots)[:12]:
+    for slot, row, column in rng.permutation(slots)[:8]:
         at = (slot, row, column)
         eta, gap = cells["frequency_ratio"][column], cells["gap_ratio"][row]
         one = (jobs.RIG.format(kind="map", title="one") + jobs.axis("frequency_ratio", eta, eta + 1, 1)
@@ -120,8 +120,8 @@ def test_shares_and_cells_are_as_if_nothing_else_were_known(tmp_path, known_file
 @pytest.mark.parametrize("attractors", [1, 2, 8])
 def test_a_run_that_was_stopped_in_between_ends_the_same(tmp_path, attractors):
     """Some tiles have what is known already, in others only starts were solved, and others are missing."""
-    jobs.write(tmp_path, text(attractors))
-    path, tiles = tmp_path / "job.h5", None
+    jobs.write(tmp_path, text(attractors, count=30))  # enough that orbits give way which neighbours follow
+    path = tmp_path / "job.h5"
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     whole = shutil.copy(path, tmp_path / "whole.h5")
     kept = read(whole)

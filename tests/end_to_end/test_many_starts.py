@@ -181,13 +181,13 @@ def test_the_summary_tells_what_starts_see_and_miss(tmp_path):
 
 
 def test_a_start_costs_few_cycles(tmp_path):
-    """Starts in full take 90 here, those that know the orbits of their cell, and what its chaos does, 58."""
+    """Those that know the orbits of their cell, and what its chaos does where impacts go on for ever, take 77 here."""
     points, count = 24, 64
     finished = launch.run("run", JOBS / "attractors_170mm.toml", "--quiet", "--output", "map.h5", "--set",
                           f"axes.frequency_ratio.points={points}", "--set", f"axes.gap_ratio.points={points}", cwd=tmp_path)
     assert finished.returncode == 0, finished.stderr
     with h5py.File(tmp_path / "map.h5") as file:
-        assert file["cycles"][()].sum() < 60 * points**2 * count
+        assert file["cycles"][()].sum() < 80 * points**2 * count
 
 
 def test_check_prices_starts(tmp_path):
