@@ -27,8 +27,8 @@ inline constexpr hdf5::Variable checksum_of_file{
     "checksum", hdf5::Number::uint64, 0, "", "XXH3 (64 bits) of all that is final in the file; written last"};
 
 // The record of raw bytes (raw_bytes.hpp), at the end of the file.
-inline constexpr hdf5::Variable record_of_bytes{
-    "bytes", hdf5::Number::text, 0, "", "XXH3 (64 bits) of the file's bytes outside these ranges"};
+inline constexpr hdf5::Variable record_of_bytes{"bytes", hdf5::Number::text, 0, "",
+                                                "XXH3 (64 bits) of the file's bytes outside these ranges"};
 
 struct Dimension {
     std::string name;  // of the scale, in the same group

@@ -123,6 +123,16 @@ void move_file(const std::filesystem::path& from, const std::filesystem::path& t
                   fmt::format("{}: cannot be renamed to {}: {}", from.string(), to.string(), error.message()));
 }
 
+// FILE.data.3, with the number of a rank.
+bool is_of_mpi(const std::string& name, const std::string& file) {
+    for (const std::string& begin : {file + ".data.", file + ".metadata."}) {
+        if (name.starts_with(begin) && name.size() > begin.size() &&
+            name.find_first_not_of("0123456789", begin.size()) == std::string::npos)
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
@@ -155,6 +165,19 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
 void remove_previous(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_complete_map(previous_name(path))) std::filesystem::remove(previous_name(path), ignored);
+}
+
+void remove_files_of_mpi(const std::filesystem::path& path) {
+    std::error_code ignored;
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of(path), ignored)) {
+        if (is_of_mpi(entry.path().filename().string(), path.filename().string()))
+            found.push_back(entry.path());
+    }
+    for (const std::filesystem::path& each : found) {
+        if (is_plain_file(each) && std::filesystem::is_empty(each, ignored))
+            std::filesystem::remove(each, ignored);
+    }
 }
 
 void make_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance) {

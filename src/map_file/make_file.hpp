@@ -28,6 +28,10 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
 // Removes previous_name(path) if it is a complete map.
 void remove_previous(const std::filesystem::path& path);
 
+// Removes what Open MPI keeps beside a file that ranks share (FILE.data.0, FILE.metadata.0, ...; empty) and a
+// killed run leaves. No rank may have the file open.
+void remove_files_of_mpi(const std::filesystem::path& path);
+
 // A map already of that name is replaced: kept as previous_name(path) if it is complete. Any other kind of file
 // is refused before anything is written.
 void make_file(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance);

@@ -212,6 +212,7 @@ void MapFile::seal() {
 void MapFile::close() {
     { const TileStore closing = std::move(tiles_); }  // while there is a file to close them in
     file_.close();
+    parallel::on_first_rank(communicator_, [&] { remove_files_of_mpi(check_.path()); });
 }
 
 }  // namespace peterka::map_file

@@ -26,6 +26,19 @@ def test_other_programs_files_of_like_names_stay(tmp_path):
     assert [other.read_text() for other in others] == ["a poem"] * 3
 
 
+def test_what_mpi_left_of_a_killed_run_goes_with_the_one_that_finishes(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(20, 20))
+    left = [f"job.h5.{kind}.{rank}" for kind in ("data", "metadata") for rank in (0, 1, 17)]
+    others = {"job.h5.data.x": "", "job.h5.data.": "", "job.h5.data.2": "a poem", "other.h5.data.0": ""}
+    for name in left:
+        (tmp_path / name).touch()
+    for name, text in others.items():
+        (tmp_path / name).write_text(text)
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path, ranks=2).returncode == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"job.toml", "job.h5", *others}
+    assert (tmp_path / "job.h5.data.2").read_text() == "a poem"
+
+
 @pytest.mark.parametrize("suffix", [".peterka-lock", ".peterka-creating"])
 @pytest.mark.parametrize("link", ["symbolic", "hard"])
 def test_a_link_in_the_place_of_a_side_file_is_not_followed(tmp_path, suffix, link):
