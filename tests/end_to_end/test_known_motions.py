@@ -149,7 +149,7 @@ def test_few_slots_keep_the_largest_share_and_what_is_known(tmp_path, known_file
     known = without_share(all_slots).sum(axis=0)
     shares = (all_slots["basin_share"] > 0).sum(axis=0)
     crowded = (known > 0) & (shares > 1)
-    assert crowded.sum() > 20
+    assert crowded.sum() > 15
     assert np.array_equal(few["basin_share"][0], all_slots["basin_share"][0])
     own = few["start_attractor"]
     # where [start] isn't on the smaller share that would give way

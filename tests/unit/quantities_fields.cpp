@@ -96,11 +96,19 @@ TEST(OutputFields, AttractorsHaveFieldsOfTheirOwnWhereACellHasManyStarts) {
     job::Job job = map_file::examples::small_map(4, 4);
     EXPECT_TRUE(stored_attractor_fields(job).empty());
     job.starts.count = 4;
-    const std::vector<std::string> usual{"attractor_regime", "attractor_status",           "attractor_impacts",
-                                         "attractor_period", "attractor_peak_force_ratio", "basin_share"};
+    const std::vector<std::string> usual{"attractor_regime",
+                                         "attractor_status",
+                                         "attractor_impacts",
+                                         "attractor_period",
+                                         "attractor_peak_force_ratio",
+                                         "basin_share",
+                                         "mean_life_s",
+                                         "mean_life_error_s",
+                                         "attractor_orbit_displacement",
+                                         "attractor_orbit_velocity"};
     EXPECT_EQ(names(stored_attractor_fields(job)), usual);
     job.output.fields = {OptionalField::critical_kick};
-    EXPECT_EQ(names(stored_attractor_fields(job)).back(), "attractor_orbit_velocity");
+    EXPECT_EQ(names(stored_attractor_fields(job)).size(), usual.size() + 4);
 }
 
 TEST(OutputFields, AKickIsOfTheCellWithoutManyStartsAndOfItsAttractorsWithThem) {
