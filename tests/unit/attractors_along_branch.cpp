@@ -23,7 +23,7 @@ cell::CellResult orbit(double displacement) {
     return result;
 }
 
-cell::CellResult of_regime(Regime regime) {
+cell::CellResult settled_as(Regime regime) {
     cell::CellResult result;
     result.regime = regime;
     return result;
@@ -55,7 +55,7 @@ TEST(AlongBranch, WhatABranchIsOnIsOneOfTheAttractors) {
     PointAttractors here = point();
     const auto up = on(orbit(2));
     const auto down = on(orbit(5));
-    const auto chaos = on(of_regime(Regime::chaotic));
+    const auto chaos = on(settled_as(Regime::chaotic));
     keep_with(here, std::array{&up, &down, &chaos}, 8);
     ASSERT_EQ(here.kept.size(), 5U);
     EXPECT_EQ(here.firsts.size(), 5U);
@@ -69,8 +69,8 @@ TEST(AlongBranch, WhatABranchIsOnIsOneOfTheAttractors) {
 
 TEST(AlongBranch, NoMotionIsKnownOfABranchThatFailed) {
     PointAttractors here = point();
-    const auto failed = on(of_regime(Regime::failed));
-    const auto open = on(of_regime(Regime::unresolved));
+    const auto failed = on(settled_as(Regime::failed));
+    const auto open = on(settled_as(Regime::unresolved));
     keep_with(here, std::array{&failed, &open}, 8);
     EXPECT_EQ(here.kept.size(), 3U);
 }
