@@ -118,9 +118,9 @@ def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count
     assert end(1.0) == (0, 0, 1)
 
 
-def test_chaos_that_is_called_sooner_is_what_runs_in_full_end_in(tmp_path):
-    """Three cells of which most starts are chaotic, beside no impact: 64 starts, and each of them by a run of its own. Those
-    called sooner may be wrong for a tenth, where chaos lives for about as long as it is followed."""
+def test_chaos_beside_no_impact_has_the_share_of_runs_of_their_own(tmp_path):
+    """Three cells of which most starts are chaotic, and each may end on no impact: 64 starts, and each of them by a run of its
+    own. Rounding decides a few, where chaos lives for about as long as it is followed."""
     count = 64
     axes = jobs.axis("frequency_ratio", 3.89, 3.95, 3) + jobs.axis("gap_ratio", 1.1235955, 1.1235955, 1)
     cells = jobs.RIG.format(kind="map", title="chaos") + axes
@@ -133,6 +133,5 @@ def test_chaos_that_is_called_sooner_is_what_runs_in_full_end_in(tmp_path):
         chaotic += single["regime"][0] == 2
     found = count * np.where(many["attractor_regime"] == 2, many["basin_share"], 0).sum(axis=0)[0]
     assert np.all(chaotic > 0.5 * count)
-    assert np.all(np.abs(found - chaotic) <= 0.1 * chaotic), (found, chaotic)
-    assert np.sum(np.abs(found - chaotic) <= 0.05 * chaotic) >= 2, (found, chaotic)
-    assert np.sum(many["cycles"][0] < 0.5 * cycles) >= 2, (many["cycles"][0], cycles)
+    assert np.all(np.abs(found - chaotic) <= 0.05 * chaotic), (found, chaotic)
+    assert np.all(np.abs(many["cycles"][0] / cycles - 1) < 0.1), (many["cycles"][0], cycles)

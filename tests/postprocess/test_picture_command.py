@@ -1,10 +1,10 @@
 """draw.py from a shell: which pictures for which file, their size, what it prints, its exit codes."""
 
+import fcntl
 import os
 import subprocess
 import sys
 
-import h5py
 import matplotlib.image
 import pytest
 from conftest import POSTPROCESS
@@ -31,8 +31,8 @@ def test_pictures_go_into_the_folder_pictures(tmp_path):
 
 
 def test_a_file_that_a_run_has_open_can_be_drawn(tmp_path):
-    with h5py.File(write_map(tmp_path / "rig.h5"), "r+") as held:
-        held.flush()
+    with open(write_map(tmp_path / "rig.h5"), "rb+") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
         done = run_draw(tmp_path, "rig.h5", "--formats", "png")
     assert (done.returncode, done.stderr) == (0, "")
 
@@ -103,7 +103,7 @@ def test_nothing_half_written_is_left(tmp_path, draw, monkeypatch):
     from matplotlib.figure import Figure
 
     def full_disk(figure, path, **_):
-        path.write_bytes(b"half")
+        path.write(b"half")
         raise OSError(28, os.strerror(28))
 
     monkeypatch.setattr(Figure, "savefig", full_disk)
