@@ -3,7 +3,8 @@
 //
 // Rigs are random in loss, stop (spring and dashpot, some of them soft, and rigid ones), frequency and gap; of
 // each cell every periodic attractor that 16 starts find is taken. Where no critical kick is told, kicks are as
-// large as those tried.
+// large as those tried. Kicks that were still on chaos when they were no longer followed don't count where those
+// that came back from it show that they would have come back, too.
 //   build/tests/critical_kicks [ATTRACTORS] [KICKS_EACH] [SEED]
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -92,31 +94,63 @@ scene::State<double> kicked(const Map& map, const CellAttractor& attractor, doub
     return map.part(state, moment, oscillator.period()).end;
 }
 
-struct Attack {
-    std::int64_t kicks = 0;
-    std::int64_t leave = 0;
+// Kicks that end elsewhere.
+struct Leave {
+    std::int64_t count = 0;
     double smallest = std::numeric_limits<double>::infinity();  // of these, over the size told
     double phase = 0;
+
+    void add(double size, double at) {
+        ++count;
+        if (size >= smallest) return;
+        smallest = size;
+        phase = at;
+    }
+    void add(const Leave& other) {
+        count += other.count;
+        if (other.smallest >= smallest) return;
+        smallest = other.smallest;
+        phase = other.phase;
+    }
 };
 
-Attack attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
+// Lives of the kicks that were seen to come back from chaos, after they had forgotten their start [cycles].
+using Lives = std::vector<std::int64_t>;
+
+// Whether those that came back say that as many as stayed on chaos would stay for as long, with lives that are
+// spread exponentially: then they only weren't followed to their ends.
+bool is_chance(std::int64_t stayed, std::int64_t shortest_stay, const Lives& lives) {
+    if (lives.empty()) return false;
+    const auto count = static_cast<double>(lives.size());
+    const double mean = std::accumulate(lives.begin(), lives.end(), 0.0) / count;
+    return static_cast<double>(stayed) <= 5 * count * std::exp(-static_cast<double>(shortest_stay) / mean);
+}
+
+Leave attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
     const scene::Cell cell = scene.cell(0, 0);
     const double most = std::isnan(attractor.kick.size) ? attractor.kick.tried : attractor.kick.size;
     const regime::CellResult settled = as_result(attractor);
     std::vector<std::pair<double, double>> tried;
-    Attack found{.kicks = kicks};
+    Leave found;
+    Leave on_chaos;
+    Lives lives;
+    std::int64_t shortest_stay = std::numeric_limits<std::int64_t>::max();
     job::Job job = scene.job();
     job.output.fields.clear();
     const regime::AttractorTable none;
     regime::CellPool pool(scene, none, [&](const regime::CellPool::Solved& solved) {
-        if (solved.result.regime == regime::Regime::failed) return;
-        if (regime::same_attractor(settled, solved.result)) return;
-        ++found.leave;
-        const auto [phase, change] = tried[static_cast<std::size_t>(solved.number)];
-        if (std::abs(change) / most < found.smallest) {
-            found.smallest = std::abs(change) / most;
-            found.phase = phase;
+        using enum regime::Regime;
+        const regime::CellResult& ended = solved.result;
+        const std::int64_t chaotic_for = ended.forgot_after > 0 ? ended.followed_cycles - ended.forgot_after : 0;
+        if (ended.regime == failed) return;
+        if (regime::same_attractor(settled, ended)) {
+            if (chaotic_for > 0) lives.push_back(chaotic_for);
+            return;
         }
+        const auto [phase, change] = tried[static_cast<std::size_t>(solved.number)];
+        const bool stays = ended.regime == chaotic || (ended.regime == unresolved && chaotic_for > 0);
+        (stays ? on_chaos : found).add(std::abs(change) / most, phase);
+        if (stays) shortest_stay = std::min(shortest_stay, chaotic_for);
     });
     const auto start_of = [&](double phase, double change) {
         if (scene::is_rigid(cell.oscillator.contact)) {
@@ -138,6 +172,7 @@ Attack attack(const scene::Scene& scene, const CellAttractor& attractor, std::in
         }
         if (!pool.empty()) pool.step();
     }
+    if (!is_chance(on_chaos.count, shortest_stay, lives)) found.add(on_chaos);
     return found;
 }
 
@@ -171,14 +206,14 @@ int main(int argc, char** argv) {
             ++attractors;
             const bool none = std::isnan(attractor.kick.size);
             without += none ? 1 : 0;
-            const Attack found = attack(scene, attractor, kicks, random);
-            broken += found.leave > 0 ? 1 : 0;
+            const Leave found = attack(scene, attractor, kicks, random);
+            broken += found.count > 0 ? 1 : 0;
             by_a_tenth += found.smallest < 0.9 ? 1 : 0;
             fmt::print("rig {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g}", rig,
                        attractor.impacts, attractor.period, attractor.kick.size, attractor.kick.phase,
                        static_cast<int>(attractor.kick.direction), attractor.kick.tried);
-            if (found.leave > 0) {
-                fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.leave, found.kicks,
+            if (found.count > 0) {
+                fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.count, kicks,
                            found.smallest, found.phase);
             }
             fmt::print("\n");
