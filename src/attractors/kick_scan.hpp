@@ -68,9 +68,9 @@ class KickScan {
     int period_;
     double largest_;
     Stage stage_ = Stage::growing;
-    int level_ = 0;    // of growing sizes
-    int in_vain_ = 0;  // rounds that found none that is clearly smaller
-    double step_ = 0;  // along the border, relative in size
+    int level_ = 0;                      // of growing sizes
+    int in_vain_ = 0;                    // rounds that found none that is clearly smaller
+    double step_ = 0;                    // along the border, relative in size
     std::optional<KickTried> settled_;   // the smallest that ends on another motion
     std::optional<KickTried> chaotic_;   // the smallest that stays on chaos
     std::optional<KickTried> smallest_;  // of these, as far as they count
@@ -79,8 +79,8 @@ class KickScan {
     std::int64_t shortest_stay_ = 0;     // [cycles]
     std::int64_t returned_ = 0;          // from chaos
     std::int64_t lives_ = 0;             // of those together [cycles]
-    std::vector<KickTried> tried_;  // last
-    std::vector<Slow> slow_;        // of each stretch of phases, up and down: the one that took longest
+    std::vector<KickTried> tried_;       // last
+    std::vector<Slow> slow_;             // of each stretch of phases, up and down: the one that took longest
     std::uint64_t spread_ = 0;
     std::uint64_t seed_ = 0;
 };

@@ -16,7 +16,8 @@ namespace peterka::cell {
 enum class Units { nondimensional, of_file };
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is verified
+inline constexpr std::int32_t goes_on =
+    -1;  // as the last impact of any regime but no_impact: no end is verified
 
 // The smallest sudden change of the settled hammer's velocity after which its motion ends elsewhere
 // (attractors/kicks.hpp); units are told for CellResult.
