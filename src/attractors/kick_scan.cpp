@@ -12,8 +12,8 @@ namespace {
 constexpr int levels = 9;
 constexpr int kicks_of_a_level = 32;  // for each cycle of the orbit
 constexpr int kicks_of_a_round = 64;  // of each half, for each cycle of the orbit
-constexpr int most_cycles = 4;        // of a longer orbit no more kicks
-constexpr int rounds_in_vain = 20;    // before it ends
+constexpr int most_cycles = 16;       // of a longer orbit no more kicks
+constexpr int rounds_in_vain = 12;    // before it ends
 constexpr double clearly = 0.01;      // smaller, so that it goes on
 constexpr int stretches = 16;         // of phases, in a cycle
 constexpr int kicks_of_a_step = 32;   // along the border

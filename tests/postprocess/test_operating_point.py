@@ -222,7 +222,7 @@ def test_the_command_prints_and_draws(tmp_path, run_program):
     assert (code, err) == (0, "")
     assert "peak force from 80 % of the starts, drift ±0.5 Hz, ±0.1 mm" in out and "smallest share" in out
     best = next(line for line in out.splitlines() if line.startswith("best: frequency"))
-    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N")
+    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N in all cells of its box")
     assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
 
 
