@@ -105,7 +105,7 @@ class Words {
             "at {}:", found.with_unvisited == 1 ? "1 point" : readable_count(found.with_unvisited) + " points");
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
-            text += fmt::format("{}{} at {} from {:.4g} to {:.4g}, up to {:.2g} % of the starts",
+            text += fmt::format("{}{} at {} from {:.4g} to {:.4g}, up to {:.3g} % of the starts",
                                 i == 0 ? " " : "," + next_line,
                                 (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
                                 value(each.first), value(each.last), 100 * each.largest_share);
