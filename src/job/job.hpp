@@ -184,8 +184,8 @@ struct Branch {
 
 // Of a sweep: each branch goes through all values of the axis, from state to state or from start to start.
 struct Sweep {
-    std::vector<double> gap_ratio;  // both empty: the gap is the axis, or that of the operating point
-    std::vector<double> gap_m;      // in its place
+    std::vector<double> gap_ratio;   // both empty: the gap is the axis, or that of the operating point
+    std::vector<double> gap_m = {};  // in its place
     Direction direction = Direction::both;
     std::int64_t samples = 64;  // of the steady motion stored for each point, at most
     [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
@@ -197,10 +197,10 @@ struct Sweep {
 
 // Where regimes end: the curves of a window.
 struct Curves {
-    std::int64_t max_period = 4;    // of orbits [forcing cycles]
-    std::vector<double> gap_ratio;  // at which borders are told
-    std::vector<double> gap_m;      // in its place
-    bool edge_distance = false;     // of each cell of the coarse map
+    std::int64_t max_period = 4;     // of orbits [forcing cycles]
+    std::vector<double> gap_ratio;   // at which borders are told
+    std::vector<double> gap_m = {};  // in its place
+    bool edge_distance = false;      // of each cell of the coarse map
     [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
     [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
     friend bool operator==(const Curves&, const Curves&) = default;
