@@ -130,9 +130,9 @@ def test_the_page_shows_the_same_plane_and_rig(files, tmp_path, monkeypatch):
 def test_cells_are_exported_with_the_same_names_and_numbers(files, tmp_path):
     both(files, "plane", tmp_path, "export", "--as", "csv", "--output-dir", ".")
     one, other = ((tmp_path / unit / "plane.csv").read_text().splitlines() for unit in ("ratios", "si"))
-    assert one[0] == other[0] and one[0].startswith("frequency_hz,gap_mm,") and len(one) == len(other) == 100
+    assert one[0] == other[0] and one[0].startswith("frequency_hz,frequency_ratio,gap_mm,gap_ratio,") and len(one) == len(other) == 100
     for first, second in zip(one[1:], other[1:]):
-        assert np.allclose([float(cell) for cell in first.split(",")[:2]], [float(cell) for cell in second.split(",")[:2]], rtol=1e-12)
+        assert np.allclose([float(cell) for cell in first.split(",")[:4]], [float(cell) for cell in second.split(",")[:4]], rtol=1e-12)
 
 
 def test_where_to_operate_is_the_same_place(files, tmp_path):
