@@ -15,7 +15,7 @@ void describe(Walker& table, Starts& starts) {
     table.integer(
         {"count", "starts of each cell besides [start]; 0 for none"}, starts.count,
         from_to<std::int64_t>(0, 1'000'000,
-                              "a million starts see every attractor that takes a hundred-thousandth of "
+                              "a million starts hardly ever miss an attractor with a hundred-thousandth of "
                               "the rectangle"));
     table.either_list({{displacement_ratio.name, "from and to, x(0)/A0, at most up to the gap [1]"},
                        starts.displacement_ratio,

@@ -106,7 +106,7 @@ class Words {
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
             text += fmt::format(
-                "{}{} at {} from {} to {}, up to {:.2g} % of the starts", i == 0 ? " " : "," + next_line,
+                "{}{} at {} from {} to {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
                 (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
                 at_axis(value(each.first)), at_axis(value(each.last)), 100 * each.largest_share);
         }
