@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -127,6 +128,29 @@ TEST(KickScan, CountsChaosThatLasts) {
     });
     ASSERT_TRUE(scan.found());
     EXPECT_NEAR(scan.smallest().size(), 0.8, 0.001);
+}
+
+// Sizes grow by twos from 1/256 of the largest on, where nothing ends elsewhere, and fill each level evenly.
+TEST(KickScan, BeginsWithTheSmallestSizes) {
+    constexpr double largest = 256;
+    KickScan scan(1, largest);
+    std::vector<KickScan::Way> ways;
+    for (double most = 1; most <= largest; most *= 2) {
+        const std::vector<KickTried> kicks = scan.next(ways);
+        const double least = most == 1 ? 0 : most / 2;
+        ASSERT_EQ(kicks.size(), 32U);
+        for (int part = 0; part < 8; ++part) {
+            const double from = least + (most - least) * part / 8;
+            const double to = least + (most - least) * (part + 1) / 8;
+            const auto inside = std::ranges::count_if(
+                kicks, [&](const KickTried& kick) { return kick.size() >= from && kick.size() < to; });
+            EXPECT_GE(inside, 2) << most << ", part " << part;
+        }
+        EXPECT_EQ(std::ranges::count_if(kicks, [](const KickTried& kick) { return kick.change > 0; }), 16)
+            << most;
+        ways.assign(kicks.size(), {.end = End::back, .cycles = 5});
+    }
+    EXPECT_GT(scan.next(ways).size(), 32U);  // rounds
 }
 
 TEST(KickScan, TriesTheSameKicksEachTime) {
