@@ -17,7 +17,8 @@ LIBRARY = launch.BINARY.with_name("faulty_memory.so")
 KINDS = disk_faults.KINDS
 OWNERS = ("program", "libhdf5", "libmpi", "libsundials")
 SAID = re.compile(r"memory|MPI_ERR|failed: (no reason given|unable to|can't)")
-# A library may hide why it failed, and then the words blame the file. What ends otherwise, and whose fault that is: toml++ 3.3 reads numbers by streams, which hide that memory ran out.
+# A library may hide why it failed, and then the words blame the file; toml++ blames the job, for it reads numbers by streams,
+# which hide that memory ran out.
 OF_TOML = "TOML syntax, floating-point"
 
 
