@@ -51,8 +51,8 @@ void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
                     path.string(), readable_bytes(bytes), bytes, std::generic_category().message(error)));
 }
 
-// What was reserved behind the last dataset: headers of large datasets may be some bytes shorter than those of
-// which the room was predicted.
+// What was reserved behind the last dataset, should another release of HDF5 take less than was predicted: the
+// record is the file's end.
 void give_back_room(const std::filesystem::path& path, const std::vector<ByteRange>& numbers) {
     const std::uint64_t end = std::ranges::max(numbers, {}, &ByteRange::end).end;
     std::error_code error;
