@@ -35,7 +35,7 @@ class Verified:
     at: tuple[float, float]
 
     def holds(self, place: Place) -> bool:
-        """Whether the guarantee of a Place stands, but for rounding."""
+        """Whether a Place is as good here as it was told to be, but for rounding."""
         return self.another == 0 and self.worst >= place.worst * (1 - ROUNDING)
 
 
@@ -72,7 +72,7 @@ def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
     by_name = {_coordinate(path): path for path in found}
     try:
-        return {"columns": by_name[file.columns.name], "rows": by_name[file.rows.name]}
+        return {"columns": by_name[file.columns.stored], "rows": by_name[file.rows.stored]}
     except KeyError as error:
         raise file.refusal(f"has no axis {error} in its job") from error
 
@@ -81,12 +81,12 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
     """What the finer box says, in words."""
     worst, unit = quantity.factor * found.worst, quantity.unit
     if found.another:
-        return (f"the guarantee doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
+        return (f"it doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
                 "than one")
     share = 100 * (found.worst / place.worst - 1)
     if found.holds(place):
-        return f"the guarantee holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
-    return (f"the guarantee falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
+        return f"it holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
+    return (f"it falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
             f"has {worst:.4g} {unit}, at {file.columns.name} {found.at[1]:.6g}, {file.rows.name} {found.at[0]:.6g}")
 
 
@@ -105,11 +105,11 @@ def _coordinate(path):
 
 
 def _finer(axis, along, at):
-    """(from, to, points) of the box around a place."""
+    """(from, to, points) of the box around a place, in the numbers of the job."""
     step = float(np.diff(axis.values).min())
     width = max(along.width, NARROW * step)
     points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if along.width else 2
-    return axis.values[at] - width, axis.values[at] + width, points
+    return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, points
 
 
 def _run(job, box, sizes, file, ranks, binary):
