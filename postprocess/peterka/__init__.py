@@ -17,11 +17,11 @@ traces     one cell in time: motion, phase plane, impact, spectra
 studies    engines compared: work and precision, labels, stability
 export     maps and basins for other programs: CSV, VTK, MATLAB
 operating  where to operate a rig: the worst over a drift and over the starts, the best places, the box computed anew
+toml       a job's tables as TOML
 identification   stop and springs from recordings and measured impacts
 scaling    parallel efficiency: times of tiles, the replay of their dealing, the picture
 claims     the paper's claims and the page that tells how they fare
 pictures   which pictures a file gives: the one place that knows them all
-toml       a job's tables as TOML
 launching  the program started, watched and interrupted
 runs       jobs run by the program, files opened as datasets
 backend    the same files by xarray's own open_dataset, engine="peterka"

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Whether identify.py's standard errors are those of repetition: recordings of random rigs, computed by scipy's DOP853, with noise of
 0.1 to 5 %, of force, or acceleration, with or without displacement. Intervals of 68 % and 95 % must hold the truth as often as they
 say, within what chance allows (binomial, 99.9 %), and the mean of all errors over their standard errors be below 0.2."""
@@ -28,6 +28,7 @@ def main():
                 print(rig, number, f"{100 * noise:.2g} %", found, flush=True)
             else:
                 pulls.append(found)
+                print(rig, number, f"{100 * noise:.2g} %", {key: round(pull, 2) for key, pull in found.items()}, flush=True)
     faults, words = coverage_faults(pulls)
     print("\n".join(refused))
     parts.row("errors of identify.py: recordings of random rigs, noise 0.1 to 5 %", RIGS * EACH,

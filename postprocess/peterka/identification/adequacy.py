@@ -50,7 +50,7 @@ def _hint(given: Mapping[str, float]) -> str:
     return ADVICE[0].upper() + ADVICE[1:]
 
 
-def _impacts_left(found, alone) -> tuple[float, float]:
+def _impacts_left(found: Solved, alone: Solved) -> tuple[float, float]:
     """(chance of so much more, root of mean squares' ratio) of what the whole motion leaves near impacts over what they leave by themselves."""
     problem = found.problem
     moved = problem.motion(found.value, 0)
@@ -73,7 +73,7 @@ def _impacts_left(found, alone) -> tuple[float, float]:
     return float(f.sf(ratio, own, count - own)), float(np.sqrt(whole / itself))
 
 
-def _between_left(found, name) -> tuple[float, float]:
+def _between_left(found: Solved, name: str) -> tuple[float, float]:
     """(chance of so few changes of sign, structured part of what is left over the signal's range) between impacts."""
     settled, problem = found.settled[0], found.problem
     left = problem.left(found.value, 0, settled.places)[1][name][settled.known_means]

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..files.checked_hdf5 import NotDrawable
 from .first_guess import look
-from .fit import Fit, finished
+from .fit import Fit, finished, telling
 from .problem import SLOW
 from .recording import Recording
 from .solve import solved, start
@@ -56,7 +56,7 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
         unused.append(f"{len(used) - len(chosen)} impacts aren't used: {MOST}, evenly out of all, are enough")
     problem = _problem(recording, guess, begun, chosen, mass, given)
     first = start(problem, stop_ratio=begun.stop_ratio, damping_ratio=problem.fixed.get("damping_ratio", SPRINGS["damping_ratio"][0]))
-    return finished(recording, guess, solved(problem, first), chosen, unused)
+    return telling(finished(recording, guess, solved(problem, first), chosen, unused))
 
 
 def _problem(recording, guess, begun, chosen, mass, given):

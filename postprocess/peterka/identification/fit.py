@@ -14,12 +14,12 @@ from ..arrays import Reals
 from ..files.checked_hdf5 import NotDrawable
 from .adequacy import refuse_other_motion
 from .first_guess import Guess, look
+from .flights import Start, from_events
 from .numbers_found import Identified, identified_from
 from .problem import SHARP, Leg, Problem
 from .recording import Recording
 from .samples import Samples
 from .solve import Solved, coarse, levels, solved, start
-from .flights import Start, from_events
 from .starts import Begin, Impact, begin, from_swings, noise_levels, samples_of
 
 FIRST_DAMPING_RATIO = 0.01
@@ -90,7 +90,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
 def agreeing(found: Fit, begun: Begin, given: Mapping[str, float]) -> Fit:
     """The Fit, unless it says of itself that the recording is of another motion."""
     refuse_other_motion(found.recording, found.solved, begun, len(found.impacts), given)
-    return found
+    return telling(found)
 
 
 def release_problem(recording: Recording, guess: Guess, begun: Begin, samples: Samples, mass: float, given: Mapping[str, float],
@@ -118,7 +118,7 @@ def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> 
     if begun.alone is None:
         raise NotDrawable(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
                           "shows no flights that tell it otherwise")
-    return finished(recording, guess, begun.alone, [begun.impacts[guess.hardest]])
+    return telling(finished(recording, guess, begun.alone, [begun.impacts[guess.hardest]]))
 
 
 def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequence[Impact], unused: Sequence[str] = ()) -> Fit:
@@ -128,7 +128,6 @@ def finished(recording: Recording, guess: Guess, found: Solved, impacts: Sequenc
     problem = replace(problem, noise={**problem.noise, **noise}, extra_noise=more)
     best = solved(problem, found.value)
     likeness = _likeness(best)
-    _refuse_unknown(recording, guess, best)
     return Fit(recording, guess, best, identified_from(best, likeness), max(more.values()), likeness, impacts, unused)
 
 
@@ -150,10 +149,12 @@ def _likeness(found):
     return most
 
 
-def _refuse_unknown(recording, guess, found):
+def telling(fit: Fit) -> Fit:
+    """The Fit, unless its errors leave nothing of the stop."""
+    recording, guess, found = fit.recording, fit.guess, fit.solved
     stiffness, ratio = found.error("stiffness"), found.error("stop_ratio")
     if stiffness <= UNKNOWN and ratio <= max(UNKNOWN * found.value["stop_ratio"], LEAST_RATIO):
-        return
+        return fit
     rig = found.problem.rig(found.value)
     seen = guess.contact if guess.sharp else 0
     told = f"ki = {rig.stiffness:.3g} N/m to {100 * stiffness:.2g} %"

@@ -37,7 +37,8 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
     found = []
     flight = begun.impacts[1].touch - begun.impacts[0].touch - begun.contact
     speed = begun.impacts[1].speed  # as fast as it left
-    for omega in [given["omega"]] if "omega" in given else ANGLES / flight:
+    omegas: list[float] = [given["omega"]] if "omega" in given else (ANGLES / flight).tolist()
+    for omega in omegas:
         swing = begun.impacts[0].speed / omega
         gap = given.get("gap", speed / (omega * np.tan(np.pi - omega * flight / 2)))
         found.append(_solved(begun, mass, given, omega, swing, gap / swing))

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from ..arrays import Reals
+from ..arrays import Integers, Reals
 from .contact_pulse import pulse
 
 LONGEST_SEARCH = 200
@@ -102,7 +102,7 @@ class Motion:
         """(begin, end) of each contact that ended."""
         return [(piece.begin, after.begin) for piece, after in zip(self.pieces, self.pieces[1:]) if piece.contact]
 
-    def signals(self, time: Reals, names: Iterable[str], places: Reals | None = None) -> dict[str, Reals]:
+    def signals(self, time: Reals, names: Iterable[str], places: Integers | None = None) -> dict[str, Reals]:
         """{name: values at these ascending times}, of force [N], acceleration of the hammer [m/s^2], displacement of the hammer in
         the cart [m], cart_displacement and cart_acceleration. `places`: the number of the first of these times in each contact,
         where it isn't to follow the touch: contacts go on before their touches then, as smooth functions."""
@@ -169,7 +169,8 @@ def motion(rig: Rig, cart: Cart, touch_time: float, touch_speed: float, until: f
         end = _end_of_contact(rig, contact, until)
         if end is None:
             break
-        flight = _piece(rig, cart, end, *contact.at(end)[:2], contact=False)
+        u, v, _ = contact.at(end)
+        flight = _piece(rig, cart, end, u, v, contact=False)
         pieces.append(flight)
         touch = next_touch(rig, cart, flight, until) if number + 1 < most else None
         if touch is None:

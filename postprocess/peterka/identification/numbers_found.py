@@ -11,7 +11,7 @@ import numpy as np
 from ..arrays import Reals
 from .contact_pulse import pulse
 
-# As jobs name them, in SI; gap_m last, which is no key of a rig but of a place.
+# As jobs name them, in SI; the gap last, which is no key of a rig but of a place.
 KEYS = ("contact.stiffness_n_per_m", "contact.damping_ns_per_m", "hammer.natural_frequency_hz", "hammer.damping_ratio",
         "operating_point.gap_m")
 STIFFNESS, DAMPING, FREQUENCY, DAMPING_RATIO, GAP = KEYS

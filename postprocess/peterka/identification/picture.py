@@ -48,7 +48,7 @@ def draw(fit: Fit, title: str) -> Figure:
                 upper.set_ylabel(f"{NAMES[name][0]} ({unit})")
                 lower.set_ylabel(f"left ({unit})")
     grid[-1, 0].set_xlabel("time (s)")
-    grid[-1, 1].set_xlabel(f"time from {zoom[0]:.6g} s (ms), the hardest impact")
+    grid[-1, 1].set_xlabel(f"time from {zoom[0]:.6g} s (ms)")
     figure.align_ylabels(grid[:, 0])
     handles = [Line2D([], [], label="recorded", **RECORDED | {"markersize": 3}), Line2D([], [], label="fitted", **FITTED),
                Line2D([], [], label="left (recorded less fitted)", **LEFT | {"markersize": 3})]

@@ -73,7 +73,7 @@ def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: in
     lowest, highest = problem.bounds()
     reach = max(problem.blind, problem.step) / problem.scale["contact"]  # farther than this a touch's samples don't follow it
     own = np.array([name.startswith("touch ") for name in names])
-    settled = [settle(problem, problem.values([value.get(name, 0.0) for name in names]), number)
+    settled = [settle(problem, problem.values(np.array([value.get(name, 0.0) for name in names])), number)
                for number in range(len(problem.legs))]
     for _ in range(rounds):
         chosen = np.clip([value.get(name, 0.0) for name in names], lowest, highest)

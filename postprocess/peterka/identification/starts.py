@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,7 @@ AROUND, LEAST_AROUND = 3, 15  # widths of a pulse, and samples, that are kept be
 SEEN = 4  # samples of a contact, from which on it tells a stop by itself
 SCANNED_RATIOS, SCANNED_LENGTHS, SCANNED_TOUCHES = (0.02, 0.1, 0.25, 0.5), np.linspace(0.6, 1.2, 7), 24
 MOST_ALONE = 8  # impacts that begin with a fit by themselves
+WAVES: tuple[Any, ...] = (np.cos, np.sin)
 SWINGS = 400  # omegas tried for a swing that is seen
 FIRST_PUSH = 0.03  # standard deviation of the push by springs and cart during an impact, over what the stop does
 
@@ -190,7 +192,7 @@ def from_swings(samples: Samples, guess: Guess, begun: Begin, omega: float | Non
     for tried in omegas:
         columns = [np.ones(len(time))]
         for number in np.unique(piece):
-            columns += [np.where(piece == number, wave(tried * time), 0.0) for wave in (np.cos, np.sin)]
+            columns += [np.where(piece == number, wave(tried * time), 0.0) for wave in WAVES]
         matrix = np.transpose(columns)
         answer = np.linalg.lstsq(matrix * weights[:, None], values * weights, rcond=None)[0]
         costs.append(float(np.sum((weights * (values - matrix @ answer))**2)))

@@ -1,0 +1,77 @@
+"""identify.py on recordings that scipy's DOP853 computed: the gap is fitted or a wrong one refused, driven impacts are unbiased, errors are
+those of repetition."""
+
+import re
+import tomllib
+from functools import cache
+
+import numpy as np
+import pytest
+from identification_coverage import coverage_faults, pulls_of
+from simulated_hammer import Hammer, driven, noisy, simulate, write
+
+RATE = 51200.0
+HAMMER = Hammer()
+TRUE = {"stop's stiffness ki": HAMMER.stiffness, "stop's damping ci": HAMMER.damping, "natural frequency": HAMMER.hertz,
+        "gap": 1e3 * HAMMER.gap}
+
+
+@cache
+def release():
+    return simulate(HAMMER, 0.15, RATE)
+
+
+@cache
+def shaken():
+    return simulate(driven(HAMMER, 1e-3, 32.0, start=0.0), 0.45, RATE)
+
+
+def recorded(path, recording, names, noise):
+    time, columns = recording
+    return write(path, time, noisy(columns, names, noise, 1))
+
+
+def numbers(printed):
+    return {name.strip(): (float(value), float(error)) for name, value, error in re.findall(
+        r"(?m)^  (\S.{19}) ([-+.\de]+) ± ([-+.\de]+)", printed)}
+
+
+def test_the_gap_is_fitted_and_its_covariance_written(tmp_path, run_program):
+    path = recorded(tmp_path / "a.csv", release(), ["force"], 0.02)
+    code, out, err = run_program("identify", path, "--mass-kg", HAMMER.mass, "--formats", "png")
+    assert (code, err) == (0, "") and "4 impacts" in out, err
+    for name, (value, error) in numbers(out).items():
+        assert name not in TRUE or abs(value - TRUE[name]) < 4 * error < 0.2 * TRUE[name], (name, value, error)
+    table = tomllib.loads((tmp_path / "a_identified.toml").read_text())["covariance"]
+    errors = np.sqrt(np.diag(table["matrix"]))
+    assert table["of"][:2] == ["contact.stiffness_n_per_m", "contact.damping_ns_per_m"]
+    assert table["mean"][0] == pytest.approx(numbers(out)["stop's stiffness ki"][0], rel=1e-3)
+    assert errors[0] == pytest.approx(numbers(out)["stop's stiffness ki"][1], rel=0.05)
+
+
+@pytest.mark.parametrize("names, noise", [(["force"], 0.02), (["displacement"], 0.002), (["acceleration"], 0.01)])
+def test_a_wrong_gap_is_refused(tmp_path, run_program, names, noise):
+    path = recorded(tmp_path / "a.csv", release(), names, noise)
+    code, _, err = run_program("identify", path, "--mass-kg", HAMMER.mass, "--gap-mm", 0.7)
+    assert code == 2 and "0.7 mm from the stop" in err and err.count("\n") == 1, err
+    assert not (tmp_path / "a_rig.toml").exists()
+
+
+def test_springs_and_cart_act_during_driven_impacts(tmp_path, run_program):
+    path = recorded(tmp_path / "a.csv", shaken(), ["force"], 0.001)
+    code, out, err = run_program("identify", "--driven", path, "--mass-kg", HAMMER.mass, "--formats", "png")
+    assert (code, err) == (0, ""), err
+    assert "more than a spring" not in out
+    for name in ("stop's stiffness ki", "stop's damping ci"):
+        value, error = numbers(out)[name]
+        assert abs(value - TRUE[name]) < 3 * error < 0.1 * TRUE[name], (name, value, error)
+
+
+def test_errors_are_those_of_repetition():
+    """A few of what tests/endurance.sh identification does by the hundred."""
+    pulls = [pulls_of(HAMMER, release(), names, noise, seed) for seed, (names, noise) in enumerate(
+        [(("force",), 0.01), (("force", "displacement"), 0.03), (("acceleration",), 0.002)] * 2)]
+    assert not [one for one in pulls if isinstance(one, str)], pulls
+    faults, words = coverage_faults(pulls)
+    assert max(abs(value) for one in pulls for value in one.values()) < 4.5, words
+    assert not [fault for fault in faults if "bias" not in fault], words
