@@ -45,7 +45,7 @@ void leave_few_cells(job::Job& job) {
         return;
     }
     for (std::vector<double>* gaps : {&job.sweep.gap_ratio, &job.sweep.gap_m}) {
-        if (gaps->size() > 1) gaps->resize(1);
+        if (gaps->size() > 1) *gaps = {gaps->front()};
     }
     job.columns.points = smallest_of_its_bytes(job.columns.points);
     job.sweep.samples = smallest_of_its_bytes(job.sweep.samples);

@@ -204,7 +204,7 @@ def test_check_tells_of_curves_only_where_a_map_asks_for_them(tmp_path):
 
 
 @pytest.mark.parametrize("change, words", [
-    ({"[axes.frequency_ratio]": "[axes.frequency_hz]"}, "this map has other axes"),
+    ({"[axes.gap_ratio]": "[axes.contact.damping_ns_per_m]"}, "no axis runs over the gap"),
     ({"[curves]": "[curves]\nedge_distance = true"}, "remove this key"),
     ({"1.0, 1.5]": "1.0, 9.5]"}, "widen the window")])
 def test_borders_that_a_map_cannot_tell_are_refused(tmp_path, change, words):

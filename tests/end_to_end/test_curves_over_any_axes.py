@@ -152,7 +152,7 @@ def test_what_no_curve_runs_over_is_refused_in_words(tmp_path, columns, reason):
     assert finished.returncode == 2 and reason in finished.stderr and finished.stderr.count("[axes.") == 1
 
 
-def test_borders_at_gaps_need_the_usual_plane(limits, tmp_path):
+def test_borders_at_gaps_need_an_axis_of_the_gap(limits, tmp_path):
     path = jobs.write(tmp_path, job_over("stops", limits) + "gap_ratio = [0.0]\n")
     finished = launch.run("check", path.name, cwd=tmp_path)
-    assert finished.returncode == 2 and "these are other axes" in finished.stderr
+    assert finished.returncode == 2 and "no axis runs over the gap" in finished.stderr
