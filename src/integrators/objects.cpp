@@ -16,14 +16,15 @@ void require(int flag, const char* call, char* (*word)(long int)) {
 
 void require_object(const void* object, const char* call) {
     if (object == nullptr) {
-        throw Failure(ExitCode::internal, std::string("SUNDIALS call ") + call + " made nothing");
+        throw Failure(ExitCode::internal,
+                      std::string("SUNDIALS call ") + call + " made nothing: out of memory");
     }
 }
 
 Context make_context() {
     SUNContext context = nullptr;
     if (create_context(&context) < 0 || context == nullptr)
-        throw Failure(ExitCode::internal, "SUNDIALS call SUNContext_Create made nothing");
+        throw Failure(ExitCode::internal, "SUNDIALS call SUNContext_Create made nothing: out of memory");
     return Context(context);
 }
 

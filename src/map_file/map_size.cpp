@@ -44,7 +44,9 @@ void leave_few_cells(job::Job& job) {
         job.columns.points = 1;
         return;
     }
-    job.sweep.gap_ratio.resize(1);
+    for (std::vector<double>* gaps : {&job.sweep.gap_ratio, &job.sweep.gap_m}) {
+        if (gaps->size() > 1) gaps->resize(1);
+    }
     job.columns.points = smallest_of_its_bytes(job.columns.points);
     job.sweep.samples = smallest_of_its_bytes(job.sweep.samples);
 }

@@ -45,13 +45,14 @@ def draw(case, path):
     with tempfile.TemporaryDirectory() as folder:
         plane = Path(folder) / "plane.txt"
         subprocess.run([BUILD / "tests" / "critical_kicks", "plane", rig, slot, str(POINTS), str(SEED), plane], check=True)
-        phases, changes, ends = (column.reshape(POINTS, POINTS) for column in np.loadtxt(plane, usecols=(0, 1, 2)).T)
+        kicks = np.loadtxt(plane, usecols=(0, 1, 2))  # as they came to their ends
+    phases, changes, ends = (column.reshape(POINTS, POINTS) for column in kicks[np.lexsort((kicks[:, 0], kicks[:, 1]))].T)
     figure, ax = plt.subplots(figsize=(4.6, 3.6), layout="constrained")
     ax.pcolormesh(phases, changes, ends, cmap=ListedColormap(list(ENDS.values())), vmin=0, vmax=len(ENDS) - 1, rasterized=True)
     ax.plot(phase, direction * kick, "o", markersize=7, markerfacecolor="none", markeredgecolor="#D62728", markeredgewidth=1.4)
     ax.set(xlabel="phase of the kick (cycles)", ylabel="change of velocity ($A_0\\omega$)", title=f"Where the hammer on its {label} orbit ends")
     ax.legend([Patch(facecolor=colour, edgecolor="grey", linewidth=0.5) for colour in ENDS.values()], list(ENDS), fontsize=8,
-              ncols=len(ENDS), loc="outside lower center")
+              ncol=len(ENDS), loc="upper center", bbox_to_anchor=(0.5, -0.18), frameon=False)
     path.parent.mkdir(exist_ok=True)
     figure.savefig(path, dpi=150)
     print(f"worst case: rig {rig}, {label}, critical kick {kick:g} A0 omega: {path}", flush=True)

@@ -32,7 +32,7 @@ ROOT = Path(__file__).parents[2]
 MOST_UNITS = 6
 LEAST_SECONDS = 60  # before a test counts as endless
 BEGIN, END = "<!-- tests/mutation.sh writes this table -->\n", "<!-- end of the mutants -->\n"
-HEAD = "| folder | drawn | caught by the file's own tests | by the folder's | by others | equivalent | survived | on |\n" + "|---|" * 8
+HEAD = "| folder | drawn | caught by the file's own tests | by the folder's | by others | equivalent | survived | on |\n|" + "---|" * 8
 NO_MUTANT, OWN, FOLDERS, OTHERS, EQUIVALENT, SURVIVED = "none", "own", "folder", "others", "equivalent", "survived"
 
 
@@ -111,7 +111,7 @@ class Trial:
         if tests not in self.seconds:
             begin = time.monotonic()
             if self.fails(self.build.folder / "tests/unit_tests", tests, None):
-                raise SystemExit(f"without any mutant there is a failure among {tests}")
+                raise SystemExit(f"a test fails without any mutant: run {self.build.folder}/tests/unit_tests")
             self.seconds[tests] = max(LEAST_SECONDS, 10 * (time.monotonic() - begin))
         return self.seconds[tests]
 

@@ -95,17 +95,29 @@ def one_arithmetic(*paths):
     return len(found) == 1
 
 
+def cells_without_rounding(file):
+    """Where rounding doesn't decide; of a sweep, whose points begin where the one before ended, nor has done so before."""
+    sure = file["sensitivity"][()] <= ROUNDING_DECIDES
+    if "direction" in file:
+        down = file["direction"][()] < 0
+        sure[down] = sure[down, ::-1]
+        sure = np.logical_and.accumulate(sure, axis=1)
+        sure[down] = sure[down, ::-1]
+    return sure
+
+
 def faults_of_cells(own, other):
-    """In which cells of two maps labels or forces differ, rounding left aside; and how many of all that are."""
+    """In how many cells of two maps labels or forces differ, rounding left aside; and in how many they agree, in words."""
     with h5py.File(own) as one, h5py.File(other) as two:
-        sure = (one["sensitivity"][()] <= ROUNDING_DECIDES) & (two["sensitivity"][()] <= ROUNDING_DECIDES)
+        sure = cells_without_rounding(one) & cells_without_rounding(two)
         faults = [f"{np.count_nonzero(wrong)} cells have another {label}" for label in ("regime", "impacts", "period")
                   if (wrong := sure & (one[label][()] != two[label][()])).any()]
-        forces = one["peak_force_ratio"][()], two["peak_force_ratio"][()]
-        wrong = sure & ~np.isclose(*forces, rtol=AGREE, atol=0, equal_nan=True)
+        ours, theirs = (np.where(sure, file["peak_force_ratio"][()], 0) for file in (one, two))
+        wrong = ~np.isclose(ours, theirs, rtol=AGREE, atol=0, equal_nan=True)
         if wrong.any():
             faults.append(f"{np.count_nonzero(wrong)} cells have another force")
-        worst = np.nanmax(np.where(sure & (forces[1] > 0), abs(forces[0] / forces[1] - 1), 0))
+        hit = theirs > 0
+        worst = np.max(abs(ours[hit] / theirs[hit] - 1), initial=0)
         return faults, f"labels and forces of {np.count_nonzero(sure)} of {sure.size} cells agree, forces to {worst:.1e}"
 
 

@@ -53,8 +53,7 @@ TEST(CellSearch, SharesAreThoseOfSingleSearches) {
     std::map<std::pair<Regime, std::int32_t>, std::int64_t> alone;
     std::vector<CellResult> ends;
     for (std::int64_t n = 0; n < count; ++n) {
-        ends.push_back(
-            regime::find_steady_state(cell.oscillator, start_of(job.starts, cell.oscillator, n), {}));
+        ends.push_back(regime::find_steady_state(cell.oscillator, start_of(job.starts, cell, n), {}));
         ++alone[{ends.back().regime, ends.back().impacts}];
     }
     ASSERT_EQ(alone.size(), 2U);
