@@ -98,9 +98,9 @@ def test_errors_of_noise_whose_neighbours_are_alike_are_those_of_repetition(tmp_
     pulls = []
     for seed in range(6):
         recording = read_recording(write(tmp_path / "a.csv", noise=0.01, seed=seed, likeness=0.8), None, None)
-        found = fit(recording, MASS, 0.0).found
-        pulls.append([(found.stiffness.value - STIFFNESS) / found.stiffness.error,
-                      (found.damping.value - DAMPING) / found.damping.error])
+        found = fit(recording, MASS, {"gap": 0.0}).found
+        stop = [found.number(key) for key in (numbers_found.STIFFNESS, numbers_found.DAMPING)]
+        pulls.append([(number.value - true) / number.error for number, true in zip(stop, (STIFFNESS, DAMPING))])
     spread = np.sqrt(np.mean(np.square(pulls), axis=0))
     assert np.all((0.3 < spread) & (spread < 1.5)), spread
 
