@@ -54,25 +54,25 @@ TEST(ProgressLine, GivesUpTheBarFirstAndThePercentageLast) {
 }
 
 TEST(Progress, LinesBeginWithOneThatSaysWhatIsToDo) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     { Progress(ProgressStyle::lines, 3000, 1000).add(1000); }
-    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(),
               "peterka: 2,000 cells to compute, 1,000 already in the file\n");
 }
 
 TEST(Progress, SilentIsSilent) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     { Progress(ProgressStyle::silent, 3000, 1000).add(2000); }
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Progress, ABarEndsWithTheLastCountAndANewLine) {
-    testing::internal::CaptureStderr();
+    ::testing::internal::CaptureStderr();
     {
         Progress progress(ProgressStyle::bar, 4, 0);
         for (int cell = 0; cell < 4; ++cell) progress.add(1);
     }
-    const std::string printed = testing::internal::GetCapturedStderr();
+    const std::string printed = ::testing::internal::GetCapturedStderr();
     const std::string last = printed.substr(printed.rfind('\r'));
     EXPECT_NE(last.find("[##############################] 100.0 %"), std::string::npos) << printed;
     EXPECT_EQ(printed.back(), '\n');

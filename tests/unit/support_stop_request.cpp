@@ -32,7 +32,7 @@ TEST(StopRequest, ASecondInterruptEndsTheProcess) {
             std::raise(SIGINT);
             std::raise(SIGINT);
         },
-        testing::KilledBySignal(SIGINT), "");
+        ::testing::KilledBySignal(SIGINT), "");
 }
 
 TEST(StopRequest, ASecondTerminateStillOnlyAsks) {
@@ -48,7 +48,7 @@ TEST(StopRequest, SignalsAreLeftAloneAfterwards) {
             { const StopRequest stop; }
             std::raise(SIGUSR1);
         },
-        testing::KilledBySignal(SIGUSR1), "");
+        ::testing::KilledBySignal(SIGUSR1), "");
 }
 
 TEST(StopRequest, TimeThatIsUpAsks) {
