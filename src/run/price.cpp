@@ -152,6 +152,23 @@ std::string starts_price(const job::Job& job) {
                        is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
 }
 
+// Of one core, as measured: PRICE_PLACEHOLDER
+std::string certificate_price(const job::Job& job) {
+    constexpr double seconds_per_cell = 1e-4;
+    const std::int64_t cells = std::min(job.certificate.cells, job.cells());
+    if (cells == 0) return "";
+    const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
+    const char* why_none = rig.cubic != 0                    ? "springs with a cubic term"
+                           : rig.spring_dashpot() == nullptr ? "this law of the stop"
+                                                             : nullptr;
+    if (why_none != nullptr) {
+        return fmt::format("#   proofs   none: there is no theorem for {}, and `certified` will say so\n",
+                           why_none);
+    }
+    return fmt::format("#   proofs   of {} cells: about {} of one core at most\n", readable_count(cells),
+                       readable_duration(static_cast<double>(cells) * seconds_per_cell));
+}
+
 // How often chaos strikes is known only of what was computed: in one cycle of four, or more, nearly everywhere.
 // So it is an upper estimate, and worth a word only where it is far above what the job allows.
 std::string long_chaos_price(const job::Job& job) {

@@ -1,0 +1,199 @@
+// The two linear phases of the hammer, in flight and against the stop, each in closed form:
+//     delta'' + c delta' + K delta = eta^2 sin(theta) - g,   theta = eta tau,
+// with c = 2 zeta and K = 1 in flight, and 2 zeta + chi and 1 + kappa while the stop presses. A motion is its
+// steady response, -g/K + Im(R exp(i theta)) with R = eta^2/(K - eta^2 + i c eta), and what decays.
+//
+// Templates over the number: Interval encloses, double searches.
+#pragma once
+
+#include <cmath>
+
+#include "certificate/elementary.hpp"
+#include "certificate/rig.hpp"
+
+namespace peterka::certificate {
+
+template <class Number>
+struct Vector {
+    Number position = 0;
+    Number velocity = 0;
+};
+
+template <class Number>
+struct Matrix {
+    Number a = 1;  // rows (a b), (c d)
+    Number b = 0;
+    Number c = 0;
+    Number d = 1;
+};
+
+template <class Number>
+Vector<Number> operator*(const Matrix<Number>& m, const Vector<Number>& v) {
+    return {m.a * v.position + m.b * v.velocity, m.c * v.position + m.d * v.velocity};
+}
+template <class Number>
+Matrix<Number> operator*(const Matrix<Number>& m, const Matrix<Number>& n) {
+    return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
+}
+template <class Number>
+Vector<Number> operator+(const Vector<Number>& v, const Vector<Number>& w) {
+    return {v.position + w.position, v.velocity + w.velocity};
+}
+template <class Number>
+Vector<Number> operator-(const Vector<Number>& v, const Vector<Number>& w) {
+    return {v.position - w.position, v.velocity - w.velocity};
+}
+
+inline bool surely_positive(double x) {
+    return x > 0;
+}
+inline bool surely_positive(const Interval& x) {
+    return x.positive();
+}
+inline double size_of(double x) {
+    return std::abs(x);
+}
+inline double size_of(const Interval& x) {
+    return x.size();
+}
+inline double plus_minus(double /*bound*/, double /*like*/) {
+    return 0;
+}
+inline Interval plus_minus(double bound, const Interval& /*like*/) {
+    return {-bound, bound};
+}
+
+template <class Number>
+class Phase {
+  public:
+    Phase(const RigOf<Number>& rig, bool presses)
+        : damping_(Number(2) * rig.damping_ratio + (presses ? rig.damping : Number(0))),
+          stiffness_(Number(1) + (presses ? rig.stiffness : Number(0))),
+          frequency_(rig.frequency),
+          drive_(rig.frequency * rig.frequency),
+          gap_(rig.gap),
+          half_(damping_ / Number(2)),
+          discriminant_(stiffness_ - half_ * half_),
+          rest_(-gap_ / stiffness_) {
+        const Number in_phase = stiffness_ - drive_;
+        const Number behind = damping_ * frequency_;
+        const Number share = drive_ / (in_phase * in_phase + behind * behind);
+        real_ = share * in_phase;
+        imaginary_ = -(share * behind);
+        using std::abs;
+        using std::sqrt;
+        rate_ = sqrt(abs(discriminant_));
+        swing_ = size_of(sqrt(real_ * real_ + imaginary_ * imaginary_));
+    }
+
+    [[nodiscard]] const Number& damping() const { return damping_; }      // c
+    [[nodiscard]] const Number& stiffness() const { return stiffness_; }  // K
+    [[nodiscard]] const Number& frequency() const { return frequency_; }  // eta
+    [[nodiscard]] const Number& drive() const { return drive_; }          // eta^2
+    [[nodiscard]] const Number& rest() const { return rest_; }            // -g/K
+    [[nodiscard]] const Number& real() const { return real_; }            // of R
+    [[nodiscard]] const Number& imaginary() const { return imaginary_; }  // of R
+
+    [[nodiscard]] double swing() const { return swing_; }  // |R|, or more
+
+    [[nodiscard]] Number acceleration(const Vector<Number>& state, const Number& sine) const {
+        return drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
+    }
+    [[nodiscard]] Number jerk(const Vector<Number>& state, const Number& acceleration,
+                              const Number& cosine) const {
+        return drive_ * frequency_ * cosine - damping_ * acceleration - stiffness_ * state.velocity;
+    }
+    [[nodiscard]] Vector<Number> steady(const SineCosineOf<Number>& angle) const {
+        return {rest_ + real_ * angle.sine + imaginary_ * angle.cosine,
+                frequency_ * (real_ * angle.cosine - imaginary_ * angle.sine)};
+    }
+
+    // What a difference of two motions becomes in a time.
+    [[nodiscard]] Matrix<Number> flow(const Number& time) const {
+        using std::exp;
+        const Number turn = discriminant_ * time * time;
+        Number swing;      // exp(-c t/2) cos(rate t), or cosh
+        Number sine_like;  // exp(-c t/2) sin(rate t)/rate, or sinh
+        if (size_of(turn) < 0.5) {
+            const Number decay = exp(-(half_ * time));
+            swing = decay * even_series(turn);
+            sine_like = decay * time * odd_series(turn);
+        } else if (surely_positive(discriminant_)) {
+            const Number decay = exp(-(half_ * time));
+            const SineCosineOf<Number> angle = sine_cosine(rate_ * time);
+            swing = decay * angle.cosine;
+            sine_like = decay * angle.sine / rate_;
+        } else {
+            const Number fast = exp(-((half_ + rate_) * time));
+            const Number slow = exp(-(stiffness_ / (half_ + rate_) * time));
+            swing = (slow + fast) / Number(2);
+            sine_like = (slow - fast) / (Number(2) * rate_);
+        }
+        const Number part = half_ * sine_like;
+        return {swing + part, sine_like, -(stiffness_ * sine_like), swing - part};
+    }
+
+  private:
+    // Of z for |z| < 1/2: sum of (-z)^n/(2n)! and of (-z)^n/(2n+1)!, whose remainders after n = 8 are below
+    // z^9/18! and z^9/19!.
+    static Number even_series(const Number& z) {
+        Number sum(1);
+        for (int n = 8; n > 0; --n) sum = Number(1) - z * sum / Number((2.0 * n - 1) * (2.0 * n));
+        return sum + plus_minus(4e-19, z);
+    }
+    static Number odd_series(const Number& z) {
+        Number sum(1);
+        for (int n = 8; n > 0; --n) sum = Number(1) - z * sum / Number((2.0 * n) * (2.0 * n + 1));
+        return sum + plus_minus(4e-20, z);
+    }
+
+    Number damping_;
+    Number stiffness_;
+    Number frequency_;
+    Number drive_;
+    Number gap_;
+    Number half_;
+    Number discriminant_;
+    Number rest_;
+    Number rate_ = 0;
+    Number real_ = 0;
+    Number imaginary_ = 0;
+    double swing_ = 0;
+};
+
+template <class Number>
+struct Moment {
+    Vector<Number> state;  // (delta, delta')
+    SineCosineOf<Number> angle;
+    Vector<Number> decaying;  // the state without its steady response
+};
+
+// A motion along one phase, from a state at a time.
+template <class Number>
+class Leg {
+  public:
+    Leg(const Phase<Number>& phase, const Number& time, const Vector<Number>& start)
+        : phase_(&phase), time_(time), start_{start, sine_cosine(phase.frequency() * time), {}} {
+        start_.decaying = start - phase.steady(start_.angle);
+    }
+
+    [[nodiscard]] const Phase<Number>& phase() const { return *phase_; }
+    [[nodiscard]] const Moment<Number>& start() const { return start_; }
+
+    [[nodiscard]] Moment<Number> at(const Number& offset) const {
+        return at(phase_->flow(offset), time_ + offset);
+    }
+    // Where the flow is known, and the time of the end up to whole cycles.
+    [[nodiscard]] Moment<Number> at(const Matrix<Number>& flow, const Number& end) const {
+        const SineCosineOf<Number> angle = sine_cosine(phase_->frequency() * end);
+        const Vector<Number> decaying = flow * start_.decaying;
+        return {decaying + phase_->steady(angle), angle, decaying};
+    }
+
+  private:
+    const Phase<Number>* phase_;
+    Number time_;
+    Moment<Number> start_;
+};
+
+}  // namespace peterka::certificate
