@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certificate/phase.hpp"
+#include "certificate/leg.hpp"
 
 namespace peterka::certificate {
 
@@ -69,14 +69,41 @@ struct Springs {
     Vector<Number> release;  // d
 };
 
-// One leg of a chain, with what its end depends on.
+// Leg i of a chain, which goes from one event to the next.
 template <class Number>
-struct LegEquations {
+struct ChainLeg {
     Leg<Number> leg;
     Number length;  // [tau]
+};
+
+template <class Number>
+Vector<Number> scaled(const Vector<Number>& v, const Number& factor) {
+    return {v.position * factor, v.velocity * factor};
+}
+
+// Where the event after leg i is.
+template <class Number>
+Vector<Number> end_of_leg(const Springs<Number>& springs, const EventChain& chain,
+                          const std::vector<Place<Number>>& places, std::size_t i) {
+    const std::size_t next = chain.next(i);
+    return scaled(springs.surface(chain.events[next].kind), places[next].along);
+}
+
+template <class Number>
+ChainLeg<Number> leg_of(const Springs<Number>& springs, const EventChain& chain,
+                        const std::vector<Place<Number>>& places, std::size_t i) {
+    const Place<Number>& from = places[i];
+    const Number cycles(static_cast<double>(chain.cycles_of_leg(i)));
+    return {Leg<Number>(springs.phase(chain.presses(i)), from.time,
+                        scaled(springs.surface(chain.events[i].kind), from.along)),
+            places[chain.next(i)].time - from.time + cycles * springs.rig.period};
+}
+
+// Its equations, and what they depend on.
+template <class Number>
+struct LegEquations {
     Matrix<Number> flow;
-    Moment<Number> end;
-    Vector<Number> residual;  // of the end from the next event
+    Vector<Number> residual;  // of the leg's end from the next event
     Vector<Number> of_time;   // derivatives of the residual by this event's unknowns
     Vector<Number> of_along;
     Vector<Number> of_end_time;  // and by the next event's
@@ -87,34 +114,28 @@ template <class Number>
 LegEquations<Number> leg_equations(const Springs<Number>& springs, const EventChain& chain,
                                    const std::vector<Place<Number>>& places, std::size_t i) {
     const Phase<Number>& phase = springs.phase(chain.presses(i));
-    const Place<Number>& from = places[i];
-    const Place<Number>& to = places[chain.next(i)];
-    const Vector<Number> here = springs.surface(chain.events[i].kind);
-    const Vector<Number> there = springs.surface(chain.events[chain.next(i)].kind);
-    const auto scaled = [](const Vector<Number>& v, const Number& factor) {
-        return Vector<Number>{v.position * factor, v.velocity * factor};
-    };
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    const std::size_t next = chain.next(i);
     const auto rates = [&](const Moment<Number>& moment) {
         return Vector<Number>{moment.state.velocity, phase.acceleration(moment.state, moment.angle.sine)};
     };
-    LegEquations<Number> equations{
-        Leg<Number>(phase, from.time, scaled(here, from.along)),
-        to.time - from.time + Number(static_cast<double>(chain.cycles_of_leg(i))) * springs.rig.period,
-        {},
-        {},
-        {},
-        {},
-        {},
-        {},
-        {}};
-    equations.flow = phase.flow(equations.length);
-    equations.end = equations.leg.at(equations.flow, to.time);
-    equations.residual = equations.end.state - scaled(there, to.along);
-    equations.of_time = scaled(equations.flow * rates(equations.leg.start()), Number(-1));
-    equations.of_along = equations.flow * here;
-    equations.of_end_time = rates(equations.end);
-    equations.of_end_along = scaled(there, Number(-1));
+    LegEquations<Number> equations;
+    equations.flow = leg.flow(length);
+    const Moment<Number> end = leg.end(length, equations.flow, places[next].time);
+    equations.residual = end.state - end_of_leg(springs, chain, places, i);
+    equations.of_time = scaled(equations.flow * rates(leg.start()), Number(-1));
+    equations.of_along = equations.flow * springs.surface(chain.events[i].kind);
+    equations.of_end_time = rates(end);
+    equations.of_end_along = scaled(springs.surface(chain.events[next].kind), Number(-1));
     return equations;
+}
+
+// The residual alone.
+template <class Number>
+Vector<Number> leg_residual(const Springs<Number>& springs, const EventChain& chain,
+                            const std::vector<Place<Number>>& places, std::size_t i) {
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    return leg.end(length, places[chain.next(i)].time).state - end_of_leg(springs, chain, places, i);
 }
 
 }  // namespace peterka::certificate

@@ -66,19 +66,16 @@ bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
     const EventKind from = chain.events[i].kind;
     const EventKind to = chain.events[chain.next(i)].kind;
     if (presses != (to == EventKind::release)) return false;
-    const LegEquations<Interval> equations = leg_equations(springs, chain, places, i);
-    if (!equations.length.positive()) return false;
-    const Vector<Interval> surface = springs.surface(to);
-    const Interval along = places[chain.next(i)].along;
-    const Moment<Interval> end{
-        {surface.position * along, surface.velocity * along}, equations.end.angle, equations.end.decaying};
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    if (!length.positive()) return false;
+    const Moment<Interval> end = leg.moment(end_of_leg(springs, chain, places, i), places[chain.next(i)].time);
     if (to == EventKind::resume && !end.state.position.positive()) return false;
-    const Phase<Interval>& phase = equations.leg.phase();
+    const Phase<Interval>& phase = leg.phase();
     const double before = surely_before(springs, phase, signal_of(to), end);
     if (!(before > 0)) return false;
-    const double until = (Interval(equations.length.hi) - Interval(before)).hi;
+    const double until = (Interval(length.hi) - Interval(before)).hi;
     const bool presses_at_once = from == EventKind::touch && springs.rig.damping.positive();
-    March march(springs, equations.leg, presses);
+    March march(springs, leg, presses);
     if (until > 0 && !march.step(until, !presses_at_once)) return false;
     for (int steps = 0; march.offset() < until; ++steps) {
         if (steps == most_steps_of_a_leg || !march.step(until)) return false;

@@ -66,12 +66,15 @@ class Krawczyk {
         : springs_(springs),
           chain_(chain),
           inverse_(equations_in_doubles(middle, chain).derivatives.inverse()) {
-        const Legs legs = legs_of(springs, chain, box_around(chain, std::vector<double>(size(), 0.0)));
+        const std::vector<Place<Interval>> point = box_around(chain, std::vector<double>(size(), 0.0));
+        std::vector<Vector<Interval>> residuals;
+        for (std::size_t i = 0; i < point.size(); ++i) {
+            residuals.push_back(leg_residual(springs, chain, point, i));
+        }
         for (std::size_t row = 0; row < size(); ++row) {
             Interval sum;
-            for (std::size_t i = 0; i < legs.size(); ++i) {
-                sum +=
-                    at(row, 2 * i) * legs[i].residual.position + at(row, 2 * i + 1) * legs[i].residual.velocity;
+            for (std::size_t i = 0; i < point.size(); ++i) {
+                sum += at(row, 2 * i) * residuals[i].position + at(row, 2 * i + 1) * residuals[i].velocity;
             }
             correction_.push_back(sum.size());
         }

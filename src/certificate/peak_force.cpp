@@ -47,7 +47,7 @@ class ContactPeak {
     [[nodiscard]] Force at(const Moment<Interval>& moment) const {
         const Vector<Interval>& state = moment.state;
         const Interval acceleration = leg_.phase().acceleration(state, moment.angle.sine);
-        const Interval jerk = leg_.phase().jerk(state, acceleration, moment.angle.cosine);
+        const Interval jerk = leg_.phase().jerk(state, acceleration, moment.angle);
         return {springs_.force(state), springs_.force({state.velocity, acceleration}),
                 springs_.force({acceleration, jerk})};
     }
@@ -110,8 +110,8 @@ Interval peak_force(const Springs<Interval>& springs, const EventChain& chain,
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!chain.presses(i)) continue;
-        const LegEquations<Interval> equations = leg_equations(springs, chain, places, i);
-        ContactPeak contact(springs, equations.leg, equations.length.hi, largest);
+        const auto [leg, length] = leg_of(springs, chain, places, i);
+        ContactPeak contact(springs, leg, length.hi, largest);
         if (!contact.bound()) return nothing();
     }
     return largest;

@@ -1,12 +1,15 @@
-// The two linear phases of the hammer, in flight and against the stop, each in closed form:
-//     delta'' + c delta' + K delta = eta^2 sin(theta) - g,   theta = eta tau,
-// with c = 2 zeta and K = 1 in flight, and 2 zeta + chi and 1 + kappa while the stop presses. A motion is its
-// steady response, -g/K + Im(R exp(i theta)) with R = eta^2/(K - eta^2 + i c eta), and what decays.
+// The two phases of the hammer, in flight and against the stop:
+//     delta'' + c delta' + K delta + r = eta^2 sin(theta) - g,   theta = eta tau,
+// with c = 2 zeta and K = 1 in flight, and 2 zeta + chi and 1 + kappa while the stop presses. With linear
+// springs r = 0, and a motion is its steady response, -g/K + Im(R exp(i theta)) with R = eta^2/(K - eta^2 + i c
+// eta), and what decays. Else r = gamma u^3 or gamma (x^3 - y^3), with u = delta + g, y = sin(theta), x = u + y
+// (scene/oscillator.hpp).
 //
 // Templates over the number: Interval encloses, double searches.
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "certificate/elementary.hpp"
 #include "certificate/rig.hpp"
@@ -56,6 +59,12 @@ inline double size_of(double x) {
 inline double size_of(const Interval& x) {
     return x.size();
 }
+inline double lowest(double x) {
+    return x;
+}
+inline double lowest(const Interval& x) {
+    return x.lo;
+}
 inline double plus_minus(double /*bound*/, double /*like*/) {
     return 0;
 }
@@ -72,6 +81,8 @@ class Phase {
           frequency_(rig.frequency),
           drive_(rig.frequency * rig.frequency),
           gap_(rig.gap),
+          cubic_(rig.cubic),
+          absolute_(rig.absolute),
           half_(damping_ / Number(2)),
           discriminant_(stiffness_ - half_ * half_),
           rest_(-gap_ / stiffness_) {
@@ -84,6 +95,7 @@ class Phase {
         using std::sqrt;
         rate_ = sqrt(abs(discriminant_));
         swing_ = size_of(sqrt(real_ * real_ + imaginary_ * imaginary_));
+        root_ = lowest(sqrt(stiffness_));
     }
 
     [[nodiscard]] const Number& damping() const { return damping_; }      // c
@@ -94,14 +106,37 @@ class Phase {
     [[nodiscard]] const Number& real() const { return real_; }            // of R
     [[nodiscard]] const Number& imaginary() const { return imaginary_; }  // of R
 
+    [[nodiscard]] bool is_linear() const { return size_of(cubic_) == 0; }
+    [[nodiscard]] const Number& cubic() const { return cubic_; }  // gamma
+    [[nodiscard]] bool absolute() const { return absolute_; }     // r = gamma (x^3 - y^3)
+    [[nodiscard]] const Number& gap() const { return gap_; }
+    [[nodiscard]] double root_of_stiffness() const { return root_; }  // sqrt(K), or less
+    // Of the springs' cubic part while |u| stays below a bound, or of its slope by u.
+    [[nodiscard]] double largest_cubic(double u) const {
+        return size_of(cubic_) * (absolute_ ? (u + 1) * (u + 1) * (u + 1) + 1 : u * u * u) * 1.000000001;
+    }
+    [[nodiscard]] double largest_cubic_slope(double u) const {
+        return 3 * size_of(cubic_) * (absolute_ ? (u + 1) * (u + 1) : u * u) * 1.000000001;
+    }
     [[nodiscard]] double swing() const { return swing_; }  // |R|, or more
 
     [[nodiscard]] Number acceleration(const Vector<Number>& state, const Number& sine) const {
-        return drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
+        const Number linear = drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
+        if (is_linear()) return linear;
+        const Number u = state.position + gap_;
+        const Number square = absolute_ ? u * u + Number(3) * sine * (u + sine) : u * u;
+        return linear - cubic_ * u * square;
     }
     [[nodiscard]] Number jerk(const Vector<Number>& state, const Number& acceleration,
-                              const Number& cosine) const {
-        return drive_ * frequency_ * cosine - damping_ * acceleration - stiffness_ * state.velocity;
+                              const SineCosineOf<Number>& angle) const {
+        const Number linear =
+            drive_ * frequency_ * angle.cosine - damping_ * acceleration - stiffness_ * state.velocity;
+        if (is_linear()) return linear;
+        const Number u = state.position + gap_;
+        if (!absolute_) return linear - Number(3) * cubic_ * u * u * state.velocity;
+        const Number x = u + angle.sine;
+        const Number cart = frequency_ * angle.cosine;
+        return linear - Number(3) * cubic_ * (x * x * (state.velocity + cart) - angle.sine * angle.sine * cart);
     }
     [[nodiscard]] Vector<Number> steady(const SineCosineOf<Number>& angle) const {
         return {rest_ + real_ * angle.sine + imaginary_ * angle.cosine,
@@ -133,6 +168,19 @@ class Phase {
         return {swing + part, sine_like, -(stiffness_ * sine_like), swing - part};
     }
 
+    // A flow of the linear phase, and by how much a cubic term of at most this slope changes it: by Duhamel's
+    // formula e = |s| t/sqrt(K) at most in the length sqrt(v^2 + K x^2), times exp(e).
+    [[nodiscard]] Matrix<Number> changed(const Matrix<Number>& flow, const Number& time, double slope) const {
+        if (is_linear()) return flow;
+        constexpr double above = 1 + 1e-12;
+        const double change = slope * size_of(time) / root_;
+        const double error = change < 1 ? change * (1 + change + change * change) * above
+                                        : std::numeric_limits<double>::infinity();
+        const double large_root = std::sqrt(size_of(stiffness_)) * above;
+        return {flow.a + plus_minus(error, flow.a), flow.b + plus_minus(error / root_ * above, flow.b),
+                flow.c + plus_minus(error * large_root, flow.c), flow.d + plus_minus(error, flow.d)};
+    }
+
   private:
     // Of z for |z| < 1/2: sum of (-z)^n/(2n)! and of (-z)^n/(2n+1)!, whose remainders after n = 8 are below
     // z^9/18! and z^9/19!.
@@ -152,6 +200,8 @@ class Phase {
     Number frequency_;
     Number drive_;
     Number gap_;
+    Number cubic_;
+    bool absolute_;
     Number half_;
     Number discriminant_;
     Number rest_;
@@ -159,41 +209,7 @@ class Phase {
     Number real_ = 0;
     Number imaginary_ = 0;
     double swing_ = 0;
-};
-
-template <class Number>
-struct Moment {
-    Vector<Number> state;  // (delta, delta')
-    SineCosineOf<Number> angle;
-    Vector<Number> decaying;  // the state without its steady response
-};
-
-// A motion along one phase, from a state at a time.
-template <class Number>
-class Leg {
-  public:
-    Leg(const Phase<Number>& phase, const Number& time, const Vector<Number>& start)
-        : phase_(&phase), time_(time), start_{start, sine_cosine(phase.frequency() * time), {}} {
-        start_.decaying = start - phase.steady(start_.angle);
-    }
-
-    [[nodiscard]] const Phase<Number>& phase() const { return *phase_; }
-    [[nodiscard]] const Moment<Number>& start() const { return start_; }
-
-    [[nodiscard]] Moment<Number> at(const Number& offset) const {
-        return at(phase_->flow(offset), time_ + offset);
-    }
-    // Where the flow is known, and the time of the end up to whole cycles.
-    [[nodiscard]] Moment<Number> at(const Matrix<Number>& flow, const Number& end) const {
-        const SineCosineOf<Number> angle = sine_cosine(phase_->frequency() * end);
-        const Vector<Number> decaying = flow * start_.decaying;
-        return {decaying + phase_->steady(angle), angle, decaying};
-    }
-
-  private:
-    const Phase<Number>* phase_;
-    Number time_;
-    Moment<Number> start_;
+    double root_ = 0;
 };
 
 }  // namespace peterka::certificate

@@ -22,8 +22,8 @@ Interval stiffness_of(const job::Hammer& hammer) {  // k [N/m]
 }  // namespace
 
 RigOf<double> middle(const Rig& rig) {
-    return {rig.damping_ratio.middle(), rig.stiffness.middle(), rig.damping.middle(),
-            rig.frequency.middle(),     rig.gap.middle(),       rig.period.middle()};
+    return {rig.damping_ratio.middle(), rig.stiffness.middle(), rig.damping.middle(), rig.frequency.middle(),
+            rig.gap.middle(),           rig.period.middle(),    rig.cubic.middle(),   rig.absolute};
 }
 
 std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
@@ -43,6 +43,11 @@ std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
     rig.gap = numbers.place.gap_m ? Interval(*numbers.place.gap_m) / numbers.cart.amplitude_m
                                   : Interval(numbers.place.gap_ratio);
     rig.period = Interval(2) * pi / rig.frequency;
+    if (hammer.cubic_stiffness_n_per_m3 != 0) {
+        rig.cubic =
+            square(Interval(numbers.cart.amplitude_m)) * hammer.cubic_stiffness_n_per_m3 / stiffness_of(hammer);
+        rig.absolute = hammer.cubic == job::CubicForm::absolute;
+    }
     return rig;
 }
 

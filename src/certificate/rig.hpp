@@ -17,6 +17,8 @@ struct RigOf {
     Number frequency = 0;      // eta
     Number gap = 0;            // g, in A0
     Number period = 0;         // 2 pi/eta
+    Number cubic = 0;          // gamma = k3 A0^2/k
+    bool absolute = false;     // of x^3 - y^3, not of u^3
 };
 using Rig = RigOf<Interval>;
 

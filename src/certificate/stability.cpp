@@ -52,9 +52,9 @@ double stability_margin(const Springs<Interval>& springs, const EventChain& chai
         if (chain.events[i].kind == EventKind::touch) {
             product.multiply({Interval(1), Interval(0), -springs.rig.damping, Interval(1)});
         }
-        const LegEquations<Interval> equations = leg_equations(springs, chain, places, i);
-        product.multiply(equations.flow);
-        contraction += springs.phase(chain.presses(i)).damping() * equations.length;
+        const auto [leg, length] = leg_of(springs, chain, places, i);
+        product.multiply(leg.flow(length));
+        contraction += springs.phase(chain.presses(i)).damping() * length;
     }
     return stability_margin(exp(-contraction), product.trace());
 }

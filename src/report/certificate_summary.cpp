@@ -28,7 +28,7 @@ const char* reason(Certified certified) {
         case Certified::other_stop:
             return "there is no theorem for this law of the stop";
         case Certified::cubic_spring:
-            return "there is no theorem for springs with a cubic term";
+            return "the springs' cubic term is too strong for the bounds that the proof rests on";
         case Certified::not_tried:
         case Certified::orbit:
         case Certified::start:

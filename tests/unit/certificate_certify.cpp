@@ -104,13 +104,44 @@ TEST(Certify, WhatHasNoTheoremIsNotProved) {
     ASSERT_EQ(certify(place.numbers, claim).verdict, Certified::orbit);
     EXPECT_EQ(certify(place.numbers, {regime::Regime::chaotic, claim.orbit}).verdict, Certified::not_tried);
     EXPECT_EQ(certify(place.numbers, {regime::Regime::failed, claim.orbit}).verdict, Certified::not_tried);
-    place.numbers.hammer.cubic_stiffness_n_per_m3 = 1e-9;
+    place.numbers.hammer.cubic_stiffness_n_per_m3 = 1e9;
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::cubic_spring);
     place.numbers.hammer.cubic_stiffness_n_per_m3 = 0;
     place.numbers.contact = job::Restitution{0.7};
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::other_stop);
     place.numbers.contact = job::HuntCrossley{1e9, 1.5, 0.1};
     EXPECT_EQ(certify(place.numbers, claim).verdict, Certified::other_stop);
+}
+
+// By an integrator with every term, at a place where the cubic term moves the force by more than all errors.
+TEST(Certify, TheCubicTermIsPartOfWhatIsProved) {
+    for (const job::CubicForm form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        for (const auto& [frequency, gap] : {std::pair(2.0, 0.0), std::pair(1.3, 1.0), std::pair(2.75, 0.0)}) {
+            job::CellNumbers numbers = testing::numbers_170mm(frequency, gap);
+            const Claim linear = claim_of(testing::solved_at(frequency, gap).cell);
+            const Certificate without = certify(numbers, linear);
+            numbers.hammer.cubic_stiffness_n_per_m3 = 2382.325;
+            numbers.hammer.cubic = form;
+            const Certificate with = certify(numbers, linear);
+            ASSERT_EQ(with.verdict, Certified::orbit) << frequency;
+            EXPECT_TRUE(with.force_ratio.apart(without.force_ratio)) << frequency;
+            const scene::Oscillator<double> oscillator = testing::oscillator_at(numbers);
+            const SolvedPlace integrated{
+                numbers, regime::find_steady_state(oscillator, testing::start_at(oscillator), {},
+                                                   {.engine = regime::Engine::cvode, .tolerance = 1e-10})};
+            ASSERT_TRUE(regime::same_label(integrated.cell, testing::solved_at(frequency, gap).cell));
+            EXPECT_NEAR(force_of(integrated) / with.force_ratio.middle(), 1, 1e-8) << frequency;
+        }
+    }
+}
+
+TEST(Certify, NoImpactIsProvedWithTheCubicTerm) {
+    job::CellNumbers numbers = testing::numbers_170mm(3, 3);
+    numbers.hammer.cubic_stiffness_n_per_m3 = 238.2325;
+    EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::start);
+    const double amplitude = testing::free_amplitude(testing::oscillator_at(numbers));
+    numbers.place.gap_ratio = amplitude * (1 + 1e-9);  // less room than the cubic term may take
+    EXPECT_EQ(certify(numbers, {cell::Regime::no_impact, {}}).verdict, Certified::near_grazing);
 }
 
 // Without damping anywhere nothing attracts.

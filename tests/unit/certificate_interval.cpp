@@ -75,7 +75,9 @@ TEST(CertificateInterval, ProductsOfAnySignsHoldThoseOfTheirPoints) {
         ASSERT_TRUE(abs(a).holds(std::abs(x)));
         ASSERT_TRUE(larger(a, b).holds(std::max(x, y)));
         ASSERT_TRUE(hull(a, b).holds(x));
-        if (b.positive() || b.negative()) ASSERT_TRUE((a / b).holds(x / y));
+        if (b.positive() || b.negative()) {
+            ASSERT_TRUE((a / b).holds(x / y));
+        }
     }
 }
 
