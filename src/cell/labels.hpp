@@ -89,8 +89,8 @@ enum class Certified : std::int8_t {
     no_orbit_enclosed = -5,  // too close to where the orbit ends
     other_label = -4,        // another p, or a smaller period
     no_orbit_found = -3,     // the cell's state leads to no periodic orbit
-    other_stop = -2,         // no theorem for this law yet
-    cubic_spring = -1,       // nor for springs that aren't linear
+    other_stop = -2,         // no theorem for this law of the stop
+    cubic_spring = -1,       // the cubic term is too strong for the bounds that the proof rests on
     not_tried = 0,
     orbit = 1,  // exists, alone in its neighbourhood, with these contacts, p and smallest q, and is stable
     start = 2,  // and [start] is proved to lead to it

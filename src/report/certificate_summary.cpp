@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "support/readable.hpp"
@@ -53,11 +55,14 @@ std::string reasons(const findings::Counts& counts) {
     return text;
 }
 
-// Every digit that both bounds have, and one more.
+// With as many decimals as the bounds are apart, and rounded away from what lies between them.
 std::string largest(const scene::Scene& scene, const findings::ProvedForces& proved) {
     if (!(proved.upper > 0) || scene.rigs_differ()) return "";
-    return fmt::format("  largest force       from {:.12g} to {:.12g} weights in the cells that are proved\n",
-                       proved.lower, proved.upper);
+    const double width = std::max(proved.upper - proved.lower, 1e-15 * proved.upper);
+    const int decimals = std::clamp(static_cast<int>(-std::log10(width)), 0, 15);
+    const double half = 0.5 * std::pow(10, -decimals) + 1e-15 * proved.upper;
+    return fmt::format("  largest force       from {:.{}f} to {:.{}f} weights, of the cells that are proved\n",
+                       proved.lower - half, decimals, proved.upper + half, decimals);
 }
 
 }  // namespace
@@ -76,8 +81,10 @@ std::string certificate_summary(const scene::Scene& scene, const findings::Stati
         text += fmt::format(", in {} that the start leads there, too", readable_count(from_start));
     text += "\n" + reasons(counts) + largest(scene, statistics.proved);
     if (proved > 0) {
-        text += fmt::format("  computed forces     outside their proved bounds by {:.1e} at most, relative\n",
-                            statistics.proved.furthest_outside);
+        text += fmt::format(
+            "  forces of the map   outside their proved bounds by {:.1e} at most, relative{}\n",
+            statistics.proved.furthest_outside,
+            scene.cell(0, 0).oscillator.cubic == 0 ? "" : " (the bounds are with the cubic spring)");
     }
     return text;
 }
