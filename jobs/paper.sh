@@ -33,7 +33,7 @@ all_files() {
         compute "peterka_$rig" "peterka_$rig" $(points frequency_ratio 512 96) $(points gap_ratio 512 64) \
             --set audit.cells=0
         compute "sweep_$rig" "sweep_$rig" $(points frequency_ratio 1401 281)
-        # every attractor at gaps of 0 to 3 mm
+        # attractors at gaps of 0 to 3 mm
         compute "drift_$rig" "peterka_$rig" $(points frequency_ratio 1001 257) $(points gap_ratio 4 4) \
             --set audit.cells=0 --set axes.gap_ratio.to=3.370786516853933 --set "title=Drift at gaps of 0 to 3 mm, $rig" \
             --set starts.count=64

@@ -4,14 +4,15 @@
     operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
                        [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
 
-A place guarantees a value where the motion is one and the same p/q in all cells within --hz and --mm to either side, from all
-starts that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without
-impact anywhere in the box; the default), at least a share of them above one half, or the job's own alone. It is told what of that
-is proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
-17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten best separate ones; draws STEM_operating_point, the
-guaranteed value over the map. --verify computes the box around the best place once more on a finer grid, with the same starts,
-by build/peterka (or --peterka PROGRAM), into the folder of the pictures, and says whether the guarantee holds, and by how much.
-Exit codes: 0 done, whatever came out; 2 a file cannot be read or guarantees nothing, or bad arguments; 3 a picture or the box
+A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
+that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
+anywhere in the box; the default), at least a share of them above one half, or the job's own alone. It is told what of that is
+proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
+17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten
+best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the box around the
+best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the folder of the
+pictures, and says whether its worst value is as good there, or by how much it falls short.
+Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
 cannot be written.
 """
 
@@ -32,7 +33,7 @@ from peterka.maps.comparison import label_codes  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.operating import picture, told, verify, words  # noqa: E402
 from peterka.operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of  # noqa: E402
-from peterka.operating.drift import Reach, guaranteed, reach  # noqa: E402
+from peterka.operating.drift import Reach, reach, worst_of_boxes  # noqa: E402
 from peterka.operating.places import Place, best_places  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
@@ -67,12 +68,12 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
     quantity = quantity_of(file, arguments.quantity)
     rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
     found = admitted(file, starts, quantity.name)
-    guarantee = guaranteed(found, rows, columns, codes_of(arguments.regime))
+    worst = worst_of_boxes(found, rows, columns, codes_of(arguments.regime))
     asks = starts != JOB or told.has_job(file)  # a map made by hand may have none
     stays_free = told.may_stay_free(file, rows, columns) if asks else np.zeros(file.shape, dtype=bool)
     if starts == ANY:
-        guarantee = np.where(stays_free, np.nan, guarantee)
-    places = best_places(guarantee, found, rows, columns)
+        worst = np.where(stays_free, np.nan, worst)
+    places = best_places(worst, found, rows, columns)
     what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
     if not places:
         inside = rows.inside[:, None] & columns.inside[None, :]
@@ -81,8 +82,8 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
                            f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}{free}; allow less drift, or "
                            f"{'a share of the starts (--starts share 0.9)' if starts == ANY else 'fewer starts'}")
-    tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: guaranteed in "
-         f"{100 * float(np.mean(np.isfinite(guarantee))):.3g} % of the map")
+    tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
+         f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
     for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
         tell(f"  {line}")
     for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
@@ -91,7 +92,7 @@ def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
         tell(line)
     if file.is_refined:
         tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
-    save_all(picture.draw(file, guarantee, places, rows, columns, (quantity, *what)), arguments.output_dir,
+    save_all(picture.draw(file, worst, places, rows, columns, (quantity, *what)), arguments.output_dir,
              f"{file.path.stem}_operating_point", arguments.formats)
     if arguments.verify:
         checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)

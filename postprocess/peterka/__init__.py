@@ -22,7 +22,9 @@ scaling    parallel efficiency: times of tiles, the replay of their dealing, the
 claims     the paper's claims and the page that tells how they fare
 pictures   which pictures a file gives: the one place that knows them all
 toml       a job's tables as TOML
+launching  the program started, watched and interrupted
 runs       jobs run by the program, files opened as datasets
+backend    the same files by xarray's own open_dataset, engine="peterka"
 drawing    pictures of datasets, by name
 results_page   the results page in Markdown, of studies and maps
 page       the page of explore.py: a map with the program's own engine inside

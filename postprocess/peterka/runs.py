@@ -3,7 +3,6 @@
 import os
 import re
 import shutil
-import subprocess
 import tempfile
 import tomllib
 from collections.abc import Mapping
@@ -14,6 +13,7 @@ import xarray
 
 from .files.checked_hdf5 import CheckedFile
 from .files.dataset import dataset_of
+from .launching import Progress, launch
 from .pictures import open_file
 from .toml import text_of
 
@@ -58,11 +58,13 @@ def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
 
 
 def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.PathLike | None = None,
-        **changes: Any) -> xarray.Dataset:
+        progress: Progress = False, **changes: Any) -> xarray.Dataset:
     """Computes a job and gives its file as open() does; a file that holds it already is only opened.
 
     `job`: the path of a job file, its text in TOML, or its tables as dicts. `ranks`: of mpirun; 1 goes without it.
-    `output`: where the file is kept; without it, it is not. `changes`: keys of the job, `table__key=value` for
+    `output`: where the file is kept; without it, it is not. `progress`: True shows how far it is, on stderr; a function is
+    called with the share that is done, 0 to 1. An interrupted run leaves its `output` for the same call to go on from.
+    `changes`: keys of the job, `table__key=value` for
     --set table.key=value, or a whole table as table={key: value}. Raises JobError with all faults of a job, and
     PeterkaError where the program fails otherwise. The program is that of PETERKA_BINARY, of the build beside this
     package, or the one on the PATH."""
@@ -70,7 +72,8 @@ def run(job: str | os.PathLike | Mapping, ranks: int = 2, *, output: str | os.Pa
         path = _written(job, Path(folder))
         result = Path(output) if output is not None else Path(folder) / "result.h5"
         settings = [word for key, value in _flat(changes) for word in ("--set", f"{key}={_override(value)}")]
-        _call(["run", _argument(path), "--output", _argument(result), "--quiet", *settings], ranks)
+        quiet = ["--quiet"] if progress is False else []
+        _call(["run", _argument(path), "--output", _argument(result), *quiet, *settings], ranks, progress)
         data = open(result)
         return data if output is not None else data.load()
 
@@ -123,22 +126,21 @@ def _override(value):
     return value if isinstance(value, str) else text_of({"value": value}).removeprefix("value = ").strip()
 
 
-def _call(arguments, ranks):
+def _call(arguments, ranks, progress=False):
     if ranks < 1:
         raise ValueError(f"{ranks} ranks can't compute anything")
     if any("\0" in argument for argument in arguments):
         raise PeterkaError("a path or a setting has a byte of zero in it")
-    launch = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    under = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
     environment = (MORE_RANKS_THAN_CORES | (AS_ROOT if os.geteuid() == 0 else {})) if ranks > 1 else {}
     try:
-        done = subprocess.run([*launch, _binary(), *arguments], env=os.environ | environment, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, check=False)
+        done = launch([*under, _binary(), *arguments], os.environ | environment, progress)
     except FileNotFoundError as error:
         raise PeterkaError(f"{error.filename} is not here; an MPI has to be installed for {ranks} ranks") from error
-    if done.returncode == BAD_JOB:
+    if done.code == BAD_JOB:
         raise JobError(_faults(done.stderr))
-    if done.returncode not in DONE:
-        raise PeterkaError(done.stderr.strip() or f"the program ended with code {done.returncode}")
+    if done.code not in DONE:
+        raise PeterkaError(done.stderr.strip() or f"the program ended with code {done.code}")
     return done.stdout
 
 

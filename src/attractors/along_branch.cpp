@@ -48,7 +48,7 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
         regime::has_period(result.regime)
             ? scene::State<double>(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity)
         : first.start == Tally::no_start ? cell.start
-                                         : start_of(job.starts, cell.oscillator, first.start);
+                                         : start_of(job.starts, cell, first.start);
     SteadyMotion motion(room);
     regime::CycleDesk desk;
     const Task<regime::CellResult> search = regime::solve_cell(desk, job, cell, {}, &motion);

@@ -109,8 +109,7 @@ std::vector<Begin> CellSearch::next_round() {
     }
     const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
     for (; begun_ < end; ++begun_) {
-        searches.push_back(
-            search_from(start_of(setting_.of_starts.starts, cell_.oscillator, begun_), sooner()));
+        searches.push_back(search_from(start_of(setting_.of_starts.starts, cell_, begun_), sooner()));
     }
     return searches;
 }
@@ -251,8 +250,8 @@ void CellSearch::tell_mean_life() {
 
 std::vector<Begin> CellSearch::begin_kicks() {
     stage_ = Stage::kicks;
-    const auto& velocities = setting_.of_starts.starts.velocity_ratio;
-    const double largest = std::max(std::abs(velocities.front()), std::abs(velocities.back()));
+    const Interval velocities = velocities_of(setting_.of_starts.starts, cell_.scales);
+    const double largest = std::max(std::abs(velocities.from), std::abs(velocities.to));
     kicks_.emplace(cell_.oscillator, kept_, largest, [this](const auto& start) { return search_from(start); });
     return next({});
 }

@@ -12,13 +12,14 @@ namespace {
 constexpr int levels = 9;
 constexpr int kicks_of_a_level = 32;  // for each cycle of the orbit
 constexpr int kicks_of_a_round = 64;  // of each half, for each cycle of the orbit
-constexpr int most_cycles = 4;        // of a longer orbit no more kicks
+constexpr int most_cycles = 16;       // of a longer orbit no more kicks
 constexpr int rounds_in_vain = 12;    // before it ends
 constexpr double clearly = 0.01;      // smaller, so that it goes on
 constexpr int stretches = 16;         // of phases, in a cycle
 constexpr int kicks_of_a_step = 32;   // along the border
 constexpr double first_step = 0.125;  // relative in size
 constexpr double last_step = 1e-4;
+constexpr double no_surprise = 5;  // times as many as are expected
 
 // The fraction of n times an irrational number: even in every stretch of n.
 double fraction(std::uint64_t n, double irrational) {
@@ -54,27 +55,55 @@ std::vector<KickTried> KickScan::next(std::span<const Way> ways) {
 
 void KickScan::take(std::span<const Way> ways) {
     const double before = bound();
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        const KickTried& kick = tried_[i];
-        if (ways[i].elsewhere) {
-            if (found_ && kick.size() >= smallest_.size()) continue;
-            found_ = true;
-            smallest_ = kick;
-        } else if (Slow& slow = place_of(kick); ways[i].cycles >= slow.cycles || slow.kick.size() > bound()) {
-            slow = {kick, ways[i].cycles};
-        }
-    }
+    for (std::size_t i = 0; i < ways.size(); ++i) take_one(tried_[i], ways[i]);
+    if (chaotic_ && chaos_dies()) dies_ = true;
+    smallest_ = settled_;
+    if (chaotic_ && !dies_ && (!settled_ || chaotic_->size() < settled_->size())) smallest_ = chaotic_;
     if (!ways.empty()) choose_stage(before);
+}
+
+void KickScan::take_one(const KickTried& kick, const Way& way) {
+    const auto keep_smaller = [&kick](std::optional<KickTried>& smallest) {
+        if (!smallest || kick.size() < smallest->size()) smallest = kick;
+    };
+    switch (way.end) {
+        case Way::End::elsewhere:
+            return keep_smaller(settled_);
+        case Way::End::chaos:
+            shortest_stay_ = stayed_ == 0 ? way.chaotic : std::min(shortest_stay_, way.chaotic);
+            ++stayed_;
+            return keep_smaller(chaotic_);
+        case Way::End::back:
+            break;
+    }
+    if (way.chaotic > 0) {
+        ++returned_;
+        lives_ += way.chaotic;
+    }
+    Slow& slow = place_of(kick);
+    if (way.cycles >= slow.cycles || slow.kick.size() > bound()) slow = {kick, way.cycles};
+}
+
+// Lives are spread exponentially; their mean is that of those that ended, for the others may have no end.
+bool KickScan::chaos_dies() const {
+    if (returned_ == 0) return false;
+    const double mean = static_cast<double>(lives_) / static_cast<double>(returned_);
+    const double expected =
+        static_cast<double>(returned_) * std::exp(-static_cast<double>(shortest_stay_) / mean);
+    return static_cast<double>(stayed_) <= no_surprise * expected;
 }
 
 // before: the bound, before the last kicks.
 void KickScan::choose_stage(double before) {
     const double fell = 1 - bound() / before;
-    if (stage_ == Stage::growing) {
-        if (found_ || ++level_ == levels) stage_ = Stage::rounds;
+    if (fell < 0) {  // what was found doesn't count any more, and beyond it fewer were tried
+        stage_ = smallest_ ? Stage::rounds : Stage::growing;
+        in_vain_ = 0;
+    } else if (stage_ == Stage::growing) {
+        if (smallest_ || ++level_ == levels) stage_ = Stage::rounds;
     } else if (stage_ == Stage::rounds) {
         in_vain_ = fell > clearly ? 0 : in_vain_ + 1;
-        if (in_vain_ == rounds_in_vain) stage_ = found_ ? Stage::border : Stage::done;
+        if (in_vain_ == rounds_in_vain) stage_ = smallest_ ? Stage::border : Stage::done;
         step_ = first_step;
     } else {
         if (fell < step_ / 4) step_ /= 2;
@@ -95,10 +124,7 @@ std::vector<KickTried> KickScan::round() {
     std::vector<KickTried> kicks;
     for (int n = 0; n < kicks_of_a_round * std::min(period_, most_cycles); ++n) {
         kicks.push_back(spread(0, bound()));
-        const bool at_border = found_ && n % 4 == 0;
-        const auto stretch = static_cast<std::size_t>(random() * static_cast<double>(slow_.size()));
-        const Slow& slow = slow_[std::min(stretch, slow_.size() - 1)];
-        kicks.push_back(at_border || slow.cycles < 0 ? near(smallest_) : near(slow.kick));
+        kicks.push_back(near(smallest_ && n % 4 == 0 ? *smallest_ : slow_one().kick));
     }
     return kicks;
 }
@@ -109,7 +135,7 @@ std::vector<KickTried> KickScan::along_border() {
     std::vector<KickTried> kicks;
     for (int n = 0; n < kicks_of_a_step; ++n) {
         const double phase = (n % 2 == 0 ? step_ : std::sqrt(step_)) * (random() - 0.5);
-        kicks.push_back(moved(smallest_.phase + phase, smallest_.change * (1 - step_ * random())));
+        kicks.push_back(moved(smallest_->phase + phase, smallest_->change * (1 - step_ * random())));
     }
     return kicks;
 }
@@ -139,6 +165,18 @@ KickTried KickScan::moved(double phase, double change) const {
 KickScan::Slow& KickScan::place_of(const KickTried& kick) {
     const auto stretch = static_cast<std::size_t>(kick.phase * stretches);
     return slow_[std::min(2 * stretch + (kick.change < 0 ? 1 : 0), slow_.size() - 1)];
+}
+
+// The slowest of some stretches at random, of one as often as of many: the slowest of all lies where the border
+// is known, others next to what is to be found.
+const KickScan::Slow& KickScan::slow_one() {
+    const double contenders = std::exp2(random() * std::log2(static_cast<double>(slow_.size())));
+    std::size_t slowest = 0;
+    for (int n = 0; n < static_cast<int>(contenders); ++n) {
+        const auto stretch = static_cast<std::size_t>(random() * static_cast<double>(slow_.size()));
+        if (n == 0 || slow_[stretch].cycles > slow_[slowest].cycles) slowest = stretch;
+    }
+    return slow_[slowest];
 }
 
 // SplitMix64, Steele and others 2014: the same on every machine.

@@ -9,8 +9,14 @@ namespace peterka::attractors {
 namespace {
 
 // A search that fails tells nothing.
-bool ends_elsewhere(const regime::CellResult& settled, const regime::CellResult& ended) {
-    return ended.regime != regime::Regime::failed && !regime::same_attractor(settled, ended);
+KickScan::Way way_of(const regime::CellResult& settled, const regime::CellResult& ended) {
+    using enum regime::Regime;
+    KickScan::Way way{.cycles = ended.cycles};
+    if (ended.forgot_after > 0) way.chaotic = ended.followed_cycles - ended.forgot_after;
+    if (ended.regime == failed || regime::same_attractor(settled, ended)) return way;
+    const bool is_chaos = ended.regime == chaotic || (ended.regime == unresolved && way.chaotic > 0);
+    way.end = is_chaos ? KickScan::Way::End::chaos : KickScan::Way::End::elsewhere;
+    return way;
 }
 
 }  // namespace
@@ -58,7 +64,7 @@ std::vector<KickScan::Way> Kicks::take(const Kicked& kicked, std::span<const End
             continue;
         }
         const regime::CellResult& result = ended.front().result;
-        ways.push_back({ends_elsewhere(kicked.result, result), result.cycles});
+        ways.push_back(way_of(kicked.result, result));
         ended = ended.subspan(1);
     }
     return ways;

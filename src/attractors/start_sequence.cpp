@@ -18,18 +18,31 @@ double fraction(std::int64_t n, std::uint64_t step) {
     return std::ldexp(static_cast<double>(digits >> 11U), -53);
 }
 
+// A side as the job gives it, as ratios or in SI units.
+Interval side(const std::vector<double>& ratios, const std::vector<double>& in_si, double unit) {
+    if (in_si.empty()) return {ratios.front(), ratios.back()};
+    return {in_si.front() / unit, in_si.back() / unit};
+}
+
 }  // namespace
 
-scene::State<double> start_of(const job::Starts& starts, const scene::Oscillator<double>& cell,
-                              std::int64_t n) {
-    const double left = starts.displacement_ratio.front();
-    const double right = std::min(starts.displacement_ratio.back(), cell.gap);
-    const double lowest = starts.velocity_ratio.front();
-    const double highest = starts.velocity_ratio.back();
-    const double displacement = left + (right - left) * fraction(n, step_across);
-    const double velocity = lowest + (highest - lowest) * fraction(n, step_up);
+Interval displacements_of(const job::Starts& starts, const scene::Scales& scales) {
+    return side(starts.displacement_ratio, starts.displacement_m, scales.length_m);
+}
+
+Interval velocities_of(const job::Starts& starts, const scene::Scales& scales) {
+    return side(starts.velocity_ratio, starts.velocity_m_per_s, scales.length_m * scales.frequency_rad_per_s);
+}
+
+scene::State<double> start_of(const job::Starts& starts, const scene::Cell& cell, std::int64_t n) {
+    const scene::Oscillator<double>& oscillator = cell.oscillator;
+    const Interval across = displacements_of(starts, cell.scales);
+    const Interval up = velocities_of(starts, cell.scales);
+    const double right = std::min(across.to, oscillator.gap);
+    const double displacement = across.from + (right - across.from) * fraction(n, step_across);
+    const double velocity = up.from + (up.to - up.from) * fraction(n, step_up);
     // the cart passes its middle at full speed
-    return {std::min(displacement - cell.gap, 0.0), velocity - cell.frequency};
+    return {std::min(displacement - oscillator.gap, 0.0), velocity - oscillator.frequency};
 }
 
 }  // namespace peterka::attractors

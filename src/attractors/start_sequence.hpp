@@ -8,12 +8,19 @@
 #include <cstdint>
 
 #include "job/job.hpp"
-#include "scene/oscillator.hpp"
+#include "scene/scene.hpp"
 
 namespace peterka::attractors {
 
-// Start n of the cell with this oscillator: (delta, delta') at forcing phase 0.
-[[nodiscard]] scene::State<double> start_of(const job::Starts& starts, const scene::Oscillator<double>& cell,
-                                            std::int64_t n);
+// From and to of a rectangle's sides, in the units of the cell: x(0)/A0 and x'(0)/(A0 omega).
+struct Interval {
+    double from;
+    double to;
+};
+[[nodiscard]] Interval displacements_of(const job::Starts& starts, const scene::Scales& scales);
+[[nodiscard]] Interval velocities_of(const job::Starts& starts, const scene::Scales& scales);
+
+// Start n of this cell: (delta, delta') at forcing phase 0.
+[[nodiscard]] scene::State<double> start_of(const job::Starts& starts, const scene::Cell& cell, std::int64_t n);
 
 }  // namespace peterka::attractors

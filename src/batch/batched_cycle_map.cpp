@@ -10,6 +10,7 @@
 
 #include "batch/cycle_kernel.hpp"
 #include "batch/own_rigs_kernel.hpp"
+#include "support/expect.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
 
@@ -112,10 +113,12 @@ void BatchedCycleMap::use_lanes(std::size_t size) {
 }
 
 void BatchedCycleMap::add(double frequency, double gap, const scene::State<double>& state) {
+    PETERKA_EXPECT(rig_ && frequency > 0);
     add(forcing(frequency, gap), oscillator_.cubic, gap, state);
 }
 
 void BatchedCycleMap::add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state) {
+    PETERKA_EXPECT(!rig_ && oscillator.spring_dashpot() != nullptr);
     const std::size_t slot = size_;
     const scene::Oscillator<double> own = springs_ == Springs::split ? oscillator : without_cubic(oscillator);
     add(forcing_of(own), own.cubic, own.gap, state);
@@ -127,6 +130,7 @@ void BatchedCycleMap::add(const scene::Oscillator<double>& oscillator, const sce
 }
 
 void BatchedCycleMap::add(const Forcing& f, double cubic, double gap, const scene::State<double>& state) {
+    PETERKA_EXPECT(std::isfinite(gap) && std::isfinite(cubic));
     const std::size_t slot = size_;
     if (slot == capacity()) make_room(2 * slot);
     use_lanes(slot + 1);
@@ -152,6 +156,7 @@ void BatchedCycleMap::copy_slot(std::size_t slot, std::size_t to) {
 }
 
 void BatchedCycleMap::remove(std::size_t slot) {
+    PETERKA_EXPECT(slot < size_);
     if (twin_only_[slot]) --twin_only_count_;
     const std::size_t last = size_ - 1;
     if (slot != last) copy_slot(last, slot);
@@ -191,6 +196,22 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     pattern_[slot] = cycle.pattern;
 }
 
+// Of lanes that are there, each waits for one thing at a time, and for none once all have come to their cycle's
+// end.
+void BatchedCycleMap::expect_sound_queues([[maybe_unused]] Wanted wanted) {
+#ifdef PETERKA_EXPECTS
+    std::size_t waiting = queues_.twin.size;
+    for (const Queue* queue : queues_.events()) {
+        PETERKA_EXPECT(queue->size == 0 || !wanted.whole);
+        waiting += queue->size;
+        for (std::size_t n = 0; n < queue->size; ++n) {
+            PETERKA_EXPECT(0 <= queue->lane[n] && static_cast<std::size_t>(queue->lane[n]) < size_);
+        }
+    }
+    PETERKA_EXPECT(waiting <= size_);
+#endif
+}
+
 void BatchedCycleMap::advance(Wanted wanted) {
     using Outcome = trajectory::Cycle<double>::Outcome;
     if (rig_) {
@@ -200,6 +221,7 @@ void BatchedCycleMap::advance(Wanted wanted) {
     } else {
         run_own_rigs_cycle(grid_, lanes_, queues_, wanted);
     }
+    expect_sound_queues(wanted);
     last_ = wanted;
     std::fill_n(outcome_.begin(), size_, Outcome::done);
     for (std::size_t n = 0; n < queues_.twin.size; ++n) {
@@ -215,6 +237,7 @@ void BatchedCycleMap::advance(Wanted wanted) {
 }
 
 trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {
+    PETERKA_EXPECT(slot < size_ && is_at_end(slot));
     trajectory::Cycle<double> cycle;
     cycle.outcome = outcome_[slot];
     cycle.end = state(slot);

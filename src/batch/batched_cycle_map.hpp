@@ -102,6 +102,7 @@ class BatchedCycleMap {
     void use_lanes(std::size_t size);
     [[nodiscard]] Twin twin_of(std::size_t slot) const;
     void run_twin(std::size_t slot, Wanted wanted);
+    void expect_sound_queues(Wanted wanted);
 
     Springs springs_;
     scene::Oscillator<double> oscillator_;  // where all share the rig: of any place

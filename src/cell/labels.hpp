@@ -17,7 +17,7 @@ enum class Regime : std::int8_t {
 };
 inline constexpr std::int8_t regime_not_computed = -128;
 
-// Why a cell is unresolved or failed, or what its proof leaves open; `verified` for all others.
+// Why a cell is unresolved or failed, or what its claim leaves open; `verified` for all others.
 enum class Status : std::int8_t {
     verified = 0,
     budget = 1,           // max_cycles ran out before anything was verified
@@ -25,8 +25,8 @@ enum class Status : std::int8_t {
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
     not_finite = 4,       // the state left the range of numbers
     solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
-    rounding = 6,         // proved for this run, but errors of rounding grew enough to end elsewhere
-    imprecise = 7,        // proved, but its peak force may be off by more than solver.tolerance
+    rounding = 6,         // settled in this run, but errors of rounding grew enough to end elsewhere
+    imprecise = 7,        // settled, but its peak force may be off by more than solver.tolerance
     chaotic_so_far = 8,   // max_cycles ran out before chaos could be told from a long transient
 };
 

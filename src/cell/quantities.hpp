@@ -187,8 +187,8 @@ using enum Recorded;
 using enum Dimension;
 
 inline constexpr const char* kick_words =
-    "smallest sudden change of the settled hammer's velocity, at any forcing phase, after which it ends "
-    "elsewhere";
+    "smallest sudden change found of the settled hammer's velocity, at all forcing phases, after which it "
+    "ends elsewhere";
 inline constexpr const char* kick_phase_words =
     "when the critical kick acts, in forcing cycles after phase 0 of the orbit's first point, 0 to q";
 inline constexpr const char* kick_tried_words =
@@ -199,7 +199,7 @@ inline constexpr const char* kick_direction_words =
 // clang-format off
 inline constexpr Quantity rows[] = {
     {"regime", member([](auto& cell) -> auto& { return cell.regime; }), label, "regime of the steady state", always, as_around, usual, table_too, regime_names},
-    {"status", member([](auto& cell) -> auto& { return cell.status; }), label, "why a cell is unresolved or failed, or what its proof leaves open", always, never, usual, {}, status_names},
+    {"status", member([](auto& cell) -> auto& { return cell.status; }), label, "why a cell is unresolved or failed, or what its claim leaves open", always, never, usual, {}, status_names},
     {"computed", member([](auto& cell) -> auto& { return cell.computed; }), label, "whether the cell is computed or filled from computed cells around it", in_refined_maps, never, usual, {}, computed_names},
     {"engine", member([](auto& cell) -> auto& { return cell.engine; }), label, "engine that carried the cell; exact leaves a cubic spring out", always, as_around, usual, {}, engine_names},
     {"impacts", member([](auto& cell) -> auto& { return cell.impacts; }), number, "impacts p of z = p/q", always, as_around, usual, table_too},
@@ -239,7 +239,7 @@ inline constexpr Quantity rows[] = {
 // A share is filled by a rule of its own (refine/fill_attractors.cpp).
 inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_regime", of_attractor([](auto& attractor) -> auto& { return attractor.regime; }), label, "regime of an attractor of the cell, those with the largest shares first", always, as_around, usual, {}, regime_names},
-    {"attractor_status", of_attractor([](auto& attractor) -> auto& { return attractor.status; }), label, "the status of the start whose proof leaves least open, of those that end on it", always, never, usual, {}, status_names, 3},
+    {"attractor_status", of_attractor([](auto& attractor) -> auto& { return attractor.status; }), label, "the status of the start whose claim leaves least open, of those that end on it", always, never, usual, {}, status_names, 3},
     {"attractor_impacts", of_attractor([](auto& attractor) -> auto& { return attractor.impacts; }), number, "impacts p of its z = p/q", always, as_around},
     {"attractor_period", of_attractor([](auto& attractor) -> auto& { return attractor.period; }), number, "period q of its z = p/q in forcing cycles", always, as_around},
     {"attractor_peak_force_ratio", of_attractor([](auto& attractor) -> auto& { return attractor.peak_force; }), force_over_weight, "its peak impact force over hammer weight, F/(m g0)", always, interpolated},

@@ -16,7 +16,8 @@ namespace peterka::cell {
 enum class Units { nondimensional, of_file };
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-inline constexpr std::int32_t goes_on = -1;  // as the last impact of any regime but no_impact: no end is proved
+inline constexpr std::int32_t goes_on =
+    -1;  // as the last impact of any regime but no_impact: no end is verified
 
 // The smallest sudden change of the settled hammer's velocity after which its motion ends elsewhere
 // (attractors/kicks.hpp); units are told for CellResult.
@@ -33,7 +34,7 @@ struct Result {
     Regime regime = Regime::failed;
     Status status = Status::verified;
     Engine engine = Engine::exact;
-    bool computed = true;  // false: filled from computed cells around it (refine/fill.hpp); no proof of its own
+    bool computed = true;  // false: filled from computed cells around it (refine/fill.hpp); no run of its own
     bool jump = false;  // of a sweep: the force jumps on the way here from the point before (regime/branch.hpp)
     std::int32_t impacts = 0;  // p of z = p/q; 0 unless periodic
     std::int32_t period =
@@ -47,7 +48,7 @@ struct Result {
         unknown;                   // of |u| = |x - y|/A0 over the same time, an upper bound; not stored
     bool chatter = false;          // of a rigid stop, completed; it counts as one impact
     double impact_rate = 0;        // impacts per forcing cycle, any regime; NaN where failed
-    double multiplier = unknown;   // largest |Floquet multiplier| of the proved orbit
+    double multiplier = unknown;   // largest |Floquet multiplier| of the verified orbit
     double lyapunov = unknown;     // largest Lyapunov exponent per forcing cycle; NaN for the minus infinity of
                                    // an orbit whose multiplier is 0
     double sensitivity = unknown;  // ln G, the largest growth of a start perturbation during the run

@@ -10,7 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "curves/asked_gaps.hpp"
 #include "curves/beside.hpp"
+#include "job/axis_quantity.hpp"
+#include "job/twins.hpp"
 
 namespace peterka::curves {
 
@@ -34,24 +37,24 @@ std::vector<Label> common_labels(const Findings& found, std::int64_t most_period
 }
 
 struct Border {
-    double frequency = 0;  // [Hz]
+    double at = 0;  // in the unit that the heading tells
     CurveKind kind = CurveKind::fold;
     std::vector<Label> labels;  // that it bounds
 };
 
 // Of the stable motions beside a point of a curve, those labels that are on one side alone. A motion that ends
 // there while another one with its label begins bounds no regime.
-std::vector<Label> labels_bounded_at(const Rig& rig, const Place& window, const Seed& at) {
-    constexpr Place along_frequency{1, 0};
-    std::vector<OrbitPoint> stable = motions_beside(rig, window, at, along_frequency).stable;
+std::vector<Label> labels_bounded_at(const Rig& rig, const Place& window, const Seed& at, std::size_t axis) {
+    const Place along = moved({}, axis, 1);
+    std::vector<OrbitPoint> stable = motions_beside(rig, window, at, along).stable;
     if (at.kind == CurveKind::period_doubling) {
-        const auto doubled = stable_doubled_beside(rig, window, at.point, along_frequency);
+        const auto doubled = stable_doubled_beside(rig, window, at.point, along);
         stable.insert(stable.end(), doubled.begin(), doubled.end());
     }
     std::map<Label, std::set<bool>> sides;
     for (const OrbitPoint& motion : stable) {
-        sides[{motion.orbit.period, motion.orbit.impacts()}].insert(motion.place.column >
-                                                                    at.point.place.column);
+        const bool beyond = coordinate(motion.place, axis) > coordinate(at.point.place, axis);
+        sides[{motion.orbit.period, motion.orbit.impacts()}].insert(beyond);
     }
     std::vector<Label> bounded;
     for (const auto& [label, on] : sides) {
@@ -60,29 +63,76 @@ std::vector<Label> labels_bounded_at(const Rig& rig, const Place& window, const 
     return bounded;
 }
 
-std::vector<Border> borders_at(const Rig& rig, const Place& window, const Findings& found, double gap,
-                               double hertz) {
-    std::vector<Border> borders;
-    for (const Curve& curve : found.curves) {
-        for (const Crossing& crossing : curve.crossings) {
-            if (std::abs(crossing.place.row - gap) >= 1e-9) continue;
-            const Seed at{curve.kind, {crossing.orbit, crossing.place}};
-            borders.push_back({crossing.place.column * hertz, curve.kind, labels_bounded_at(rig, window, at)});
-        }
+// Along the axis that isn't the gap's.
+class AlongBorders {
+  public:
+    explicit AlongBorders(const scene::Scene& scene)
+        : rig_(scene.job()),
+          gap_axis_(gap_axis(scene.job())),
+          key_(rig_.key(axis())),
+          hertz_(scene.scales().frequency_rad_per_s / (2 * std::numbers::pi)),
+          metres_(scene.scales().length_m),
+          has_one_length_(gap_axis_ == 0 ? job::twin_of_columns(scene.job()).has_value()
+                                         : job::twin_of_rows(scene.job()).has_value()) {
+        const job::Job& job = scene.job();
+        const Place low = rig_.place_of({job.columns.from, job.rows.from});
+        const Place high = rig_.place_of({job.columns.to, job.rows.to});
+        window_ = {high.column - low.column, high.row - low.row};
     }
-    std::ranges::sort(borders, {}, &Border::frequency);
-    return borders;
-}
+
+    [[nodiscard]] std::vector<double> gaps(const job::Job& job) const { return asked_gaps(rig_, job); }
+
+    [[nodiscard]] std::vector<Border> at(const Findings& found, double gap) const {
+        std::vector<Border> borders;
+        for (const Curve& curve : found.curves) {
+            for (const Crossing& crossing : curve.crossings) {
+                if (std::abs(coordinate(crossing.place, gap_axis_) - gap) >= 1e-9) continue;
+                const Seed seed{curve.kind, {crossing.orbit, crossing.place}};
+                borders.push_back(
+                    {number(crossing.place), curve.kind, labels_bounded_at(rig_, window_, seed, axis())});
+            }
+        }
+        std::ranges::sort(borders, {}, &Border::at);
+        return borders;
+    }
+
+    [[nodiscard]] std::string heading(double gap) const {
+        const std::string& of_gap = rig_.key(gap_axis_);
+        const double value = coordinate(rig_.values_at(moved({}, gap_axis_, gap)), gap_axis_);
+        const std::string place = has_one_length_
+                                      ? fmt::format("gap/A0 {:.6g} ({:.4g} mm)", gap, gap * metres_ * 1e3)
+                                  : job::is_in_si(of_gap) ? fmt::format("gap {:.4g} mm", value * 1e3)
+                                                          : fmt::format("gap/A0 {:.6g}", value);
+        const std::string unit =
+            job::is_frequency(key_) ? "Hz" : fmt::format("{} in {}", key_, job::quantity(key_).units);
+        return fmt::format("Borders at {} of regimes with more than 1 % of the coarse map [{}]\n", place, unit);
+    }
+
+  private:
+    [[nodiscard]] std::size_t axis() const { return 1 - gap_axis_; }
+    [[nodiscard]] double number(const Place& place) const {
+        return job::is_frequency(key_) ? coordinate(place, axis()) * hertz_
+                                       : coordinate(rig_.values_at(place), axis());
+    }
+
+    Rig rig_;
+    std::size_t gap_axis_;
+    std::string key_;  // of the other
+    double hertz_;     // of Omega/omega = 1
+    double metres_;
+    bool has_one_length_;  // A0 is that of all cells
+    Place window_;
+};
 
 std::string borders_of(const Label& label, const std::vector<Border>& borders) {
     std::string text;
     const Border* last = nullptr;
     for (const Border& border : borders) {
-        const bool again = last != nullptr && last->kind == border.kind &&
-                           border.frequency - last->frequency < 1e-9 * border.frequency;
+        const bool again =
+            last != nullptr && last->kind == border.kind && border.at - last->at < 1e-9 * std::abs(border.at);
         if (again || std::ranges::count(border.labels, label) == 0) continue;
         last = &border;
-        text += fmt::format("{}{:#.9g} {}", text.empty() ? "" : ", ", border.frequency,
+        text += fmt::format("{}{:#.9g} {}", text.empty() ? "" : ", ", border.at,
                             kind_of_border[static_cast<std::size_t>(border.kind)]);
     }
     if (text.empty()) return "";
@@ -94,20 +144,16 @@ std::string borders_of(const Label& label, const std::vector<Border>& borders) {
 }  // namespace
 
 std::string borders_in_words(const scene::Scene& scene, const Findings& found) {
-    const job::Curves& asked = scene.job().curves;
-    const double hertz = scene.scales().frequency_rad_per_s / (2 * std::numbers::pi);
-    const std::vector<Label> labels = common_labels(found, asked.max_period);
-    const Rig rig(scene.job());
-    const Place low = rig.place_of({scene.job().columns.from, scene.job().rows.from});
-    const Place high = rig.place_of({scene.job().columns.to, scene.job().rows.to});
+    const job::Job& job = scene.job();
+    if (job.curves.gaps().empty()) return "";
+    const std::vector<Label> labels = common_labels(found, job.curves.max_period);
+    const AlongBorders along(scene);
     std::string text;
-    for (const double gap : asked.gap_ratio) {
-        const auto borders = borders_at(rig, {high.column - low.column, high.row - low.row}, found, gap, hertz);
+    for (const double gap : along.gaps(job)) {
+        const auto borders = along.at(found, gap);
         std::string lines;
         for (const Label& label : labels) lines += borders_of(label, borders);
-        text += fmt::format(
-            "Borders at gap/A0 {:.6g} ({:.4g} mm) of regimes with more than 1 % of the coarse map [Hz]\n{}",
-            gap, gap * scene.scales().length_m * 1e3, lines.empty() ? "  none\n" : lines);
+        text += along.heading(gap) + (lines.empty() ? "  none\n" : lines);
     }
     return text;
 }

@@ -3,14 +3,15 @@
 
 #include <vector>
 
+#include "curves/axes_of_file.hpp"
+#include "curves/rig.hpp"
 #include "curves/unstable_branch.hpp"
 #include "map_file/table.hpp"
-#include "scene/scene.hpp"
 
 namespace peterka::curves {
 
 // None without any.
-[[nodiscard]] std::vector<map_file::Table> branch_tables(const scene::Scene& scene,
+[[nodiscard]] std::vector<map_file::Table> branch_tables(const Rig& rig, const AxesOfFile& axes,
                                                          const std::vector<UnstableBranch>& branches);
 
 }  // namespace peterka::curves

@@ -140,10 +140,11 @@ class Line {
     [[nodiscard]] std::vector<End> ends_of_free_motion() const {
         std::vector<End> ends;
         const Place place = map_.place(cell(0));
-        const std::string& key = rig_.key(line_.is_row ? 0 : 1);
-        if (key == "frequency_ratio") {
+        const std::size_t axis = line_.is_row ? 0 : 1;
+        if (job::is_frequency(rig_.key(axis)) && rig_.is_in_ratios(axis)) {
             for (const double frequency : frequencies_with_swing(rig_.at(place))) {
-                if (holds(frequency)) ends.push_back({frequency, EdgeKind::grazing});
+                const double end = value(moved({}, axis, frequency));
+                if (holds(end)) ends.push_back({end, EdgeKind::grazing});
             }
             return ends;
         }

@@ -105,8 +105,9 @@ void pack(const UnstableBranch& branch, Numbers& to) {
     to.insert(to.end(), {branch.gap, as_number(branch.impacts), as_number(branch.period),
                          as_number(branch.begins), as_number(branch.ends), as_number(branch.points.size())});
     for (const BranchPoint& point : branch.points) {
-        to.insert(to.end(), {point.frequency, point.multiplier, point.peak_force, point.residual,
-                             as_number(point.at_phase_0.size()), as_number(point.impact_times.size())});
+        to.insert(to.end(), {point.along, point.frequency, point.gap, point.force_ratio, point.multiplier,
+                             point.peak_force, point.residual, as_number(point.at_phase_0.size()),
+                             as_number(point.impact_times.size())});
         for (const State<double>& state : point.at_phase_0) to.insert(to.end(), {state[0], state[1]});
         to.insert(to.end(), point.impact_times.begin(), point.impact_times.end());
     }
@@ -121,7 +122,10 @@ UnstableBranch unpack_branch(NumberReader& from) {
     branch.ends = static_cast<BranchEnd>(from.integer());
     branch.points.resize(static_cast<std::size_t>(from.integer()));
     for (BranchPoint& point : branch.points) {
+        point.along = from.number();
         point.frequency = from.number();
+        point.gap = from.number();
+        point.force_ratio = from.number();
         point.multiplier = from.number();
         point.peak_force = from.number();
         point.residual = from.number();

@@ -21,9 +21,16 @@ double Rig::AlongAxis::slope(double coordinate) const {
     return is_logarithmic ? std::exp(coordinate) : unit;
 }
 
-Rig::AlongAxis Rig::along(std::string_view key, const job::Axis& axis) {
-    AlongAxis result{.key = std::string(key), .is_of_rig = job::is_of_rig(key)};
-    if (key == "frequency_ratio" || key == "gap_ratio") return result;
+Rig::AlongAxis Rig::along(std::string_view key, const job::Axis& axis, const std::optional<job::Twin>& twin) {
+    const bool in_si = job::is_in_si(key);
+    const bool is_on_the_plane = job::is_frequency(key) || job::is_gap(key);
+    AlongAxis result{.key = std::string(key),
+                     .is_of_rig = job::is_of_rig(key),
+                     .is_in_ratios = is_on_the_plane && (!in_si || twin)};
+    if (result.is_in_ratios) {
+        if (in_si) result.unit = job::unit_of(key, twin->rig);
+        return result;
+    }
     result.is_logarithmic = axis.scale == job::Spacing::log;
     result.unit = std::max(std::abs(axis.from), std::abs(axis.to));
     if (!(result.unit > 0)) result.unit = 1;
@@ -31,10 +38,13 @@ Rig::AlongAxis Rig::along(std::string_view key, const job::Axis& axis) {
 }
 
 Rig::Rig(const scene::Oscillator<double>& oscillator)
-    : axes_{AlongAxis{.key = "frequency_ratio"}, AlongAxis{.key = "gap_ratio"}}, oscillator_(oscillator) {}
+    : axes_{AlongAxis{.key = "frequency_ratio", .is_in_ratios = true},
+            AlongAxis{.key = "gap_ratio", .is_in_ratios = true}},
+      oscillator_(oscillator) {}
 
 Rig::Rig(const job::Job& job)
-    : axes_{along(job::column_key(job), job.columns), along(job::row_key(job), job.rows)},
+    : axes_{along(job::column_key(job), job.columns, job::twin_of_columns(job)),
+            along(job::row_key(job), job.rows, job::twin_of_rows(job))},
       numbers_(job::numbers_in(job)),
       oscillator_(scene::oscillator_of(numbers_)) {}
 

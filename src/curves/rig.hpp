@@ -2,16 +2,19 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "curves/placed_rig.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/cell_numbers.hpp"
 #include "job/job.hpp"
+#include "job/twins.hpp"
 
 namespace peterka::curves {
 
-// Where in the plane. A coordinate is Omega/omega or gap/A0 where the axis is over that; of any other axis it
+// Where in the plane. A coordinate is Omega/omega or gap/A0 where the axis is over that, in either unit; of any
+// other axis, and where the rig changes that unit from place to place, it
 // is the value over the largest one on the axis, or its logarithm: numbers near 1, whatever the unit, in which
 // steps and residuals are counted.
 struct Place {
@@ -37,6 +40,8 @@ class Rig {
 
     // What an axis runs over: columns first, then rows.
     [[nodiscard]] const std::string& key(std::size_t axis) const { return axes_[axis].key; }
+    // Whether its coordinate is Omega/omega or gap/A0.
+    [[nodiscard]] bool is_in_ratios(std::size_t axis) const { return axes_[axis].is_in_ratios; }
     // Whether springs, dampers or stop change along an axis. Then derivatives by its coordinate are no closed
     // form, and taken from two places so far from one another on either side.
     [[nodiscard]] bool changes_along(std::size_t axis) const { return axes_[axis].is_of_rig; }
@@ -46,6 +51,7 @@ class Rig {
     struct AlongAxis {
         std::string key;
         bool is_of_rig = false;
+        bool is_in_ratios = false;
         bool is_logarithmic = false;
         double unit = 1;  // the value of a coordinate of 1, where it isn't logarithmic
 
@@ -54,7 +60,7 @@ class Rig {
         [[nodiscard]] double slope(double coordinate) const;  // of the value
     };
 
-    static AlongAxis along(std::string_view key, const job::Axis& axis);
+    static AlongAxis along(std::string_view key, const job::Axis& axis, const std::optional<job::Twin>& twin);
     [[nodiscard]] job::CellNumbers numbers_at(const Place& place) const;
     [[nodiscard]] PlaceSlopes slopes_at(const job::CellNumbers& numbers, const Place& place) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "curves/asked_gaps.hpp"
 #include "curves/free_motion.hpp"
 #include "curves/known_curves.hpp"
 #include "curves/label_edges.hpp"
@@ -20,13 +21,14 @@ class CurveSearch {
           rig_(scene.job()),
           map_(scene, rig_),
           most_period_(scene.job().curves.max_period),
-          gaps_(scene.job().curves.gap_ratio),
+          gaps_(asked_gaps(rig_, scene.job())),
+          gap_axis_(gap_axis(scene.job())),
           wants_distances_(scene.job().curves.edge_distance) {}
 
     Findings run() {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
         map_.put_together(parts);
-        window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_};
+        window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_, gap_axis_};
         cell_ = {window_.size().column / static_cast<double>(map_.columns() - 1),
                  window_.size().row / static_cast<double>(map_.rows() - 1)};
         for (std::int64_t cell = 0; cell < map_.count(); ++cell) {
@@ -220,7 +222,7 @@ class CurveSearch {
             }
         }
         std::ranges::stable_sort(found_.branches, {}, [](const UnstableBranch& branch) {
-            return std::tuple(branch.gap, branch.period, branch.impacts, branch.points.front().frequency);
+            return std::tuple(branch.gap, branch.period, branch.impacts, branch.points.front().along);
         });
     }
 
@@ -271,6 +273,7 @@ class CurveSearch {
     CoarseMap map_;
     std::int64_t most_period_;
     std::vector<double> gaps_;
+    std::size_t gap_axis_;
     bool wants_distances_;
     Window window_;
     Place cell_;

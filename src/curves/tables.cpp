@@ -1,14 +1,14 @@
 #include "curves/tables.hpp"
 
-#include <set>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include "cell/labels.hpp"
+#include "curves/axes_of_file.hpp"
 #include "curves/branch_tables.hpp"
 #include "curves/columns.hpp"
 #include "job/axis.hpp"
-#include "job/axis_key.hpp"
+#include "job/twins.hpp"
 #include "map_file/layout.hpp"
 
 namespace peterka::curves {
@@ -22,30 +22,14 @@ constexpr const char* edge_names[] = {"fold", "period_doubling", "grazing", "non
 constexpr const char* label_edge_names[] = {"edge", "same_label", "other_start", "narrow", "unknown"};
 constexpr const char* end_names[] = {"border", "special", "closed", "lost"};
 
-// What the axes run over.
-struct AxesOfFile {
-    Variable column;
-    Variable row;
-    explicit AxesOfFile(const job::Job& job)
-        : column(map_file::coordinate_of(job::column_key(job))),
-          row(map_file::coordinate_of(job::row_key(job))) {}
-};
-
-// The name of what belongs to an axis, which lives as long as the program.
-const char* name_of(const char* prefix, const Variable& axis) {
-    static std::set<std::string> names;
-    return names.insert(std::string(prefix) + axis.name).first->c_str();
-}
-
 template <class Items>
 void add_places(Columns& columns, const char* prefix, const AxesOfFile& axes, const Rig& rig,
                 const Items& items) {
-    const auto add = [&](const Variable& axis, double Place::*side) {
-        columns.add({name_of(prefix, axis), Number::float64, nan, axis.units, axis.long_name},
-                    numbers_of(items, [&](const auto& item) { return rig.values_at(item.place).*side; }));
-    };
-    add(axes.column, &Place::column);
-    add(axes.row, &Place::row);
+    for (const AxisOfFile& axis : {axes.column, axes.row}) {
+        columns.add(axis.named(prefix), numbers_of(items, [&](const auto& item) {
+                        return coordinate(rig.values_at(item.place), axis.number);
+                    }));
+    }
 }
 
 Numbers forces_of_cells(const scene::Scene& scene, const Findings& found) {
@@ -61,10 +45,19 @@ Numbers forces_of_cells(const scene::Scene& scene, const Findings& found) {
 std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) {
     const job::Job& job = scene.job();
     const AxesOfFile axes(job);
-    const Dimension columns{axes.column.name, scene.columns()};
-    const Dimension rows{axes.row.name, scene.rows()};
-    std::vector<Table> tables{{{"/", axes.column, {columns}}, job::axis_values(job.columns)},
-                              {{"/", axes.row, {rows}}, job::axis_values(job.rows)}};
+    const Dimension columns{axes.column.coordinate.name, scene.columns()};
+    const Dimension rows{axes.row.coordinate.name, scene.rows()};
+    std::vector<Table> tables{{{"/", axes.column.coordinate, {columns}}, job::axis_values(job.columns)},
+                              {{"/", axes.row.coordinate, {rows}}, job::axis_values(job.rows)}};
+    const auto add_twin = [&](const Dimension& along, const std::optional<job::Twin>& twin,
+                              const job::Axis& axis) {
+        if (!twin) return;
+        const auto value = [&](double of_axis) { return twin->value(of_axis); };
+        tables.push_back(
+            {{"/", map_file::coordinate_of(twin->key), {along}}, numbers_of(job::axis_values(axis), value)});
+    };
+    add_twin(columns, job::twin_of_columns(job), job.columns);
+    add_twin(rows, job::twin_of_rows(job), job.rows);
     const auto add = [&](const Variable& variable, const Numbers& values) {
         tables.push_back({{"/", variable, {rows, columns}}, values});
     };
@@ -87,15 +80,19 @@ std::vector<Table> distances(const scene::Scene& scene, const Findings& found) {
     std::vector<Table> tables;
     const auto add = [&](const Variable& variable, const Numbers& values) {
         tables.push_back(
-            {{"/", variable, {{axes.row.name, scene.rows()}, {axes.column.name, scene.columns()}}}, values});
+            {{"/",
+              variable,
+              {{axes.row.coordinate.name, scene.rows()}, {axes.column.coordinate.name, scene.columns()}}},
+             values});
     };
     const auto change = [](const EdgeDistance& each) { return each.change; };
     const auto kind = [](const EdgeDistance& each) { return static_cast<int>(each.kind); };
     if (found.along_columns.empty()) return tables;
     // clang-format off
     for (const auto& [axis, found_along] : {std::pair(&axes.column, &found.along_columns), std::pair(&axes.row, &found.along_rows)}) {
-        add({name_of("edge_distance_", *axis), Number::float64, nan, axis->units, "smallest change along this axis, with its sign, at which the cell's own motion ends or changes"}, numbers_of(*found_along, change));
-        add({name_of("edge_kind_", *axis), Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(*found_along, kind));
+        const Variable& along = axis->coordinate;
+        add({name_of("edge_distance_", along), Number::float64, nan, along.units, "smallest change along this axis, with its sign, at which the cell's own motion ends or changes"}, numbers_of(*found_along, change));
+        add({name_of("edge_kind_", along), Number::int8, -128, "", "what happens to the motion there", edge_names}, numbers_of(*found_along, kind));
     }
     // clang-format on
     return tables;
@@ -163,7 +160,7 @@ Columns columns_of_crossings(const Findings& found, const Rig& rig, const AxesOf
     const auto [crossings, curve] = Together(found, &Curve::crossings);
     Columns of_crossings("/", "crossing", std::ssize(crossings));
     of_crossings.add_counter("number of the crossing");
-    of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of curves.gap_ratio there"}, curve);
+    of_crossings.add({"crossing_curve", Number::int32, -1, "1", "number of the curve that has one of the gaps of [curves] there"}, curve);
     add_places(of_crossings, "crossing_", axes, rig, crossings);
     of_crossings.add({"crossing_multiplier", Number::float64, nan, "1", "as point_multiplier"}, numbers_of(crossings, [](const Crossing& c) { return c.multiplier; }));
     of_crossings.add({"crossing_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(crossings, [&](const Crossing& c) { return rig.force_ratio(c.place) * c.peak_force; }));
@@ -209,7 +206,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings
     append_if_any(columns_of_points(found, rig, axes));
     append_if_any(columns_of_specials(found, rig, axes));
     append_if_any(columns_of_crossings(found, rig, axes));
-    append(branch_tables(scene, found.branches));
+    append(branch_tables(rig, axes, found.branches));
     append(counts_of_edges(found.edges));
     append_if_any(columns_of_run(found));  // the group to which the facts of the run are added
     return tables;

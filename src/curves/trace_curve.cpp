@@ -69,14 +69,15 @@ class HalfCurve {
     // One that lies at such a gap belongs to the step that ends there.
     void look_for_crossings(const OrbitPoint& here, const OrbitPoint& there) {
         for (const double gap : window_.gaps) {
-            const double tiny = 1e-12 * window_.size().row;
-            const double before = here.place.row - gap;
-            const double after = there.place.row - gap;
+            const std::size_t axis = window_.gap_axis;
+            const double tiny = 1e-12 * coordinate(window_.size(), axis);
+            const double before = coordinate(here.place, axis) - gap;
+            const double after = coordinate(there.place, axis) - gap;
             const bool arrives = std::abs(after) <= tiny;
             if (!arrives && (std::abs(before) <= tiny || (before > 0) == (after > 0))) continue;
             const bool same_events = !arrives && has_same_events(here.orbit, there.orbit);
             const auto found = solve_with(same_events ? between(here, there, before / (before - after)) : there,
-                                          Condition::on_line({0, gap}, {0, 1}));
+                                          Condition::on_line(moved({}, axis, gap), moved({}, axis, 1)));
             if (!found) continue;
             const CurvePoint at = curve_point(rig_, *found, kind_);
             crossings.push_back({at.place, at.multiplier, at.peak_force, found->orbit});

@@ -73,7 +73,8 @@ struct Curve {
 struct Window {
     Place low;
     Place high;
-    std::vector<double> gaps = {};  // at which the places of curves are told
+    std::vector<double> gaps = {};  // at which the places of curves are told, as coordinates
+    std::size_t gap_axis = 1;       // of them: 0 along the columns
     [[nodiscard]] Place size() const { return {high.column - low.column, high.row - low.row}; }
     // Its border belongs to it, as far as rounding lets tell.
     [[nodiscard]] bool holds(const Place& place, double beyond = 1e-9) const {

@@ -14,9 +14,18 @@ namespace {
 
 constexpr double first_step = 1e-4;
 
-BranchPoint branch_point(const Rig& rig, const OrbitPoint& point) {
+BranchPoint branch_point(const Rig& rig, const OrbitPoint& point, std::size_t axis) {
     const CurvePoint numbers = curve_point(rig, point, CurveKind::grazing);  // no more than its orbit is asked
-    BranchPoint result{point.place.column, numbers.multiplier, numbers.peak_force, numbers.residual, {}, {}};
+    const PlacedRig here = rig.at(point.place);
+    BranchPoint result{.along = coordinate(point.place, axis),
+                       .frequency = here.frequency(),
+                       .gap = here.gap(),
+                       .force_ratio = rig.force_ratio(point.place),
+                       .multiplier = numbers.multiplier,
+                       .peak_force = numbers.peak_force,
+                       .residual = numbers.residual,
+                       .at_phase_0 = {},
+                       .impact_times = {}};
     for (const Stroboscopic& at : stroboscopic_states(rig, point)) result.at_phase_0.push_back(at.state);
     for (const Event& event : point.orbit.events) {
         if (event.kind == EventKind::touch) result.impact_times.push_back(event.time);
@@ -36,7 +45,8 @@ class BranchWalk {
         : rig_(rig),
           window_(window),
           seed_(seed),
-          stepper_(rig, window.size(), {Condition::on_line({0, seed.point.place.row}, {0, 1})}) {}
+          axis_(1 - window.gap_axis),
+          stepper_(rig, window.size(), {Condition::on_line(seed.point.place, moved({}, window.gap_axis, 1))}) {}
 
     std::vector<UnstableBranch> run() {
         if (seed_.kind == CurveKind::grazing) {
@@ -62,11 +72,11 @@ class BranchWalk {
         const Fault::Kind fault = find_fault(rig_, first->point).kind;
         if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow || is_stable(first->point)) return;
         UnstableBranch branch;
-        branch.gap = at.point.place.row;
+        branch.gap = coordinate(at.point.place, window_.gap_axis);
         branch.impacts = first->point.orbit.impacts();
         branch.period = first->point.orbit.period;
         branch.begins = end_at(at.kind);
-        branch.points = {branch_point(rig_, at.point), branch_point(rig_, first->point)};
+        branch.points = {branch_point(rig_, at.point, axis_), branch_point(rig_, first->point, axis_)};
         const std::optional<Seed> last = go_on(*first, branch);
         found_.push_back(branch);
         if (last && last->kind == CurveKind::grazing && last->point.orbit.period == branch.period) {
@@ -98,14 +108,15 @@ class BranchWalk {
         constexpr int most_points = 2000;
         for (int count = 0; count < most_points; ++count) {
             const Place along = Stepper::along(here.tangent);
-            const auto next = stepper_.next(here, std::min(0.1, 0.01 / std::max(std::abs(along.column), 1e-3)));
+            const double share = std::abs(coordinate(along, axis_));
+            const auto next = stepper_.next(here, std::min(0.1, 0.01 / std::max(share, 1e-3)));
             if (!next) return std::nullopt;
             Stepper::Here there = *next;
             const Fault fault = find_fault(rig_, there.point);
             const BranchEvent event = judge(stepper_, here.point, there.point, fault);
             const bool leaves = !window_.holds(there.point.place);
             if (event.seed && (!leaves || window_.holds(event.seed->point.place))) {
-                branch.points.push_back(branch_point(rig_, event.seed->point));
+                branch.points.push_back(branch_point(rig_, event.seed->point, axis_));
                 branch.ends = end_at(event.seed->kind);
                 return event.seed;
             }
@@ -118,27 +129,29 @@ class BranchWalk {
                 stepper_.set_step(stepper_.step() / 8);
                 continue;
             }
-            branch.points.push_back(branch_point(rig_, there.point));
+            branch.points.push_back(branch_point(rig_, there.point, axis_));
             here = there;
         }
         return std::nullopt;
     }
 
     void end_at_border(const OrbitPoint& here, const OrbitPoint& there, UnstableBranch& branch) {
-        const bool rises = there.place.column > here.place.column;
-        const Place corner = rises ? window_.high : window_.low;
+        const double from = coordinate(here.place, axis_);
+        const double to = coordinate(there.place, axis_);
+        const Place corner = to > from ? window_.high : window_.low;
         if (!has_same_events(here.orbit, there.orbit)) return;
-        const double share = (corner.column - here.place.column) / (there.place.column - here.place.column);
+        const double share = (coordinate(corner, axis_) - from) / (to - from);
         const auto last = solve(rig_, between(here, there, share), window_.size(),
-                                stepper_.conditions_and(Condition::on_line(corner, {1, 0})));
+                                stepper_.conditions_and(Condition::on_line(corner, moved({}, axis_, 1))));
         if (!last) return;
-        branch.points.push_back(branch_point(rig_, *last));
+        branch.points.push_back(branch_point(rig_, *last, axis_));
         branch.ends = BranchEnd::border;
     }
 
     const Rig& rig_;
     const Window& window_;
     Seed seed_;
+    std::size_t axis_;  // that is followed, at one gap
     Stepper stepper_;
     std::vector<UnstableBranch> found_;
 };
@@ -153,7 +166,7 @@ bool is_same_branch(const UnstableBranch& a, const UnstableBranch& b) {
     constexpr double near = 1e-7;
     if (a.gap != b.gap || a.impacts != b.impacts || a.period != b.period) return false;
     const auto meet = [&](const BranchPoint& p, const BranchPoint& q) {
-        return std::abs(p.frequency - q.frequency) < near * p.frequency &&
+        return std::abs(p.along - q.along) < near * std::max(std::abs(p.along), 1e-3) &&
                std::abs(p.multiplier - q.multiplier) < 1e-3 * (1 + std::abs(p.multiplier));
     };
     return (meet(a.points.front(), b.points.back()) && meet(a.points.back(), b.points.front())) ||

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hdf5/hdf5.hpp"
+#include "support/whole_letters.hpp"
 
 namespace peterka::hdf5 {
 
@@ -24,13 +25,9 @@ DatasetId open_dataset(const Checked& check, hid_t file, const char* path) {
     return DatasetId(check(H5Dopen2(file, path, H5P_DEFAULT), "H5Dopen2"));
 }
 
-// Cut to its room without cutting a UTF-8 character in two (continuation bytes are 10xxxxxx); the last byte is
-// 0.
+// The last byte is 0.
 std::size_t length_that_fits(const std::string& text) {
-    if (text.size() < text_capacity) return text.size();
-    std::size_t length = text_capacity - 1;
-    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
-    return length;
+    return whole_letters(text, text_capacity - 1);
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "job/twins.hpp"
+
 namespace peterka::job {
 
 bool says_the_same(std::string_view key, std::string_view other) {
     constexpr std::pair<std::string_view, std::string_view> pairs[] = {
-        {"frequency_ratio", "frequency_hz"},
-        {"gap_ratio", "gap_m"},
         {"hammer.natural_frequency_hz", "hammer.stiffness_n_per_m"},
         {"hammer.damping_ns_per_m", "hammer.damping_ratio"}};
-    return key == other || std::ranges::any_of(pairs, [&](const auto& pair) {
+    return key == other || (!other.empty() && twin_of(key) == other) ||
+           std::ranges::any_of(pairs, [&](const auto& pair) {
                return (key == pair.first && other == pair.second) ||
                       (key == pair.second && other == pair.first);
            });
@@ -35,8 +36,24 @@ bool is_gap(std::string_view key) {
     return key == "gap_ratio" || key == "gap_m";
 }
 
+bool is_displacement(std::string_view key) {
+    return key == "displacement_ratio" || key == "displacement_m";
+}
+
+bool is_velocity(std::string_view key) {
+    return key == "velocity_ratio" || key == "velocity_m_per_s";
+}
+
 bool is_of_rig(std::string_view key) {
     return key.starts_with("hammer.") || key.starts_with("cart.") || key.starts_with("contact.");
+}
+
+std::string_view why_no_curves_over(std::string_view key) {
+    if (key.starts_with("start."))
+        return "is for maps and sweeps; a curve is where motions end, wherever the hammer starts";
+    if (key == "hammer.cubic_stiffness_n_per_m3")
+        return "is for maps and sweeps; curves leave the cubic part of the springs out";
+    return "";
 }
 
 bool has_axis(const Job& job, bool (*is_it)(std::string_view key)) {

@@ -27,7 +27,15 @@ struct ChosenAxes {
 
 [[nodiscard]] bool is_frequency(std::string_view key);
 [[nodiscard]] bool is_gap(std::string_view key);
+[[nodiscard]] bool is_displacement(std::string_view key);  // of a basin's start
+[[nodiscard]] bool is_velocity(std::string_view key);
+[[nodiscard]] inline bool is_start_of_basin(std::string_view key) {
+    return is_displacement(key) || is_velocity(key);
+}
 [[nodiscard]] bool is_of_rig(std::string_view key);  // of hammer, cart or contact
+
+// Why curves have no such axis; "" where they may.
+[[nodiscard]] std::string_view why_no_curves_over(std::string_view key);
 
 // Whether one of the axes of a map or sweep runs over it.
 [[nodiscard]] bool has_axis(const Job& job, bool (*is_it)(std::string_view key));

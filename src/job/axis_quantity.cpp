@@ -68,8 +68,8 @@ struct Quantities {
     std::vector<std::string> others{"contact.law"};
 
     Quantities() {
-        for (const Quantity& plain :
-             {frequency_ratio, gap_ratio, frequency_hz, gap_m, displacement_ratio, velocity_ratio}) {
+        for (const Quantity& plain : {frequency_ratio, gap_ratio, frequency_hz, gap_m, displacement_ratio,
+                                      velocity_ratio, displacement_m, velocity_m_per_s}) {
             numbers.push_back(made(std::string(plain.name), plain.meaning, plain.range));
             numbers.back().from = plain.from;
             numbers.back().to = plain.to;
@@ -104,16 +104,12 @@ const Quantities& quantities() {
     return all;
 }
 
-bool is_of_basin(std::string_view key) {
-    return key == displacement_ratio.name || key == velocity_ratio.name;
-}
-
 }  // namespace
 
 std::vector<std::string_view> axis_keys(ContactLaw law) {
     std::vector<std::string_view> keys;
     for (const AxisQuantity& each : quantities().numbers) {
-        if (!is_of_basin(each.key) && (!each.law || each.law == law)) keys.emplace_back(each.key);
+        if (!is_start_of_basin(each.key) && (!each.law || each.law == law)) keys.emplace_back(each.key);
     }
     return keys;
 }
@@ -124,7 +120,7 @@ const std::vector<AxisQuantity>& axis_quantities() {
 
 std::string key_in_tables(std::string_view key) {
     if (is_frequency(key) || is_gap(key)) return fmt::format("operating_point.{}", key);
-    return is_of_basin(key) ? fmt::format("start.{}", key) : std::string(key);
+    return is_start_of_basin(key) ? fmt::format("start.{}", key) : std::string(key);
 }
 
 bool is_no_number(std::string_view key) {

@@ -1,7 +1,6 @@
 #include "job/cell_numbers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -9,9 +8,9 @@
 
 #include "job/axis.hpp"
 #include "job/axis_key.hpp"
-#include "job/derived.hpp"
 #include "job/number_walker.hpp"
 #include "job/schema_rig.hpp"
+#include "job/twins.hpp"
 
 namespace peterka::job {
 namespace {
@@ -27,10 +26,10 @@ constexpr Settable named[] = {
     {"frequency_hz", [](CellNumbers& cell, double value) { cell.place.frequency_hz = value; }},
     {"gap_ratio", [](CellNumbers& cell, double value) { cell.place.gap_ratio = value; cell.place.gap_m.reset(); }},
     {"gap_m", [](CellNumbers& cell, double value) { cell.place.gap_m = value; }},
-    {"displacement_ratio", [](CellNumbers& cell, double value) { cell.start.displacement_ratio = value; }},
-    {"velocity_ratio", [](CellNumbers& cell, double value) { cell.start.velocity_ratio = value; }},
-    {"start.displacement_ratio", [](CellNumbers& cell, double value) { cell.start.displacement_ratio = value; }},
-    {"start.velocity_ratio", [](CellNumbers& cell, double value) { cell.start.velocity_ratio = value; }},
+    {"displacement_ratio", [](CellNumbers& cell, double value) { cell.start.displacement_ratio = value; cell.start.displacement_m.reset(); }},
+    {"displacement_m", [](CellNumbers& cell, double value) { cell.start.displacement_m = value; }},
+    {"velocity_ratio", [](CellNumbers& cell, double value) { cell.start.velocity_ratio = value; cell.start.velocity_m_per_s.reset(); }},
+    {"velocity_m_per_s", [](CellNumbers& cell, double value) { cell.start.velocity_m_per_s = value; }},
 };
 // clang-format on
 
@@ -76,11 +75,21 @@ bool set_in_table(CellNumbers& numbers, std::string_view table, NumberSetter set
 }  // namespace
 
 double CellNumbers::frequency_ratio() const {
-    return place.frequency_hz ? *place.frequency_hz / natural_frequency_hz(hammer) : place.frequency_ratio;
+    return place.frequency_hz ? as_twin("frequency_hz", *place.frequency_hz, *this) : place.frequency_ratio;
 }
 
 double CellNumbers::gap_ratio() const {
-    return place.gap_m ? *place.gap_m / cart.amplitude_m : place.gap_ratio;
+    return place.gap_m ? as_twin("gap_m", *place.gap_m, *this) : place.gap_ratio;
+}
+
+double CellNumbers::displacement_ratio() const {
+    return start.displacement_m ? as_twin("displacement_m", *start.displacement_m, *this)
+                                : start.displacement_ratio;
+}
+
+double CellNumbers::velocity_ratio() const {
+    return start.velocity_m_per_s ? as_twin("velocity_m_per_s", *start.velocity_m_per_s, *this)
+                                  : start.velocity_ratio;
 }
 
 CellNumbers numbers_in(const Job& job) {
@@ -88,7 +97,9 @@ CellNumbers numbers_in(const Job& job) {
 }
 
 void set_number(CellNumbers& numbers, std::string_view key, double value) {
-    const auto* found = std::ranges::find(named, key, &Settable::key);
+    constexpr std::string_view of_start = "start.";  // an axis of a basin goes without
+    const std::string_view name = key.starts_with(of_start) ? key.substr(of_start.size()) : key;
+    const auto* found = std::ranges::find(named, name, &Settable::key);
     if (found != std::end(named)) return found->set(numbers, value);
     const std::size_t dot = std::min(key.find('.'), key.size() - 1);
     if (!set_in_table(numbers, key.substr(0, dot), {key.substr(dot + 1), value}))
@@ -101,10 +112,21 @@ CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column) {
     set_number(numbers, column_key(job), axis_value(job.columns, column));
     if (job.kind != Kind::sweep) {
         set_number(numbers, row_key(job), axis_value(job.rows, row));
-    } else if (const double gap = job.sweep.branch(row).gap_ratio; !std::isnan(gap)) {
-        set_number(numbers, "gap_ratio", gap);
+    } else if (const auto gap = job.sweep.branch(row).gap) {
+        set_number(numbers, job.sweep.gap_key(), *gap);
     }
     return numbers;
+}
+
+std::vector<CellNumbers> numbers_of_cells(const Job& job) {
+    std::vector<CellNumbers> cells;
+    const Study& study = job.study;
+    for (std::size_t n = 0; n < study.frequencies().size(); ++n) {
+        CellNumbers& cell = cells.emplace_back(numbers_in(job));
+        set_number(cell, study.frequency_key(), study.frequencies()[n]);
+        set_number(cell, study.gap_key(), study.gaps()[n]);
+    }
+    return cells;
 }
 
 std::vector<CellNumbers> numbers_at_corners(const Job& job) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "job/toml_text.hpp"
+#include "support/whole_letters.hpp"
 
 namespace peterka::job {
 namespace {
@@ -84,10 +85,7 @@ std::optional<Value> as_toml(const std::string& right_hand_side, const Location&
 std::string shortened(std::string text) {
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return text;
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U)
-        --end;  // not inside a character
-    return text.substr(0, end) + "...";
+    return text.substr(0, whole_letters(text, longest)) + "...";
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 namespace peterka::job {
@@ -36,13 +35,13 @@ double Hammer::damping() const {
 }
 
 std::int64_t Sweep::branches() const {
-    return std::max<std::int64_t>(std::ssize(gap_ratio), 1) * (direction == Direction::both ? 2 : 1);
+    return std::max<std::int64_t>(std::ssize(gaps()), 1) * (direction == Direction::both ? 2 : 1);
 }
 
 Branch Sweep::branch(std::int64_t i) const {
     const bool both = direction == Direction::both;
     const auto gap = static_cast<std::size_t>(both ? i / 2 : i);
-    return {gap_ratio.empty() ? std::numeric_limits<double>::quiet_NaN() : gap_ratio.at(gap),
+    return {gaps().empty() ? std::nullopt : std::optional(gaps().at(gap)),
             both ? (i % 2 == 0 ? Direction::up : Direction::down) : direction};
 }
 

@@ -119,10 +119,13 @@ struct OperatingPoint {
     friend bool operator==(const OperatingPoint&, const OperatingPoint&) = default;
 };
 
-// Hammer x(0)/A0 and x'(0)/(A0 omega), absolute (not relative to the cart).
+// Hammer x(0)/A0 and x'(0)/(A0 omega), absolute (not relative to the cart). As with a place, values in SI units
+// go before ratios, which are those of the job's own rig then.
 struct Start {
     double displacement_ratio = 0;
     double velocity_ratio = 0;
+    std::optional<double> displacement_m = {};
+    std::optional<double> velocity_m_per_s = {};
     friend bool operator==(const Start&, const Start&) = default;
 };
 
@@ -131,7 +134,9 @@ struct Start {
 struct Starts {
     std::int64_t count = 0;                            // besides [start]; 0: none
     std::vector<double> displacement_ratio = {-4, 1};  // x(0)/A0, from and to; at most the gap
+    std::vector<double> displacement_m = {};           // in its place, which is empty then
     std::vector<double> velocity_ratio = {-4, 4};      // x'(0)/(A0 omega), from and to
+    std::vector<double> velocity_m_per_s = {};         // in its place
     std::int64_t attractors = 8;                       // kept for each cell, those with the largest shares
     friend bool operator==(const Starts&, const Starts&) = default;
 };
@@ -181,16 +186,19 @@ struct Refine {
 
 // One line of a sweep: a gap, and the order in which the points are visited (never `both`).
 struct Branch {
-    double gap_ratio = 0;  // NaN where the sweep has no list of gaps
+    std::optional<double> gap = {};  // as the sweep's list has it; none without a list
     Direction direction = Direction::up;
     friend bool operator==(const Branch&, const Branch&) = default;
 };
 
 // Of a sweep: each branch goes through all values of the axis, from state to state or from start to start.
 struct Sweep {
-    std::vector<double> gap_ratio;  // empty: the gap is the axis, or that of the operating point
+    std::vector<double> gap_ratio;   // both empty: the gap is the axis, or that of the operating point
+    std::vector<double> gap_m = {};  // in its place
     Direction direction = Direction::both;
     std::int64_t samples = 64;  // of the steady motion stored for each point, at most
+    [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
+    [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
     [[nodiscard]] std::int64_t branches() const;
     [[nodiscard]] Branch branch(std::int64_t i) const;  // gap by gap, up before down
     friend bool operator==(const Sweep&, const Sweep&) = default;
@@ -198,9 +206,12 @@ struct Sweep {
 
 // Where regimes end: the curves of a window.
 struct Curves {
-    std::int64_t max_period = 4;    // of orbits [forcing cycles]
-    std::vector<double> gap_ratio;  // at which borders are told
-    bool edge_distance = false;     // of each cell of the coarse map
+    std::int64_t max_period = 4;     // of orbits [forcing cycles]
+    std::vector<double> gap_ratio;   // at which borders are told
+    std::vector<double> gap_m = {};  // in its place
+    bool edge_distance = false;      // of each cell of the coarse map
+    [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
+    [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
     friend bool operator==(const Curves&, const Curves&) = default;
 };
 
@@ -210,6 +221,17 @@ struct Study {
     // work_precision: cells (Omega/omega, gap/A0); by default regular ones of the paper's 170 mm rig
     std::vector<double> frequency_ratio = {2.0, 1.3, 1.1, 3.5, 2.75, 0.8, 3.1, 4.2};
     std::vector<double> gap_ratio = {0.0, 1.0, 4.0, 0.3, 0.0, 0.2, 0.0, 0.5};
+    std::vector<double> frequency_hz = {};  // in place of these
+    std::vector<double> gap_m = {};
+    // As they were given, and their keys.
+    [[nodiscard]] const std::vector<double>& frequencies() const {
+        return frequency_hz.empty() ? frequency_ratio : frequency_hz;
+    }
+    [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
+    [[nodiscard]] std::string_view frequency_key() const {
+        return frequency_hz.empty() ? "frequency_ratio" : "frequency_hz";
+    }
+    [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
     // work_precision and labels: relative errors in peak force that are asked for
     std::vector<double> tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
     // work_precision: of the methods with a fixed step

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "job/range.hpp"
 
@@ -19,10 +20,17 @@ struct Key {
     [[nodiscard]] bool is_required() const { return !example.empty(); }
 };
 
-// One of two keys of which exactly one is given.
+// One of two keys of which exactly one is given, or none where the first has a default.
 struct Alternative {
     Key key;
     std::optional<double>& value;
+    Range<double> range;
+};
+
+// The same of lists. That of the key which isn't given is empty.
+struct ListAlternative {
+    Key key;
+    std::vector<double>& values;
     Range<double> range;
 };
 

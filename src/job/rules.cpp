@@ -74,12 +74,12 @@ std::string reason_for_other_law(ContactLaw law) {
 }
 
 std::string rule_of_gaps(const Sweep& sweep) {
-    std::vector<double> gaps = sweep.gap_ratio;
+    std::vector<double> gaps = sweep.gaps();
     std::ranges::sort(gaps);
     const auto twice = std::ranges::adjacent_find(gaps);
     if (twice == gaps.end()) return {};
-    return fmt::format("sweep.gap_ratio has {} twice; both branches would be the same; remove one of them",
-                       toml_text(*twice));
+    return fmt::format("sweep.{} has {} twice; both branches would be the same; remove one of them",
+                       sweep.gap_key(), toml_text(*twice));
 }
 
 // A rank keeps a branch until it is whole; with [starts], all branches of a gap and the motions on all
@@ -103,13 +103,13 @@ std::string rule_of_samples(const Job& job) {
 
 std::string rule_of_interval(std::string_view name, const std::vector<double>& interval) {
     if (interval.size() != 2) {
-        return fmt::format("{} has {}; it says from where to where starts lie; give two values, [from, to]",
-                           name,
-                           interval.size() == 1 ? "one value" : fmt::format("{} values", interval.size()));
+        return fmt::format(
+            "starts.{} has {}; it says from where to where starts lie; give two values, [from, to]", name,
+            interval.size() == 1 ? "one value" : fmt::format("{} values", interval.size()));
     }
     if (interval[0] < interval[1]) return {};
     const bool is_empty = interval[0] == interval[1];
-    return fmt::format("{} runs from {} to {}; starts need {}; {}", name, toml_text(interval[0]),
+    return fmt::format("starts.{} runs from {} to {}; starts need {}; {}", name, toml_text(interval[0]),
                        toml_text(interval[1]), is_empty ? "some room" : "a rectangle that isn't upside down",
                        is_empty ? "give a larger second value" : "swap both values");
 }
@@ -126,13 +126,13 @@ std::string rule_of_kick(const Job& job) {
 }
 
 std::string rule_of_cells(const Study& study) {
-    const std::size_t frequencies = study.frequency_ratio.size();
-    const std::size_t gaps = study.gap_ratio.size();
+    const std::size_t frequencies = study.frequencies().size();
+    const std::size_t gaps = study.gaps().size();
     if (frequencies == gaps) return {};
     return fmt::format(
-        "study.frequency_ratio has {} values and study.gap_ratio has {}; together they name cells, one pair "
-        "each; give both lists with the same length",
-        frequencies, gaps);
+        "study.{} has {} values and study.{} has {}; together they name cells, one pair each; give both lists "
+        "with the same length",
+        study.frequency_key(), frequencies, study.gap_key(), gaps);
 }
 
 std::string rule_of_study(const Contact& contact) {
@@ -193,64 +193,6 @@ std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table) {
     if ((cell.row >= 0) == (cell.column >= 0)) return {};
     return fmt::format(
         "{0}.row and {0}.column name a cell together; one of them is missing; give both, or neither", table);
-}
-
-std::string rule_of_curves(const Job& job) {
-    if (!has_closed_form(job.contact)) {
-        return "curves need contact.law = \"kelvin_voigt\" or \"restitution\"; they rest on the closed form of "
-               "the motion, which a nonlinear stop has not; take one of these laws";
-    }
-    if (is_dashpot_alone(job.contact)) {
-        return "contact.stiffness_n_per_m = 0; a dashpot alone never pushes the hammer back, and no impact "
-               "ends; give a stiffness";
-    }
-    const bool keeps_cubic = job.solver.omit_tolerance == 0 && job.hammer.cubic_stiffness_n_per_m3 != 0;
-    const EngineChoice engine = job.solver.engine;
-    if (keeps_cubic || (engine != EngineChoice::automatic && engine != EngineChoice::exact)) {
-        return "curves leave the cubic part of the springs out; they rest on the closed form of the motion, "
-               "which those springs have not; leave solver.engine at \"auto\" and solver.omit_tolerance above "
-               "0, or set hammer.cubic_stiffness_n_per_m3 to 0";
-    }
-    return {};
-}
-
-std::string rule_of_window(const Job& job) {
-    if (job.columns.points < 2 || job.rows.points < 2) {
-        return "a window of curves with one point along an axis has no area, and no curve lies in it; give "
-               "both axes 2 points or more";
-    }
-    if (!job.curves.gap_ratio.empty() && (!job.columns.over.empty() || !job.rows.over.empty())) {
-        return "curves.gap_ratio asks where curves have these gaps, in the plane of axes.frequency_ratio and "
-               "axes.gap_ratio, in this order; these are other axes; remove it";
-    }
-    for (const double gap : job.curves.gap_ratio) {
-        if (gap >= job.rows.from && gap <= job.rows.to) continue;
-        return fmt::format(
-            "curves.gap_ratio has {}, and the window reaches from {} to {} (axes.gap_ratio); no curve is "
-            "traced there; widen the window or remove this gap",
-            toml_text(gap), toml_text(job.rows.from), toml_text(job.rows.to));
-    }
-    return {};
-}
-
-// Each rank keeps the whole coarse map, and all of it goes from rank to rank at once: in 32 bits [bytes].
-std::string rule_of_coarse_map(const Job& job) {
-    constexpr std::int64_t most_cells = std::int64_t{2048} * 2048;
-    if (job.rows.points <= most_cells / job.columns.points) return {};
-    return fmt::format(
-        "the axes have {} by {} points; they are a coarse map in which orbits are looked for, which each rank "
-        "keeps as a whole, and curves are exact, whatever its cells are; give at most {} points in all",
-        job.columns.points, job.rows.points, most_cells);
-}
-
-std::string rule_of_borders(const Job& job) {
-    if (job.curves.gap_ratio.empty()) return {};
-    if (!job.columns.over.empty() || !job.rows.over.empty()) {
-        return "curves.gap_ratio asks for borders, which are traced in the plane of axes.frequency_ratio and "
-               "axes.gap_ratio, in this order; this map has other axes; remove it";
-    }
-    const std::string window = rule_of_window(job);
-    return window.empty() ? rule_of_curves(job) : window;
 }
 
 std::string rule_of_title(std::string_view title) {

@@ -19,13 +19,16 @@ namespace peterka::job {
 // the job.
 [[nodiscard]] std::string rule_of_rigid_stop(const Contact& contact, std::string_view start_name, double start,
                                              std::string_view gap_name, double gap);
-// The same of the cells of a map or sweep.
+// The same of all cells of the job.
 [[nodiscard]] std::string rule_of_rigid_stop(const Job& job);
 // Excitation frequency and gap of all cells, where they follow from values in SI units.
 [[nodiscard]] std::string rule_of_place(const Job& job);
+// The same of the starts of all cells, and of the rectangle of [starts].
+[[nodiscard]] std::string rule_of_starts(const Job& job);
 // What to say of a key of [contact] that belongs to this law, where the job's stop has another.
 [[nodiscard]] std::string reason_for_other_law(ContactLaw law);
 [[nodiscard]] std::string rule_of_gaps(const Sweep& sweep);
+// Of a key of [starts].
 [[nodiscard]] std::string rule_of_interval(std::string_view name, const std::vector<double>& interval);
 // The stop must leave some of the starts where it stands closest.
 [[nodiscard]] std::string rule_of_room(const Job& job);

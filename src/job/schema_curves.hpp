@@ -16,9 +16,14 @@ template <typename Walker>
 void describe(Walker& table, Curves& curves) {
     table.integer({"max_period", "curves of orbits up to this q [forcing cycles]"}, curves.max_period,
                   from_to<std::int64_t>(1, 16, "longer orbits have curves too fine for any picture"));
-    table.numbers(
-        {gap_ratio.name, "gaps at which the borders of the regimes are told to nine digits, gap/A0 [1]"},
-        curves.gap_ratio, gap_ratio.range);
+    table.either_list(
+        {{gap_ratio.name, "gaps at which the borders of the regimes are told to nine digits, gap/A0 [1]"},
+         curves.gap_ratio,
+         gap_ratio.range},
+        {{gap_m.name, "gaps at which the borders of the regimes are told to nine digits [m]"},
+         curves.gap_m,
+         gap_m.range},
+        "either of them sets the gaps");
 }
 
 // Of a map, whose cells they don't change.
@@ -27,7 +32,7 @@ void describe_borders(Walker& file, Job& job) {
     file.table({.name = "curves",
                 .meaning = "curves whose places the summary tells, where it names a gap",
                 .is_identity = false,
-                .is_written = !job.curves.gap_ratio.empty()},
+                .is_written = !job.curves.gaps().empty()},
                [&](auto& table) {
                    describe(table, job.curves);
                    table.refuse("edge_distance",

@@ -44,6 +44,12 @@ inline constexpr Quantity displacement_ratio{
 inline constexpr Quantity velocity_ratio{
     "velocity_ratio", "start of the hammer, x'(0)/(A0 omega) [1]",
     from_to(-1e9, 1e9, "a faster start loses the cart's motion in rounding"), "-6.0", "6.0"};
+inline constexpr Quantity displacement_m{
+    "displacement_m", "start of the hammer, x(0) [m]",
+    from_to(-1e6, 1e6, "a start further away loses the cart's motion in rounding"), "-5e-3", "5e-3"};
+inline constexpr Quantity velocity_m_per_s{
+    "velocity_m_per_s", "start of the hammer, x'(0) [m/s]",
+    from_to(-1e6, 1e6, "a faster start loses the cart's motion in rounding"), "-0.15", "0.15"};
 
 template <typename Walker>
 void describe(Walker& table, Axis& axis, const AxisQuantity& quantity) {
@@ -66,15 +72,24 @@ void describe_axis(Walker& axes, Axis& axis, const AxisQuantity& quantity) {
 
 template <typename Walker>
 void describe(Walker& table, Start& start) {
-    table.number({displacement_ratio.name, displacement_ratio.meaning}, start.displacement_ratio,
-                 displacement_ratio.range);
-    table.number({velocity_ratio.name, velocity_ratio.meaning}, start.velocity_ratio, velocity_ratio.range);
+    const auto describe_one = [&](const Quantity& ratios, double& value, const Quantity& si,
+                                  std::optional<double>& value_si, std::string_view why) {
+        std::optional<double> ratio = value_si ? std::nullopt : std::optional(value);
+        table.either({{ratios.name, ratios.meaning}, ratio, ratios.range},
+                     {{si.name, si.meaning}, value_si, si.range}, why);
+        value = ratio.value_or(0);
+    };
+    describe_one(displacement_ratio, start.displacement_ratio, displacement_m, start.displacement_m,
+                 "either of them sets where the hammer starts");
+    describe_one(velocity_ratio, start.velocity_ratio, velocity_m_per_s, start.velocity_m_per_s,
+                 "either of them sets how fast the hammer starts");
 }
 
 template <typename Walker>
 void describe_start(Walker& file, Job& job) {
     file.table({"start", "start of the hammer at t = 0, absolute (not relative to the cart)"},
                [&](auto& table) { describe(table, job.start); });
+    settle_start(job);
 }
 
 // Of one place in the plane: as a ratio or in SI units.
@@ -110,6 +125,7 @@ void describe_basin(Walker& file, Job& job) {
     }
     file.table({"axes", "plane of starts", "[axes.displacement_ratio] and [axes.velocity_ratio]"},
                [&](auto& axes) {
+                   axes.choose_axes_of_basin(job);
                    describe_axis(axes, job.columns, quantity(column_key(job)));
                    describe_axis(axes, job.rows, quantity(row_key(job)));
                    constexpr auto why =
@@ -125,10 +141,8 @@ void describe_basin(Walker& file, Job& job) {
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");
     if (!has_own_rig) return;  // these rules are asked once it is known
     file.rule({"operating_point"}, [&] { return rule_of_place(job); });
-    file.rule({"axes"}, [&] {
-        return rule_of_rigid_stop(job.contact, "axes.displacement_ratio.to", job.columns.to,
-                                  "operating_point.gap_ratio", job.operating_point.gap_ratio);
-    });
+    file.rule({"axes", "hammer", "cart"}, [&] { return rule_of_starts(job); });
+    file.rule({"axes"}, [&] { return rule_of_rigid_stop(job); });
 }
 
 }  // namespace peterka::job

@@ -21,8 +21,8 @@ void describe(Walker& table, Study& study) {
                       "\"work_precision\""},
                      study.topic);
     if (!known) {
-        return table.skip(
-            {"frequency_ratio", "gap_ratio", "tolerances", "steps_per_cycle", "cycles", "repeats"});
+        return table.skip({"frequency_ratio", "gap_ratio", "frequency_hz", "gap_m", "tolerances",
+                           "steps_per_cycle", "cycles", "repeats"});
     }
     if (study.topic == StudyTopic::stability) {
         table.refuse("tolerances",
@@ -33,15 +33,24 @@ void describe(Walker& table, Study& study) {
     }
     if (study.topic != StudyTopic::work_precision) {
         constexpr auto why = "belongs to topic = \"work_precision\"; only that follows single cells; remove it";
-        for (const auto* name : {"frequency_ratio", "gap_ratio", "steps_per_cycle", "cycles", "repeats"}) {
+        for (const auto* name : {"frequency_ratio", "gap_ratio", "frequency_hz", "gap_m", "steps_per_cycle",
+                                 "cycles", "repeats"}) {
             table.refuse(name, why);
         }
         return;
     }
-    table.numbers({frequency_ratio.name, "excitation frequencies of the cells, Omega/omega [1]"},
-                  study.frequency_ratio, frequency_ratio.range);
-    table.numbers({gap_ratio.name, "gaps of the cells, gap/A0 [1]"}, study.gap_ratio, gap_ratio.range);
-    table.rule({frequency_ratio.name, gap_ratio.name}, [&] { return rule_of_cells(study); });
+    table.either_list({{frequency_ratio.name, "excitation frequencies of the cells, Omega/omega [1]"},
+                       study.frequency_ratio,
+                       frequency_ratio.range},
+                      {{frequency_hz.name, "excitation frequencies of the cells [Hz]"},
+                       study.frequency_hz,
+                       frequency_hz.range},
+                      "either of them sets the frequencies of the cells");
+    table.either_list({{gap_ratio.name, "gaps of the cells, gap/A0 [1]"}, study.gap_ratio, gap_ratio.range},
+                      {{gap_m.name, "gaps of the cells [m]"}, study.gap_m, gap_m.range},
+                      "either of them sets the gaps of the cells");
+    table.rule({frequency_ratio.name, frequency_hz.name, gap_ratio.name, gap_m.name},
+               [&] { return rule_of_cells(study); });
     table.integers({"steps_per_cycle", "of the methods with a fixed step"}, study.steps_per_cycle,
                    from_to<std::int64_t>(1, 10'000'000, "a cycle is cut into whole steps"));
     table.integer({"cycles", "followed and timed in each run [forcing cycles]"}, study.cycles,
@@ -55,6 +64,7 @@ void describe_study(Walker& file, Job& job) {
     file.table({"study", "what is compared, and how", "topic = \"work_precision\""},
                [&](auto& table) { describe(table, job.study); });
     file.rule({"study"}, [&] { return rule_of_study(job.contact); });
+    file.rule({"study", "hammer", "cart"}, [&] { return rule_of_place(job); });
     if (job.study.topic == StudyTopic::labels) {
         describe_plane(file, job);
     } else {

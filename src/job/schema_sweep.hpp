@@ -14,11 +14,15 @@ namespace peterka::job {
 template <typename Walker>
 void describe(Walker& table, Sweep& sweep, const Key& gaps, bool has_gaps) {
     if (has_gaps) {
-        table.numbers(gaps, sweep.gap_ratio, gap_ratio.range);
-        table.rule({gap_ratio.name}, [&] { return rule_of_gaps(sweep); });
+        table.either_list({gaps, sweep.gap_ratio, gap_ratio.range},
+                          {{gap_m.name, "gaps of the branches [m]"}, sweep.gap_m, gap_m.range},
+                          "either of them sets the gaps of the branches");
+        table.rule({gap_ratio.name, gap_m.name}, [&] { return rule_of_gaps(sweep); });
     } else {
-        table.refuse(gap_ratio.name,
-                     "is what the axis runs over; a branch has all of its values; remove this key");
+        for (const Quantity& other : {gap_ratio, gap_m}) {
+            table.refuse(other.name,
+                         "is what the axis runs over; a branch has all of its values; remove this key");
+        }
     }
     table.choice({"direction",
                   "up or down: each point starts from the last one's state, the first from [start]; both: a "
@@ -38,7 +42,7 @@ void describe_branches(Walker& file, Job& job, bool axis_is_known) {
                [&](auto& table) { describe(table, job.sweep, gaps, !gap_is_axis); });
     if (!axis_is_known) return file.skip({"operating_point"});
     describe_shared_place(file, job, !is_frequency(column_key(job)),
-                          !gap_is_axis && job.sweep.gap_ratio.empty() && file.has("operating_point"),
+                          !gap_is_axis && job.sweep.gaps().empty() && file.has("operating_point"),
                           "belongs to a basin; a sweep has a list of gaps; remove this table");
 }
 

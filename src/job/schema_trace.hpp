@@ -71,10 +71,8 @@ void describe_trace_of_rig(Walker& file, Job& job) {
     describe_start(file, job);
     file.rule({"operating_point", "hammer", "cart"}, [&] { return rule_of_place(job); });
     file.rule({"operating_point", "trace", "hammer"}, [&] { return rule_of_trace(job); });
-    file.rule({"operating_point", "start", "contact"}, [&] {
-        return rule_of_rigid_stop(job.contact, "start.displacement_ratio", job.start.displacement_ratio,
-                                  "operating_point.gap_ratio", job.operating_point.gap_ratio);
-    });
+    file.rule({"start", "hammer", "cart"}, [&] { return rule_of_starts(job); });
+    file.rule({"operating_point", "start", "contact"}, [&] { return rule_of_rigid_stop(job); });
 }
 
 template <typename Walker>

@@ -28,4 +28,11 @@ void settle_place(Job& job) {
     job.operating_point.gap_ratio = numbers.gap_ratio();
 }
 
+void settle_start(Job& job) {
+    if (!has_rig(job)) return;
+    const CellNumbers numbers = numbers_in(job);
+    job.start.displacement_ratio = numbers.displacement_ratio();
+    job.start.velocity_ratio = numbers.velocity_ratio();
+}
+
 }  // namespace peterka::job

@@ -13,7 +13,8 @@ namespace peterka::job {
 // is said of its first cell.
 void take_first_values(Job& job);
 
-// The ratios of an operating point in SI units.
+// The ratios of an operating point, and of a start, in SI units.
 void settle_place(Job& job);
+void settle_start(Job& job);
 
 }  // namespace peterka::job

@@ -131,18 +131,34 @@ void TableReader::either(const Alternative& first, const Alternative& second, st
     }
     read_alternative(first);
     read_alternative(second);
-    const Value* one = table_.find(first.key.name);
-    const Value* other = table_.find(second.key.name);
+    require_one_of(first.key, second.key, why);
+}
+
+void TableReader::either_list(const ListAlternative& first, const ListAlternative& second,
+                              std::string_view why) {
+    const bool is_second = table_.find(second.key.name) != nullptr;
+    const auto read = [&](const ListAlternative& list) {
+        const Key key{list.key.name, list.key.meaning};  // none of the two is missing by itself
+        numbers(key, list.values, list.range);
+    };
+    read(first);
+    read(second);
+    if (is_second) first.values.clear();
+    require_one_of(first.key, second.key, why);
+}
+
+void TableReader::require_one_of(const Key& first, const Key& second, std::string_view why) {
+    const Value* one = table_.find(first.name);
+    const Value* other = table_.find(second.name);
     if (one != nullptr && other != nullptr) {
-        fault(second.key.name, std::max(one->where, other->where),
-              fmt::format("{} and {} are both given; {}; remove one of them", full_name(first.key.name),
-                          second.key.name, why));
+        fault(second.name, std::max(one->where, other->where),
+              fmt::format("{} and {} are both given; {}; remove one of them", full_name(first.name),
+                          second.name, why));
     }
-    if (one == nullptr && other == nullptr) {
-        fault(first.key.name, where_,
+    if (one == nullptr && other == nullptr && first.is_required()) {
+        fault(first.name, where_,
               fmt::format("{} or {} is missing; {}; add one of them, such as {} = {}, {}",
-                          full_name(first.key.name), second.key.name, why, first.key.name, first.key.example,
-                          place_to_add()));
+                          full_name(first.name), second.name, why, first.name, first.example, place_to_add()));
     }
 }
 

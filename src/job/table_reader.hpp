@@ -36,6 +36,7 @@ class TableReader {
     void text(const Key& key, std::string& value);
     void flag(const Key& key, bool& value);
     void either(const Alternative& first, const Alternative& second, std::string_view why);
+    void either_list(const ListAlternative& first, const ListAlternative& second, std::string_view why);
 
     // Whether the choice is known, so that what depends on it can be read.
     template <typename Choice>
@@ -72,6 +73,8 @@ class TableReader {
     // Of the table [axes]: which two numbers of the job, or which one of a sweep, it runs over, in the order of
     // the file.
     ChosenAxes choose_axes(Job& job);
+    // Of a basin: the unit of each of its starts.
+    void choose_axes_of_basin(Job& job);
 
     // A rule over several keys, asked only where each of them is sound. `complaint` returns what is wrong, or
     // "".
@@ -103,6 +106,8 @@ class TableReader {
     template <typename Number, typename ReadElement>
     void read_list(const Key& key, std::vector<Number>& values, ReadElement read_element);
     void read_alternative(const Alternative& alternative);
+    // Faults where both are given, or none of what has no default.
+    void require_one_of(const Key& first, const Key& second, std::string_view why);
     std::optional<std::size_t> choose(const Key& key, const Words& names, std::string_view standard);
     std::vector<std::size_t> choose_several(const Key& key, const Words& names);
 

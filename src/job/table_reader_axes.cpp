@@ -46,8 +46,8 @@ std::vector<Given> given_axes(const Table& axes) {
     return given;
 }
 
-bool is_start_of_basin(std::string_view key) {
-    return key == displacement_ratio.name || key == velocity_ratio.name;
+bool is_on_the_plane(std::string_view key) {
+    return is_frequency(key) || is_gap(key);
 }
 
 // What is wrong with an axis by itself, for a stop with this law; "" where nothing is.
@@ -64,23 +64,17 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
                          axis.key);
     }
     if (const AxisQuantity* quantity = find_quantity(axis.key)) {
-        if (kind == Kind::study && axis.key != frequency_ratio.name && axis.key != gap_ratio.name) {
+        if (kind == Kind::study && !is_on_the_plane(axis.key)) {
             return fmt::format(
                 "[axes.{}] is for maps, sweeps and curves; studies have the plane of frequency_ratio and "
                 "gap_ratio; remove this table",
                 axis.key);
         }
-        if (kind == Kind::curves && axis.key.starts_with("start.")) {
+        const std::string_view reason = kind == Kind::curves ? why_no_curves_over(axis.key) : "";
+        if (!reason.empty()) {
             return fmt::format(
-                "[axes.{}] is for maps and sweeps; a curve is where motions end, wherever the hammer starts; "
-                "give one value under [start]",
-                axis.key);
-        }
-        if (kind == Kind::curves && axis.key == "hammer.cubic_stiffness_n_per_m3") {
-            return fmt::format(
-                "[axes.{}] is for maps and sweeps; curves leave the cubic part of the springs out; remove this "
-                "table",
-                axis.key);
+                "[axes.{}] {}; {}", axis.key, reason,
+                axis.key.starts_with("start.") ? "give one value under [start]" : "remove this table");
         }
         if (!quantity->law || *quantity->law == law) return "";
         return fmt::format("[axes.{}] {}", axis.key, reason_for_other_law(*quantity->law));
@@ -98,12 +92,13 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
                                      : fmt::format("did you mean [axes.{}]?", meant));
 }
 
-std::string has_in_words(Kind kind) {
-    return kind == Kind::curves ? "curves have" : fmt::format("a {} has", name(kind));
+// What the usual one in its usual place has not.
+std::string name_of_its_own(std::string_view key, std::string_view usual) {
+    return key == usual ? "" : std::string(key);
 }
 
-bool is_on_the_plane(std::string_view key) {
-    return is_frequency(key) || is_gap(key);
+std::string has_in_words(Kind kind) {
+    return kind == Kind::curves ? "curves have" : fmt::format("a {} has", name(kind));
 }
 
 }  // namespace
@@ -114,6 +109,23 @@ void TableReader::leave_to_axes(const Job&) {
     for (const Given& axis : given_axes(*axes->as<Table>())) {
         if (is_of_rig(axis.key) || axis.key.starts_with("start.")) left_to_axes_.push_back(axis.key);
     }
+}
+
+void TableReader::choose_axes_of_basin(Job& job) {
+    const auto choose = [&](Axis& axis, std::string_view ratio, std::string_view si) {
+        if (!has(si)) return;
+        if (!has(ratio)) {
+            axis.over = si;
+            return;
+        }
+        skip({si});
+        fault(si, table_.find(si)->where,
+              fmt::format("[axes.{}] says the same as [axes.{}]; one follows from the other, so they can't run "
+                          "apart; remove one of them",
+                          si, ratio));
+    };
+    choose(job.columns, displacement_ratio.name, displacement_m.name);
+    choose(job.rows, velocity_ratio.name, velocity_m_per_s.name);
 }
 
 ChosenAxes TableReader::choose_axes(Job& job) {
@@ -144,17 +156,24 @@ ChosenAxes TableReader::choose_axes(Job& job) {
     // one that is missing is no fault where a faulty one may be meant for it
     const bool are_known = !has_faulty || axes.size() == wanted;
     const ChosenAxes usual{.count = axes.empty() && has_faulty ? 0 : 2, .are_known = are_known};
-    if (axes.empty() || !has_any_axes(job.kind)) return usual;
+    if (axes.empty()) return usual;
+    if (!has_any_axes(job.kind)) {  // they are those of frequency and gap, in this order
+        for (const Given& axis : axes) {
+            if (is_frequency(axis.key)) job.columns.over = name_of_its_own(axis.key, frequency_ratio.name);
+            if (is_gap(axis.key)) job.rows.over = name_of_its_own(axis.key, gap_ratio.name);
+        }
+        return usual;
+    }
     // the usual ones in their usual order have no name of their own
-    job.columns.over = axes[0].key == frequency_ratio.name ? "" : axes[0].key;
+    job.columns.over = name_of_its_own(axes[0].key, frequency_ratio.name);
     if (wanted == 1) return {.count = 1, .are_known = are_known};
     if (axes.size() == 2) {
-        job.rows.over = axes[1].key == gap_ratio.name ? "" : axes[1].key;
+        job.rows.over = name_of_its_own(axes[1].key, gap_ratio.name);
         return {.count = 2, .are_known = are_known};
     }
     if (!are_known) return {.count = 1, .are_known = false};
     if (is_on_the_plane(axes[0].key)) {
-        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";
+        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";  // which is missing, and told so
         return {};
     }
     fault("axes", where_,

@@ -43,6 +43,10 @@ class TableWriter {
     void text(const Key& key, const std::string& value) { line(key, toml_text(value)); }
     void flag(const Key& key, bool value) { line(key, value ? "true" : "false"); }
     void either(const Alternative& first, const Alternative& second, std::string_view why);
+    void either_list(const ListAlternative& first, const ListAlternative& second, std::string_view) {
+        const ListAlternative& given = second.values.empty() ? first : second;
+        list(given.key, given.values);
+    }
 
     template <typename Choice>
     bool choice(const Key& key, Choice value) {
@@ -82,6 +86,7 @@ class TableWriter {
     void skip(std::initializer_list<std::string_view>) {}
     [[nodiscard]] bool has(std::string_view) const { return true; }
     ChosenAxes choose_axes(const Job&) { return {}; }
+    void choose_axes_of_basin(const Job&) {}
 
   private:
     TableWriter(std::string& text, Style style, const Origins* origins, std::string path,

@@ -4,11 +4,13 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "job/axis_quantity.hpp"
 #include "job/branches.hpp"
+#include "job/twins.hpp"
 #include "map_file/audit_table.hpp"
 #include "map_file/cell_attractors.hpp"
 #include "map_file/samples.hpp"
@@ -91,6 +93,12 @@ void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, c
     }
 }
 
+// Beside the coordinate itself.
+void add_twin(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& along,
+              const std::optional<job::Twin>& twin) {
+    if (twin && job.layout > 2) plans.push_back({"/", coordinate_of(twin->key), {along}});
+}
+
 void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const Dimension branches{branch.name, job.row_count()};
     const hdf5::Variable axis = coordinate_of(column_key(job));
@@ -99,7 +107,9 @@ void add_branches(std::vector<DatasetPlan>& plans, const job::Job& job) {
     plans.push_back({"/", branch, {branches}});
     plans.push_back({"/", axis, {along}});
     plans.push_back({"/", sample, {samples}});
-    if (!job.sweep.gap_ratio.empty()) plans.push_back({"/", gap_ratio, {branches}});
+    add_twin(plans, job, along, job::twin_of_columns(job));
+    if (!job.sweep.gaps().empty()) plans.push_back({"/", coordinate_of(job.sweep.gap_key()), {branches}});
+    add_twin(plans, job, branches, job::twin_of_branches(job));
     plans.push_back({"/", direction, {branches}});
     for (const quantities::Field& field : quantities::stored_fields(job)) {
         hdf5::Variable variable = field.variable;
@@ -121,6 +131,8 @@ void add_plane(std::vector<DatasetPlan>& plans, const job::Job& job) {
     const Dimension row_dimension{rows.name, job.rows.points};
     plans.push_back({"/", columns, {column_dimension}});
     plans.push_back({"/", rows, {row_dimension}});
+    add_twin(plans, job, column_dimension, job::twin_of_columns(job));
+    add_twin(plans, job, row_dimension, job::twin_of_rows(job));
     for (const quantities::Field& field : quantities::stored_fields(job)) {
         plans.push_back(on_cells(job, field.variable, {row_dimension, column_dimension}));
     }

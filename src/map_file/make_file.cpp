@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <string>
@@ -50,6 +51,17 @@ void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
                     path.string(), readable_bytes(bytes), bytes, std::generic_category().message(error)));
 }
 
+// What was reserved behind the last dataset, should another release of HDF5 take less than was predicted: the
+// record is the file's end.
+void give_back_room(const std::filesystem::path& path, const std::vector<ByteRange>& numbers) {
+    const std::uint64_t end = std::ranges::max(numbers, {}, &ByteRange::end).end;
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) > end && !error) std::filesystem::resize_file(path, end, error);
+    if (!error) return;
+    throw Failure(ExitCode::output,
+                  fmt::format("{}: can't be made as long as it is to be: {}", path.string(), error.message()));
+}
+
 void write_whole(const std::filesystem::path& path, const job::Job& job, const Provenance& provenance,
                  std::int64_t bytes) {
     const hdf5::Checked check(path);
@@ -65,6 +77,7 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     std::vector<ByteRange> numbers = ranges_of(check, file.id(), plans);
     check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");
     check(H5Fclose(file.release()), "H5Fclose");
+    give_back_room(path, numbers);
     write_record(path, std::move(numbers));
 }
 

@@ -4,8 +4,10 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +16,7 @@
 #include "hdf5/block.hpp"
 #include "job/axis.hpp"
 #include "job/axis_quantity.hpp"
-#include "job/names.hpp"
+#include "job/twins.hpp"
 
 namespace peterka::map_file {
 
@@ -96,27 +98,46 @@ bool is_coordinate(const DatasetPlan& plan) {
     return plan.is_scale() || (plan.group == "/" && plan.dimensions.size() == 1);
 }
 
-// One value of it: of an axis or a branch, or the number of a tile, a sample or a row in a table.
-double coordinate(const DatasetPlan& plan, const job::Job& job, std::int64_t i) {
-    const auto axes = job::axis_names(job);
-    const std::string_view name = plan.variable.name;
-    if (plan.group != "/") return static_cast<double>(i);
-    if (name == axes.columns) return job::axis_value(job.columns, i);
-    if (job.kind != job::Kind::sweep && name == axes.rows) return job::axis_value(job.rows, i);
-    if (plan.is_scale()) return static_cast<double>(i);
-    const job::Branch branch = job.sweep.branch(i);
-    return name == "gap_ratio" ? branch.gap_ratio : static_cast<double>(branch.direction);
+using ValueAt = std::function<double(std::int64_t i)>;
+
+// Of an axis or a branch, in either unit.
+ValueAt value_of(std::string_view name, const job::Job& job) {
+    const auto is = [&](std::string_view key) { return job::quantity(key).coordinate == name; };
+    const auto in_either = [&](std::string_view key, const std::optional<job::Twin>& twin,
+                               const ValueAt& own) -> ValueAt {
+        if (is(key)) return own;
+        if (twin && is(twin->key)) return [own, twin](std::int64_t i) { return twin->value(own(i)); };
+        return nullptr;
+    };
+    const auto along = [](const job::Axis& axis) {
+        return [&axis](std::int64_t i) { return job::axis_value(axis, i); };
+    };
+    if (auto found = in_either(column_key(job), job::twin_of_columns(job), along(job.columns))) return found;
+    if (job.kind != job::Kind::sweep) return in_either(row_key(job), job::twin_of_rows(job), along(job.rows));
+    return in_either(job.sweep.gap_key(), job::twin_of_branches(job),
+                     [&job](std::int64_t i) { return job.sweep.branch(i).gap.value(); });
+}
+
+// Of an axis or a branch, or the number of a tile, a sample or a row in a table.
+ValueAt value_of(const DatasetPlan& plan, const job::Job& job) {
+    if (plan.group == "/") {
+        if (auto found = value_of(plan.variable.name, job)) return found;
+        if (!plan.is_scale())
+            return [&job](std::int64_t i) { return static_cast<double>(job.sweep.branch(i).direction); };
+    }
+    return [](std::int64_t i) { return static_cast<double>(i); };
 }
 
 // Hands on the coordinates of a dataset in parts, with the block that each belongs to.
 template <class Use>
 void each_part(const DatasetPlan& plan, const job::Job& job, Use&& use) {
     const std::int64_t size = plan.dimensions[0].size;
+    const ValueAt value = value_of(plan, job);
     for (std::int64_t first = 0; first < size; first += values_at_once) {
         const hdf5::Block block(first, std::min(values_at_once, size - first));
         std::vector<double> values(*block.count());
         for (std::int64_t i = 0; i < std::ssize(values); ++i) {
-            values[static_cast<std::size_t>(i)] = coordinate(plan, job, first + i);
+            values[static_cast<std::size_t>(i)] = value(first + i);
         }
         use(block, values);
     }

@@ -29,8 +29,27 @@ std::int64_t data_bytes(std::span<const DatasetPlan> plans) {
     return sum;
 }
 
-// Metadata do not depend on the number of cells, so the file of the same job with a single cell, made in
-// memory, tells how much room they take.
+// The smallest number of as many bytes as this one, of three at most.
+std::int64_t smallest_of_its_bytes(std::int64_t number) {
+    std::int64_t smallest = 1;
+    while (smallest < 65536 && number / 256 >= smallest) smallest *= 256;
+    return smallest;
+}
+
+// Metadata do not depend on the number of cells, but that HDF5 stores the sides of chunks in as many bytes as
+// the largest needs, and a branch of a sweep is one chunk.
+void leave_few_cells(job::Job& job) {
+    job.rows.points = 1;
+    if (job.kind != job::Kind::sweep) {
+        job.columns.points = 1;
+        return;
+    }
+    job.sweep.gap_ratio.resize(1);
+    job.columns.points = smallest_of_its_bytes(job.columns.points);
+    job.sweep.samples = smallest_of_its_bytes(job.sweep.samples);
+}
+
+// The file of the same job with few cells, made in memory, tells how much room they take.
 std::int64_t metadata_bytes(job::Job job, const Provenance& provenance) {
     const hdf5::Checked check("(file in memory)");
     const hdf5::PropertiesId access = file_access(check);
@@ -38,8 +57,7 @@ std::int64_t metadata_bytes(job::Job job, const Provenance& provenance) {
     const hdf5::FileId file(
         check(H5Fcreate("size", H5F_ACC_TRUNC, file_creation(check).id(), access.id()), "H5Fcreate"));
     write_root_attributes(check, file.id(), job, provenance);
-    job.rows.points = 1;
-    job.columns.points = 1;
+    leave_few_cells(job);
     const std::vector<DatasetPlan> plans = layout(job);
     make_datasets(check, file.id(), plans);
     check(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "H5Fflush");

@@ -60,7 +60,7 @@ void write_shared_numbers(const hdf5::Checked& check, hid_t file, const job::Job
     shared.write_rig();
     if (job.kind == job::Kind::study) return;
     if (!has_axis(job, job::is_frequency)) shared.write_frequency();
-    if (!has_axis(job, job::is_gap) && job.sweep.gap_ratio.empty()) shared.write_gap();
+    if (!has_axis(job, job::is_gap) && job.sweep.gaps().empty()) shared.write_gap();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <string>
 
 #include "hdf5/block.hpp"
@@ -9,6 +10,7 @@
 #include "map_file/samples.hpp"
 #include "map_file/tile_bytes.hpp"
 #include "support/errors.hpp"
+#include "support/expect.hpp"
 
 namespace peterka::map_file {
 
@@ -47,6 +49,7 @@ std::vector<TileStore::Part> TileStore::parts(const parallel::Tile& tile) const 
 
 void TileStore::write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                       const TileOrigin& origin, std::span<const std::byte> several) {
+    PETERKA_EXPECT(std::ssize(cells) == tile.size());
     std::vector<std::byte> bytes = encode(fields_, cells);
     bytes.insert(bytes.end(), several.begin(), several.end());
     try {
@@ -72,9 +75,11 @@ void TileStore::write_whole(const parallel::Tile& tile, std::span<const std::byt
                             const TileOrigin& origin) {
     const std::byte* next = bytes.data();
     for (const Part& part : parts(tile)) {
+        PETERKA_EXPECT(next + part.bytes <= bytes.data() + bytes.size());
         part.stored.write(part.block, next);
         next += part.bytes;
     }
+    PETERKA_EXPECT(next == bytes.data() + bytes.size());
     const hdf5::Block entry(tile.index, 1);
     seconds_.write(entry, &origin.seconds);
     rank_.write(entry, &origin.rank);
@@ -109,6 +114,8 @@ std::vector<std::byte> TileStore::read_whole(const parallel::Tile& tile) const {
 }
 
 quantities::StoredCell TileStore::read_cell(const parallel::Place& cell) const {
+    PETERKA_EXPECT(0 <= cell.row && cell.row < tiling_.grid().rows);
+    PETERKA_EXPECT(0 <= cell.column && cell.column < tiling_.grid().columns);
     const parallel::Tile tile = tiling_.tile(tiling_.index_at(cell));
     const std::int64_t inside = (cell.row - tile.row) * tile.extent.columns + cell.column - tile.column;
     return read(tile)[static_cast<std::size_t>(inside)];
@@ -138,6 +145,7 @@ double TileStore::seconds(const parallel::Tile& tile) const {
 }
 
 std::vector<std::byte> TileStore::read_bytes(const parallel::Tile& tile) const {
+    PETERKA_EXPECT(0 <= tile.index && tile.index < tiling_.count());
     const std::vector<Part> parts = this->parts(tile);
     std::size_t size = 0;
     for (const Part& part : parts) size += part.bytes;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "parallel/checked.hpp"
+#include "support/expect.hpp"
 
 namespace peterka::parallel {
 
@@ -30,6 +31,7 @@ std::optional<Tile> Dealer::next() {
 }
 
 void Dealer::solved(const Tile& tile) {
+    PETERKA_EXPECT(tiles_in_hand_ > 0);
     --tiles_in_hand_;
     count_solved(1, tile.size());
 }
@@ -78,6 +80,9 @@ bool Dealer::take_report() {
     checked("MPI_Recv", MPI_Recv(&report, words<Report>, MPI_INT64_T, status.MPI_SOURCE, report_tag,
                                  communicator, MPI_STATUS_IGNORE));
     Remote& remote = remote_of(status.MPI_SOURCE);
+    PETERKA_EXPECT(!remote.has_left);
+    PETERKA_EXPECT(0 <= report.tiles_done && report.tiles_done <= remote.tiles_owed);
+    PETERKA_EXPECT(report.cells_done >= report.tiles_done && report.orders_wanted >= remote.orders_wanted);
     for (; remote.orders_wanted < report.orders_wanted; ++remote.orders_wanted) {
         waiting_.push_back(status.MPI_SOURCE);
     }
@@ -93,6 +98,7 @@ void Dealer::send_order(int rank, const Order& order) {
 }
 
 void Dealer::count_solved(std::int64_t tiles, std::int64_t cells) {
+    PETERKA_EXPECT(tiles <= tiles_missing_);
     tiles_missing_ -= tiles;
     if (cells > 0) work_.on_progress(cells);
 }

@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/expect.hpp"
+
 namespace peterka::parallel {
 
 std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks) {
     // 16 runs per rank leave rank 0 time for many ranks, and the longest ones are short against the whole. Half
     // of what remains goes out in one round of equal runs.
+    PETERKA_EXPECT(0 <= remaining_tiles && remaining_tiles <= all_tiles && ranks > 0);
     const std::int64_t longest = std::max<std::int64_t>(all_tiles / (16 * std::int64_t{ranks}), 1);
     const std::int64_t shares = 2 * std::int64_t{ranks};
     return std::min((remaining_tiles + shares - 1) / shares, longest);
 }
 
 TilePool::TilePool(const DealOrder& order, TileSet tiles)
-    : order_(order), tiles_(std::move(tiles)), all_(tiles_.size()), remaining_(all_) {}
+    : order_(order), tiles_(std::move(tiles)), all_(tiles_.size()), remaining_(all_) {
+    PETERKA_EXPECT(tiles_.tiles() <= order.turns());
+}
 
 bool TilePool::has(std::int64_t turn) const {
     if (turn >= order_.turns()) return false;

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <optional>
 
 #include "job/axis.hpp"
 #include "job/axis_quantity.hpp"
 #include "job/cell_numbers.hpp"
+#include "job/twins.hpp"
+#include "scene/scales.hpp"
 
 namespace peterka {
 namespace {
@@ -20,9 +23,34 @@ std::string with_unit(std::string_view key, double value) {
     return units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
 }
 
-std::string number_in_words(std::string_view key, double value) {
+// Lengths in millimetres.
+std::string in_si(std::string_view key, double value) {
+    return job::quantity(key).units == "m" ? fmt::format("{:.4g} mm", 1e3 * value) : with_unit(key, value);
+}
+
+// A ratio with what it is in SI units.
+std::string in_both(const job::Twin& twin, double value) {
+    const bool is_ratio = job::is_in_si(twin.key);
+    const double other = twin.value(value);
+    return is_ratio ? fmt::format("{:.4g} ({})", value, in_si(twin.key, other))
+                    : fmt::format("{:.4g} ({})", other, in_si(twin.of, value));
+}
+
+std::optional<job::Twin> twin_on_axis(const job::Job& job, std::string_view key) {
+    for (const auto& twin : {job::twin_of_columns(job), job::twin_of_rows(job)}) {
+        if (twin && twin->of == key) return twin;
+    }
+    return std::nullopt;
+}
+
+std::string number_in_words(const scene::Scene& scene, std::string_view key, double value) {
     if (job::is_frequency(key) || job::is_gap(key)) return "";
-    return fmt::format(", {} {}", label_in_words(key), with_unit(key, value));
+    return fmt::format(", {} {}", key, value_in_words(scene, key, value));
+}
+
+std::string place(double frequency, double gap, const scene::Scales& scales) {
+    return fmt::format("Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", frequency,
+                       frequency * natural_hz(scales), gap, gap * scales.length_m * 1e3);
 }
 
 }  // namespace
@@ -30,24 +58,33 @@ std::string number_in_words(std::string_view key, double value) {
 std::string place_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
     const job::Job& job = scene.job();
     const scene::Cell cell = scene.cell(row, column);
-    const double frequency = cell.oscillator.frequency;
-    const double gap = cell.oscillator.gap;
-    std::string text = fmt::format("Omega/omega {:.4g} ({:.4g} Hz), gap/A0 {:.4g} ({:.3g} mm)", frequency,
-                                   frequency * natural_hz(cell.scales), gap, gap * cell.scales.length_m * 1e3);
-    text += number_in_words(column_key(job), job::axis_value(job.columns, column));
-    if (job.kind != job::Kind::sweep) text += number_in_words(row_key(job), job::axis_value(job.rows, row));
+    std::string text = place(cell.oscillator.frequency, cell.oscillator.gap, cell.scales);
+    text += number_in_words(scene, column_key(job), job::axis_value(job.columns, column));
+    if (job.kind != job::Kind::sweep)
+        text += number_in_words(scene, row_key(job), job::axis_value(job.rows, row));
     return text;
 }
 
-std::string value_in_words(const scene::Scene& scene, std::string_view key, double value) {
-    if (key == "frequency_ratio" && !has_axis(scene.job(), job::is_of_rig))
-        return fmt::format("{:.4g} ({:.4g} Hz)", value, value * natural_hz(scene.scales()));
-    return with_unit(key, value);
+std::string place_in_words(const job::Job& job) {
+    return place(job.operating_point.frequency_ratio, job.operating_point.gap_ratio, scene::scales_of(job));
 }
 
-std::string label_in_words(std::string_view key) {
-    if (key == "frequency_ratio") return "Omega/omega";
-    if (key == "gap_ratio") return "gap/A0";
+std::string start_in_words(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
+    const job::Job& job = scene.job();
+    return fmt::format("x/A0 {}, x'/(A0 omega) {}",
+                       value_in_words(scene, column_key(job), job::axis_value(job.columns, column)),
+                       value_in_words(scene, row_key(job), job::axis_value(job.rows, row)));
+}
+
+std::string value_in_words(const scene::Scene& scene, std::string_view key, double value) {
+    const auto twin = twin_on_axis(scene.job(), key);
+    return twin ? in_both(*twin, value) : with_unit(key, value);
+}
+
+std::string label_in_words(const scene::Scene& scene, std::string_view key) {
+    const bool has_ratio = !job::is_in_si(key) || twin_on_axis(scene.job(), key);
+    if (job::is_frequency(key)) return has_ratio ? "Omega/omega" : "frequency";
+    if (job::is_gap(key)) return has_ratio ? "gap/A0" : "gap";
     return std::string(key);
 }
 

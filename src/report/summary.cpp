@@ -31,8 +31,7 @@ using regime::Regime;
 std::string what_the_cells_are(const job::Job& job) {
     switch (job.kind) {
         case job::Kind::basin:
-            return fmt::format("starts at Omega/omega {:g}, gap/A0 {:g}", job.operating_point.frequency_ratio,
-                               job.operating_point.gap_ratio);
+            return "starts at " + place_in_words(job);
         case job::Kind::sweep:
         case job::Kind::map:
         case job::Kind::study:
@@ -71,12 +70,10 @@ std::string border(const job::Job& job, const LargestForce& force) {
 
 // An orbit has one force, whatever start leads to it.
 std::string place_in_basin(const SummaryInput& input, const LargestForce& force) {
-    const job::Job& job = input.scene.job();
     const findings::Extremes& largest = input.findings.statistics.largest;
     const bool is_orbit = force.peak_force_ratio == largest.periodic.peak_force_ratio;
     if (is_orbit) return "on an orbit: the same from every start that leads to it";
-    return fmt::format("without a period, from x/A0 {:.4g}, x'/(A0 omega) {:.4g}",
-                       job::axis_value(job.columns, force.column), job::axis_value(job.rows, force.row));
+    return "without a period, from " + start_in_words(input.scene, force.row, force.column);
 }
 
 std::string place(const SummaryInput& input, const LargestForce& force) {

@@ -44,7 +44,7 @@ std::string name(const MotionClass& motion) {
 class Words {
   public:
     explicit Words(const scene::Scene& scene)
-        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(key_)) {}
+        : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(scene_, key_)) {}
 
     // Of the branches with the same gap, from the first of them on.
     [[nodiscard]] std::string gap(std::int64_t branch) const {
@@ -105,10 +105,10 @@ class Words {
             "at {}:", found.with_unvisited == 1 ? "1 point" : readable_count(found.with_unvisited) + " points");
         for (std::size_t i = 0; i < std::min(found.unvisited.size(), most_listed); ++i) {
             const Unvisited& each = found.unvisited[i];
-            text += fmt::format("{}{} at {} from {:.4g} to {:.4g}, up to {:.2g} % of the starts",
-                                i == 0 ? " " : "," + next_line,
-                                (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
-                                value(each.first), value(each.last), 100 * each.largest_share);
+            text += fmt::format(
+                "{}{} at {} from {} to {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
+                (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
+                at_axis(value(each.first)), at_axis(value(each.last)), 100 * each.largest_share);
         }
         if (found.unvisited.size() > most_listed)
             text += fmt::format(" and {} more", found.unvisited.size() - most_listed);
@@ -203,8 +203,8 @@ class Words {
         std::ranges::sort(widest, {}, &Band::first);
         std::string text;
         for (const Band& band : widest) {
-            text += fmt::format("{}{} {:.4g} to {:.4g}", text.empty() ? "" : ", ", name(band.motion),
-                                value(band.first), value(band.last));
+            text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", name(band.motion),
+                                at_axis(value(band.first)), at_axis(value(band.last)));
         }
         if (found.bands.size() > widest.size()) {
             const std::size_t others = found.bands.size() - widest.size();

@@ -43,7 +43,7 @@ map_file::AuditedStarts audit_starts(const scene::Scene& scene, std::int64_t row
     for (std::int64_t i = 0; i < audited.solved; ++i) {
         const std::int64_t n = audited_cell(i, audited.solved, job.starts.count, draw);
         const regime::CellResult& end = ends[static_cast<std::size_t>(n)];
-        cell.start = attractors::start_of(job.starts, cell.oscillator, n);
+        cell.start = attractors::start_of(job.starts, cell, n);
         const regime::CellResult again = regime::solve_again(job, cell, end.engine);
         if (regime::same_attractor(end, again)) continue;
         ++audited.elsewhere;

@@ -9,6 +9,7 @@
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
+#include "job/twins.hpp"
 #include "job/write.hpp"
 #include "map_file/layout.hpp"
 #include "map_file/map_size.hpp"
@@ -43,15 +44,24 @@ std::string refine_text(const job::Job& job) {
                        stride, readable_count(coarsest));
 }
 
+std::string gap_in_words(const job::Job& job, const job::Branch& branch) {
+    if (!branch.gap) return "";
+    const auto twin = job::twin_of_branches(job);
+    const bool in_m = job.sweep.gap_key() == "gap_m";
+    const double other = twin ? twin->value(*branch.gap) : 0;
+    const std::string ratio = fmt::format("gap/A0 {:g}", in_m ? other : *branch.gap);
+    const std::string length = fmt::format("{:.4g} mm", 1e3 * (in_m ? *branch.gap : other));
+    if (!twin) return in_m ? fmt::format("gap {}, ", length) : ratio + ", ";
+    return fmt::format("{} ({}), ", ratio, length);
+}
+
 // Of a sweep: its branches in their order.
 std::string branches_text(const job::Job& job) {
     if (job.kind != job::Kind::sweep) return "";
     std::string text;
     for (std::int64_t i = 0; i < job.sweep.branches(); ++i) {
         const job::Branch branch = job.sweep.branch(i);
-        const std::string gap =
-            std::isnan(branch.gap_ratio) ? "" : fmt::format("gap/A0 {:g}, ", branch.gap_ratio);
-        text += fmt::format("#     {:<4} {}{}\n", i, gap, job::name(branch.direction));
+        text += fmt::format("#     {:<4} {}{}\n", i, gap_in_words(job, branch), job::name(branch.direction));
     }
     return "#   branches\n" + text;
 }

@@ -32,7 +32,7 @@ job::Job coarse_job(const job::Job& map) {
 }  // namespace
 
 std::string map_borders(const parallel::Session& session, const RunPlan& plan, const StopRequest& stop) {
-    if (plan.job.kind != job::Kind::map || plan.job.curves.gap_ratio.empty()) return "";
+    if (plan.job.kind != job::Kind::map || plan.job.curves.gaps().empty()) return "";
     std::int64_t quiet = plan.quiet ? 1 : 0;  // which rank 0 alone knows
     parallel::broadcast(session, quiet);
     if (quiet != 0) return "";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "job/axis.hpp"
 #include "job/axis_key.hpp"
@@ -11,6 +12,7 @@
 #include "job/cell_numbers.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
+#include "job/twins.hpp"
 #include "job/write.hpp"
 #include "parallel/tiles.hpp"
 #include "support/errors.hpp"
@@ -60,14 +62,39 @@ Keys keys_of_axes(const job::Job& map) {
     return {job::key_in_tables(column_key(map)), job::key_in_tables(row_key(map))};
 }
 
-// A value that stands on no axis is one that all cells of the map share, or says what an axis says.
-void refuse_other_values(const job::CellOfMap& cell, const job::Job& map) {
+// The name that an axis of maps has, or one of basins, of a key in this job's tables.
+std::string_view axis_of(const job::Job& map, std::string_view key) {
+    constexpr std::string_view place = "operating_point.";
+    constexpr std::string_view start = "start.";
+    if (key.starts_with(place)) return key.substr(place.size());
+    return map.kind == job::Kind::basin && key.starts_with(start) ? key.substr(start.size()) : key;
+}
+
+// The values that name the cell, in the units of the map's axes. One that stands on no axis is one that all
+// cells of the map share, or says what an axis says.
+std::map<std::string, double> values_on_axes(const job::CellOfMap& cell, const job::Job& map) {
     const Keys axes = keys_of_axes(map);
+    std::map<std::string, double> values;
+    const auto take = [&](const std::string& key, const std::string& axis, double value) {
+        if (!values.emplace(axis, value).second)
+            refuse(fmt::format("{} says what {} says; remove one of them", key, axis));
+    };
     for (const auto& [key, value] : cell.values) {
-        if (key == axes.column || key == axes.row) continue;
-        constexpr std::string_view place = "operating_point.";
-        const std::string_view quantity =
-            std::string_view(key).substr(key.starts_with(place) ? place.size() : 0);
+        if (key == axes.column || key == axes.row) {
+            take(key, key, value);
+            continue;
+        }
+        const std::string_view quantity = axis_of(map, key);
+        const auto columns = job::twin_of_columns(map);
+        const auto rows = job::twin_of_rows(map);
+        if (columns && columns->key == quantity) {
+            take(key, axes.column, job::as_twin(quantity, value, columns->rig));
+            continue;
+        }
+        if (rows && rows->key == quantity) {
+            take(key, axes.row, job::as_twin(quantity, value, rows->rig));
+            continue;
+        }
         for (const std::string_view axis : {column_key(map), row_key(map)}) {
             if (!job::says_the_same(quantity, axis)) continue;
             refuse(fmt::format("{} says what the {}'s axis says as {}; give that key instead", key,
@@ -78,11 +105,12 @@ void refuse_other_values(const job::CellOfMap& cell, const job::Job& map) {
                         "and {}; remove this key",
                         key, job::name(map.kind), column_key(map), row_key(map)));
     }
+    return values;
 }
 
 Place cell_of(const job::Job& job, const job::Job& map) {
     const job::CellOfMap& cell = job.cell;
-    refuse_other_values(cell, map);
+    const std::map<std::string, double> values = values_on_axes(cell, map);
     const auto [column, row] = keys_of_axes(map);
     if (cell.row >= 0) {
         if (!cell.values.empty()) {
@@ -92,11 +120,11 @@ Place cell_of(const job::Job& job, const job::Job& map) {
         return {checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
                 checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
     }
-    if (!cell.values.contains(column) || !cell.values.contains(row)) {
+    if (!values.contains(column) || !values.contains(row)) {
         refuse(fmt::format("no cell of the {0} is named; give {3}.row and {3}.column, or {1} and {2}",
                            job::name(map.kind), column, row, table_of(job)));
     }
-    return {nearest(map.rows, row, cell.values.at(row)), nearest(map.columns, column, cell.values.at(column))};
+    return {nearest(map.rows, row, values.at(row)), nearest(map.columns, column, values.at(column))};
 }
 
 // With the rig and the place of a cell of the map, as a job by itself.

@@ -57,7 +57,7 @@ Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const double gap = numbers.gap_ratio();
     cell.oscillator.frequency = frequency;
     cell.oscillator.gap = gap;
-    cell.start = {numbers.start.displacement_ratio - gap, numbers.start.velocity_ratio - frequency};
+    cell.start = {numbers.displacement_ratio() - gap, numbers.velocity_ratio() - frequency};
     return cell;
 }
 

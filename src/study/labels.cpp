@@ -116,7 +116,7 @@ std::vector<Table> Labels::tables(std::span<const Result> results) const {
 std::string Labels::summary(std::span<const Result> results) const {
     const Shares of_runs = shares(results);
     std::string text = fmt::format("\n{} cells with each engine\n  {:<20}{:>10}{:>12}{:>12}{:>14}\n", cells(),
-                                   "method", "tolerance", "changed", "not proved", "ms per cell");
+                                   "method", "tolerance", "changed", "not settled", "ms per cell");
     for (std::size_t n = 0; n < runs_.size(); ++n) {
         text += fmt::format("  {:<20}{:>10g}{:>10.3g} %{:>10.3g} %{:>14.3g}\n",
                             method_names[static_cast<std::size_t>(runs_[n].run.method)], runs_[n].run.setting,

@@ -62,10 +62,10 @@ WorkPrecision::WorkPrecision(const job::Job& job)
       budget_(job.steady_state),
       force_ratio_(scene::scales_of(job).force_ratio()),
       runs_(runs(scene::oscillator_of(job).cubic != 0, study_.tolerances, study_.steps_per_cycle)) {
-    for (std::size_t n = 0; n < study_.frequency_ratio.size(); ++n) {
+    for (const job::CellNumbers& numbers : job::numbers_of_cells(job)) {
         Trial cell{scene::oscillator_of(job), {0, 0}};
-        cell.oscillator.frequency = study_.frequency_ratio[n];
-        cell.oscillator.gap = study_.gap_ratio[n];
+        cell.oscillator.frequency = numbers.frequency_ratio();
+        cell.oscillator.gap = numbers.gap_ratio();
         cell.start = {-cell.oscillator.gap, -cell.oscillator.frequency};  // at rest
         cells_.push_back(cell);
     }

@@ -60,3 +60,30 @@ def test_a_name_of_yesterday_would_be_seen(tmp_path):
     (tmp_path / "motion").mkdir()
     (tmp_path / "motion" / "signal.hpp").write_text("// see motion/signal.hpp and motion/old_name.hpp\n")
     assert missing([tmp_path / "motion" / "signal.hpp"], NAMED, [tmp_path]) == ["signal.hpp: motion/old_name.hpp"]
+
+
+# What the preprocessor may ask for: the processor, sanitizers, and what Highway says of the instruction set it compiles for.
+ASKED = re.compile(r"""defined|PETERKA_\w+|HWY_(?:ONCE|TARGET_TOGGLE|TARGET|AVX2|NATIVE_FMA)|__SANITIZE_ADDRESS__
+                   |__(?:x86_64|aarch64|powerpc64|riscv|wasm)(?:__)?|__has_include\("version\.hpp"\)""", re.VERBOSE)
+CONDITION = re.compile(r"^[ \t]*#[ \t]*(?:el)?if(?:n?def)?\b((?:.*\\\n)*[^\n/]*)", re.MULTILINE)
+
+
+def other_conditions(folder):
+    """Files in which the preprocessor asks for anything else, such as a library's release; versions.hpp of a folder may."""
+    return sorted({str(file.relative_to(folder)) for file in folder.rglob("*.?pp") if file.name != "versions.hpp"
+                   for condition in CONDITION.findall(file.read_text()) if re.search(r"[A-Za-z_]", ASKED.sub("", condition))})
+
+
+def test_releases_of_libraries_are_told_apart_in_one_file_of_a_folder():
+    assert other_conditions(SOURCE) == []
+
+
+@pytest.mark.parametrize("condition", ["if H5_VERSION_GE(1, 12, 0)", "if SUNDIALS_VERSION_MAJOR < 7", "ifdef __GLIBC__",
+                                       "elif defined(PETERKA_A) && \\\n   __GNUC__ > 13", "  if __has_include(<mpi-ext.h>)",
+                                       "if defined(HWY_AVX3_ZEN4)"])
+def test_a_condition_on_a_release_would_be_seen(tmp_path, condition):
+    (tmp_path / "map_file").mkdir()
+    for name in ("seal.cpp", "versions.hpp"):
+        (tmp_path / "map_file" / name).write_text(f"int a;\n#{condition}\n#endif\n")
+    (tmp_path / "map_file" / "own.cpp").write_text("#if defined(PETERKA_A)  // a word\n#elif __x86_64__ && \\\n HWY_ONCE\n#endif\n")
+    assert other_conditions(tmp_path) == ["map_file/seal.cpp"]

@@ -65,7 +65,7 @@ def test_lines_of_python_run(folder, text):
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_jobs_that_commands_name_exist(page):
     for name in re.findall(r"\bjobs/[\w/]+\.\w+", "".join(blocks(page, "sh"))):
         assert (ROOT / name).is_file(), name

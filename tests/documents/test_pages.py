@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess"))]
+PAGES = [ROOT / "README.md", *(ROOT / folder / "README.md" for folder in ("src", "jobs", "tests", "postprocess")), ROOT / "src" / "COSTS.md"]
 BINARY = os.environ.get("PETERKA_BINARY", ROOT / "build" / "peterka")
 
 
@@ -38,7 +38,7 @@ def test_the_first_page_is_short():
     assert len((ROOT / "README.md").read_text().splitlines()) <= 160
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_lead_somewhere(page):
     for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
         path, _, anchor = target.partition("#")
@@ -49,7 +49,7 @@ def test_links_lead_somewhere(page):
         assert not anchor or anchor in anchors(file), target
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_commands_and_their_options_exist(page):
     for words in commands(page):
         program = BINARY if words[0] == "build/peterka" else ROOT / words[0]

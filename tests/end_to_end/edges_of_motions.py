@@ -86,10 +86,10 @@ def jumps(forces):
     return (changes[1:-1] > 5 * np.maximum(changes[:-2], changes[2:])) & (changes[1:-1] > 1e-4 * forces[1:])
 
 
-def end_of_motion(folder, rig, place, side, to, state, label, most_steps=3200):
+def end_of_motion(folder, rig, place, side, to, state, label, steps=50, most_steps=3200):
     """How far it is until the motion ends on the way to a value, infinite where it doesn't, and the step with which that was
     seen: halved until it changes no more, for a basin that shrinks is left early by long steps. None where it goes on changing."""
-    before, steps = None, 50
+    before = None
     while steps <= most_steps:
         values, labels, forces = drag(folder, rig, place, side, to, state, steps)
         ends = np.any(labels != label, axis=1)
@@ -153,22 +153,36 @@ def borders_told(folder, rig, gap):
             yield impacts, period, float(frequency) / 4.5
 
 
-def motions_with_label(folder, rig, gap, frequency, beside, impacts, period, starts=512):
-    """The forces of the motions of a label that many starts find, just below a frequency and just above it."""
-    window = jobs.axis("frequency_ratio", repr(frequency * (1 - beside)), repr(frequency * (1 + beside)), 2)
-    text = (RIG.format(kind="map", **rig) + window + jobs.axis("gap_ratio", repr(gap), repr(gap + 1e-9), 2)
-            + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n"
-            + "[steady_state]\nmax_cycles = 30000\n")
+def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
+    """Of each frequency: places (displacement, velocity) of the motions of a label that so many starts find."""
+    text = (RIG.format(kind="map", **rig) + jobs.axis("frequency_ratio", repr(frequencies[0]), repr(frequencies[-1]), len(frequencies))
+            + jobs.axis("gap_ratio", repr(gap), repr(gap), 1)
+            + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n")
     with run(folder, text) as file:
         is_one = ((file["attractor_regime"][:, 0] == (PERIODIC if impacts else 0)) & (file["attractor_impacts"][:, 0] == impacts)
                   & ((file["attractor_period"][:, 0] == period) | (impacts == 0)))
-        return [file["attractor_peak_force_ratio"][:, 0][:, side][is_one[:, side]] for side in range(2)]
+        orbits = np.stack([file[f"attractor_orbit_{name}"][:, 0] for name in ("displacement", "velocity")], axis=-1)
+        return [orbits[:, side][is_one[:, side]] for side in range(len(frequencies))]
+
+
+def ends_there(folder, rig, gap, impacts, period, frequency):
+    """Whether a motion of the label that starts find some way off ends at a frequency when it is dragged there."""
+    for away in (-0.01, 0.01, -0.03, 0.03):
+        begin, beyond = frequency * (1 + away), frequency * (1 - away / 10)
+        for orbit in motions_with_label(folder, rig, gap, [begin], impacts, period, starts=64)[0]:
+            found = end_of_motion(folder, rig, {"frequency_ratio": begin, "gap_ratio": gap}, "frequency_ratio", beyond,
+                                  tuple(map(float, orbit)), (PERIODIC, impacts, period), steps=400)
+            if found is not None and abs(found[0] - abs(frequency - begin)) <= found[1]:
+                return True
+    return False
 
 
 def is_border(folder, rig, gap, impacts, period, frequency):
-    """Whether a motion of the label is on one side of a frequency only, within a small or a smaller distance of it."""
+    """Whether a motion of the label ends there, or is on one side of a frequency only, within a small or a smaller distance."""
+    if impacts and ends_there(folder, rig, gap, impacts, period, frequency):
+        return True
     for beside in (1e-3, 1e-4, 1e-5, 1e-6):
-        below, above = motions_with_label(folder, rig, gap, frequency, beside, impacts, period)
+        below, above = motions_with_label(folder, rig, gap, [frequency * (1 - beside), frequency * (1 + beside)], impacts, period, starts=512)
         if len(below) != len(above):
             return True
     return False

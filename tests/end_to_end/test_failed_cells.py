@@ -37,3 +37,16 @@ def test_each_engine(tmp_path, engine, cubic, status):
         assert untouched.any() and not (untouched & failed).any()
         for name in ["regime", "status", "engine", "period", "peak_force_ratio"]:
             assert (sticky[name][:][untouched] == sound[name][:][untouched]).all()
+
+
+def test_as_many_as_the_job_allows_are_no_failure(tmp_path):
+    jobs.write(tmp_path, jobs.small_map(columns=4, rows=4))
+    sticky = ["--set", "contact.damping_ns_per_m=1e30", "--fresh"]
+    assert launch.run("run", "job.toml", *sticky, cwd=tmp_path).returncode == 4
+    with h5py.File(tmp_path / "job.h5") as file:
+        failed = int((file["regime"][:] == FAILED).sum())
+    assert 1 < failed < 16
+    for allowed, code in [(failed, 0), (failed - 1, 4)]:
+        finished = launch.run("run", "job.toml", *sticky, "--set", f"limits.failed_cells={allowed}", cwd=tmp_path)
+        assert finished.returncode == code, finished.stderr
+        assert (f"{failed} cells failed, and the job allows {allowed}" in finished.stderr) == (code == 4)

@@ -36,7 +36,7 @@ KNOWN = {  # from independent runs of the model, and from continuation of its or
     "gap_0_robust": "agrees",
     "higher_gaps_jump": "differs",
     "drift_gap_0": "agrees",
-    "drift_higher_gaps": "agrees",
+    "drift_higher_gaps": "differs",  # at 1 mm: where no motion without impact exists, in closed form, forces are smaller and flat
     "stiffness_same": "agrees",
     "stiffness_where": "differs",
     "stiffness_force": "differs",

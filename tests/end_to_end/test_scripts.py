@@ -83,6 +83,7 @@ def test_a_folder_that_is_none_is_refused(start, script):
     ("tests/run.sh", ["job"], ["job follows no -R"]),
     ("tests/run.sh", ["-R"], ["-R wants a pattern"]),
     ("tests/run.sh", ["--all", "-R", "job"], ["one option at a time"]),
+    ("tests/releases.sh", ["bookworm", "/etc"], ["/etc is no name of a release"]),
     ("tests/endurance.sh", ["signals", "nowhere"], ["there is no part nowhere"]),
     ("tests/endurance/signals.py", [], ["tests/endurance.sh signals"]),
     ("tests/endurance/hosts.sh", [], ["tests/endurance.sh hosts"]),

@@ -3,18 +3,24 @@
 //
 // Rigs are random in loss, stop (spring and dashpot, some of them soft, and rigid ones), frequency and gap; of
 // each cell every periodic attractor that 16 starts find is taken. Where no critical kick is told, kicks are as
-// large as those tried.
+// large as those tried. Kicks that were still on chaos when they were no longer followed don't count where
+// those that came back from it show that they would have come back, too.
 //   build/tests/critical_kicks [ATTRACTORS] [KICKS_EACH] [SEED]
+//   build/tests/critical_kicks plane RIG SLOT POINTS SEED FILE   where kicks of one orbit end, over phase and
+//   size
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -92,44 +98,68 @@ scene::State<double> kicked(const Map& map, const CellAttractor& attractor, doub
     return map.part(state, moment, oscillator.period()).end;
 }
 
-struct Attack {
-    std::int64_t kicks = 0;
-    std::int64_t leave = 0;
+// Kicks that end elsewhere.
+struct Leave {
+    std::int64_t count = 0;
     double smallest = std::numeric_limits<double>::infinity();  // of these, over the size told
     double phase = 0;
+
+    void add(double size, double at) {
+        ++count;
+        if (size >= smallest) return;
+        smallest = size;
+        phase = at;
+    }
+    void add(const Leave& other) {
+        count += other.count;
+        if (other.smallest >= smallest) return;
+        smallest = other.smallest;
+        phase = other.phase;
+    }
 };
 
-Attack attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
+// Lives of the kicks that were seen to come back from chaos, after they had forgotten their start [cycles].
+using Lives = std::vector<std::int64_t>;
+
+// Whether those that came back say that as many as stayed on chaos would stay for as long, with lives that are
+// spread exponentially: then they only weren't followed to their ends.
+bool is_chance(std::int64_t stayed, std::int64_t shortest_stay, const Lives& lives) {
+    if (lives.empty()) return false;
+    const auto count = static_cast<double>(lives.size());
+    const double mean = std::accumulate(lives.begin(), lives.end(), 0.0) / count;
+    return static_cast<double>(stayed) <= 5 * count * std::exp(-static_cast<double>(shortest_stay) / mean);
+}
+
+struct KickAt {
+    double phase;   // forcing cycles after phase 0 of the orbit's first point
+    double change;  // of the velocity, in A0 omega
+};
+
+double most_of(const CellAttractor& attractor) {
+    return std::isnan(attractor.kick.size) ? attractor.kick.tried : attractor.kick.size;
+}
+
+// Runs of their own, that know no attractor, after each of so many kicks: what they end on goes to take(n,
+// result).
+template <class KickOf, class Take>
+void follow(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks,
+            const KickOf& kick_of, const Take& take) {
     const scene::Cell cell = scene.cell(0, 0);
-    const double most = std::isnan(attractor.kick.size) ? attractor.kick.tried : attractor.kick.size;
-    const regime::CellResult settled = as_result(attractor);
-    std::vector<std::pair<double, double>> tried;
-    Attack found{.kicks = kicks};
     job::Job job = scene.job();
     job.output.fields.clear();
     const regime::AttractorTable none;
-    regime::CellPool pool(scene, none, [&](const regime::CellPool::Solved& solved) {
-        if (solved.result.regime == regime::Regime::failed) return;
-        if (regime::same_attractor(settled, solved.result)) return;
-        ++found.leave;
-        const auto [phase, change] = tried[static_cast<std::size_t>(solved.number)];
-        if (std::abs(change) / most < found.smallest) {
-            found.smallest = std::abs(change) / most;
-            found.phase = phase;
-        }
-    });
-    const auto start_of = [&](double phase, double change) {
+    regime::CellPool pool(scene, none,
+                          [&](const regime::CellPool::Solved& solved) { take(solved.number, solved.result); });
+    const auto start_of = [&](const KickAt& kick) {
         if (scene::is_rigid(cell.oscillator.contact)) {
-            return kicked(trajectory::RigidExactMap<double>(cell.oscillator), attractor, phase, change);
+            return kicked(trajectory::RigidExactMap<double>(cell.oscillator), attractor, kick.phase,
+                          kick.change);
         }
-        return kicked(trajectory::ExactCycleMap<double>(cell.oscillator), attractor, phase, change);
+        return kicked(trajectory::ExactCycleMap<double>(cell.oscillator), attractor, kick.phase, kick.change);
     };
     for (std::int64_t n = 0; n < kicks || !pool.empty();) {
         while (n < kicks && pool.has_room()) {
-            const double phase = random.between(0, attractor.period);
-            const double change = random.between(-most, most);
-            tried.emplace_back(phase, change);
-            const scene::State<double> start = start_of(phase, change);
+            const scene::State<double> start = start_of(kick_of(n));
             pool.add(
                 [&job, &cell, start](regime::CycleDesk& desk, std::vector<regime::FoundAttractor>* list) {
                     return regime::solve_cell(desk, job, {cell.oscillator, start}, {nullptr, list});
@@ -138,15 +168,76 @@ Attack attack(const scene::Scene& scene, const CellAttractor& attractor, std::in
         }
         if (!pool.empty()) pool.step();
     }
+}
+
+// Cycles after a run had forgotten its start.
+std::int64_t chaotic_cycles(const regime::CellResult& ended) {
+    return ended.forgot_after > 0 ? ended.followed_cycles - ended.forgot_after : 0;
+}
+
+bool is_on_chaos(const regime::CellResult& ended) {
+    using enum regime::Regime;
+    return ended.regime == chaotic || (ended.regime == unresolved && chaotic_cycles(ended) > 0);
+}
+
+Leave attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
+    const double most = most_of(attractor);
+    const regime::CellResult settled = as_result(attractor);
+    std::vector<KickAt> tried;
+    Leave found;
+    Leave on_chaos;
+    Lives lives;
+    std::int64_t shortest_stay = std::numeric_limits<std::int64_t>::max();
+    const auto kick_of = [&](std::int64_t) {
+        const double phase = random.between(0, attractor.period);
+        return tried.emplace_back(KickAt{phase, random.between(-most, most)});
+    };
+    follow(scene, attractor, kicks, kick_of, [&](std::int64_t number, const regime::CellResult& ended) {
+        if (ended.regime == regime::Regime::failed) return;
+        if (regime::same_attractor(settled, ended)) {
+            if (chaotic_cycles(ended) > 0) lives.push_back(chaotic_cycles(ended));
+            return;
+        }
+        const KickAt& kick = tried[static_cast<std::size_t>(number)];
+        (is_on_chaos(ended) ? on_chaos : found).add(std::abs(kick.change) / most, kick.phase);
+        if (is_on_chaos(ended)) shortest_stay = std::min(shortest_stay, chaotic_cycles(ended));
+    });
+    if (!is_chance(on_chaos.count, shortest_stay, lives)) found.add(on_chaos);
     return found;
+}
+
+// Lines "phase change end cycles": change [A0 omega]; end 0 back, 1 elsewhere, 2 on chaos.
+int write_plane(std::uint64_t seed, std::uint64_t rig, std::size_t slot, int points, const char* path) {
+    Random of_rig(seed * 1'000'003 + rig);
+    const scene::Scene scene(random_job(of_rig, true));
+    const attractors::SolvedCell solved = solve(scene);
+    const CellAttractor& attractor = solved.attractors.at(slot);
+    const regime::CellResult settled = as_result(attractor);
+    const double most = 1.1 * most_of(attractor);
+    const auto kick_of = [&](std::int64_t n) {
+        const auto middle = [&](std::int64_t i) { return (static_cast<double>(i) + 0.5) / points; };
+        return KickAt{attractor.period * middle(n % points), most * (2 * middle(n / points) - 1)};
+    };
+    std::FILE* file = std::fopen(path, "w");
+    if (file == nullptr) return EXIT_FAILURE;
+    follow(scene, attractor, std::int64_t{points} * points, kick_of,
+           [&](std::int64_t number, const regime::CellResult& ended) {
+               const bool is_back = regime::same_attractor(settled, ended);
+               fmt::print(file, "{} {} {} {}\n", kick_of(number).phase, kick_of(number).change,
+                          is_back ? 0 : (is_on_chaos(ended) ? 2 : 1), ended.cycles);
+           });
+    return std::fclose(file) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    const auto number = [argv](int n) { return std::strtoull(argv[n], nullptr, 10); };
+    if (argc == 7 && std::string_view(argv[1]) == "plane")
+        return write_plane(number(5), number(2), number(3), static_cast<int>(number(4)), argv[6]);
     const std::int64_t wanted = argc > 1 ? std::atoll(argv[1]) : 100;
     const std::int64_t kicks = argc > 2 ? std::atoll(argv[2]) : 10'000;
-    const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+    const std::uint64_t seed = argc > 3 ? number(3) : 1;
     Random random(seed);
     std::int64_t attractors = 0;
     std::int64_t without = 0;
@@ -171,14 +262,15 @@ int main(int argc, char** argv) {
             ++attractors;
             const bool none = std::isnan(attractor.kick.size);
             without += none ? 1 : 0;
-            const Attack found = attack(scene, attractor, kicks, random);
-            broken += found.leave > 0 ? 1 : 0;
+            const Leave found = attack(scene, attractor, kicks, random);
+            broken += found.count > 0 ? 1 : 0;
             by_a_tenth += found.smallest < 0.9 ? 1 : 0;
-            fmt::print("rig {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g}", rig,
-                       attractor.impacts, attractor.period, attractor.kick.size, attractor.kick.phase,
-                       static_cast<int>(attractor.kick.direction), attractor.kick.tried);
-            if (found.leave > 0) {
-                fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.leave, found.kicks,
+            fmt::print("rig {} slot {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g}", rig,
+                       &attractor - solved.attractors.data(), attractor.impacts, attractor.period,
+                       attractor.kick.size, attractor.kick.phase, static_cast<int>(attractor.kick.direction),
+                       attractor.kick.tried);
+            if (found.count > 0) {
+                fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.count, kicks,
                            found.smallest, found.phase);
             }
             fmt::print("\n");

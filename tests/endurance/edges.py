@@ -61,8 +61,8 @@ def main():
     wrong = len(told) - told.count(None) - unknown
     parts.row(f"distance to the edge of a cell's motion, against dragging it there: cells of {RIGS} random rigs", len(told),
               f"{wrong} wrong, {unknown} say that they don't know")
-    parts.row(f"a border of a regime, against the motions that 512 starts find on either side: {RIGS} random rigs", len(bordering),
-              f"{bordering.count(False)} where as many motions have the label on both sides")
+    parts.row(f"a border of a regime, against dragging a motion there and what 512 starts find on either side: {RIGS} random rigs", len(bordering),
+              f"{bordering.count(False)} where none ends and as many have the label on both sides")
     return 1 if wrong > 0 or unknown > 0.02 * len(told) else 0
 
 

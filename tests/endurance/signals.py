@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Stops runs of every kind of work by a signal or --max-wall, and measures how long they take to end."""
 
+import itertools
 import random
 import signal
 import subprocess
@@ -38,7 +39,7 @@ def stopped(folder, arguments, ranks, way, wait):
     limit = ["--max-wall", wait] if way == "--max-wall" else []
     wish = time.monotonic() + wait  # the program's clock starts as soon as it knows the job
     process = launch.start("run", "job.toml", *arguments, *limit, cwd=folder, ranks=ranks)
-    process.stderr.readline()  # "... cells to compute"
+    begin = process.stderr.readline()  # "... cells to compute", or the last word where time was over by then
     if not limit:
         try:
             process.wait(timeout=wait)
@@ -46,7 +47,7 @@ def stopped(folder, arguments, ranks, way, wait):
             process.send_signal(getattr(signal, way))
         wish = time.monotonic()
     word = None
-    for line in process.stderr:
+    for line in itertools.chain([begin], process.stderr):
         if "stopped early" in line:
             word = time.monotonic() - wish
     process.communicate(timeout=launch.HANGING)

@@ -35,7 +35,8 @@ start_soon() { scontrol update JobId="$id" StartTime=now+10; } # not in 2 minute
 job=("$PWD/jobs/hunt_crossley_170mm.toml" --set axes.frequency_ratio.points=72 --set axes.gap_ratio.points=72) # a minute
 export PETERKA=$PETERKA_BINARY
 export OMPI_MCA_btl=tcp,self # two nodes on one machine share no memory as far as Open MPI knows
-id=$(sbatch --parsable --ntasks=4 --nodes=2 --time=1 --signal=USR1@30 --output="$folder/log" \
+# Two on each node: a third on one ends in MPI_Init where Open MPI 5 meets Slurm 24.11 on 2 cores, in any program.
+id=$(sbatch --parsable --ntasks=4 --nodes=2 --ntasks-per-node=2 --time=1 --signal=USR1@30 --output="$folder/log" \
     jobs/slurm/map.sbatch "${job[@]}" --output "$folder/map.h5")
 
 until_true restarted 1

@@ -47,7 +47,7 @@ def test_every_higher_gap_must_lose(tmp_path):
     assert verdicts(found) == {"drift_gap_0": AGREES, "drift_higher_gaps": DIFFERS}
 
 
-def test_starts_that_end_elsewhere_leave_no_guarantee(tmp_path):
+def test_starts_that_end_elsewhere_leave_nothing(tmp_path):
     found = drift.claims(Folder(write(tmp_path, [slope(95)] * 4, quiet=0.02)))
     assert verdicts(found) == {"drift_gap_0": AGREES, "drift_higher_gaps": AGREES}
     assert "none with the drift" in found[1].computed

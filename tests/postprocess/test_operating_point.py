@@ -10,7 +10,7 @@ from peterka.files import job_numbers
 from peterka.maps.map_file import PeterkaFile
 from peterka.operating import told
 from peterka.operating.admitted import admitted, read_code
-from peterka.operating.drift import guaranteed, reach
+from peterka.operating.drift import reach, worst_of_boxes
 from peterka.operating.places import best_places
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from sealing import seal_file
@@ -92,18 +92,18 @@ def swings_free(ratio, width, gap):
 @pytest.mark.parametrize("starts", ["any", 0.8, "job"])
 @pytest.mark.parametrize("hz, mm", [(0.0, 0.0), (1.35, 0.4), (1.0, 0.1)])
 @pytest.mark.parametrize("log", [False, True])
-def test_the_guarantee_is_that_of_plain_loops(tmp_path, starts, hz, mm, log):
+def test_the_worst_is_that_of_plain_loops(tmp_path, starts, hz, mm, log):
     path, made = random_map(tmp_path / "a.h5", log=log)
     with PeterkaFile(path) as file:
         found = admitted(file, starts, "peak_force")
         reaches = [reach(file, axis, hz, mm) for axis in (file.rows, file.columns)]
-        guarantee = guaranteed(found, *reaches)
+        worst = worst_of_boxes(found, *reaches)
         if starts == "any":
-            guarantee = np.where(told.may_stay_free(file, *reaches), np.nan, guarantee)
+            worst = np.where(told.may_stay_free(file, *reaches), np.nan, worst)
         expected = plain(file, made, starts, hz, mm)
         if starts != "any" or hz < 1.3:  # few places are left by all that is known
             assert np.isfinite(expected).sum() > (0 if hz > 1.3 else 2 if starts == "any" else 5)
-        np.testing.assert_allclose(guarantee, expected)
+        np.testing.assert_allclose(worst, expected)
 
 
 def test_the_own_start_on_another_motion_spoils_any_but_no_share(tmp_path):
@@ -114,8 +114,8 @@ def test_the_own_start_on_another_motion_spoils_any_but_no_share(tmp_path):
     add_starts(path, [cells], np.ones((1, 4, 5)), np.full((1, 4, 5), 7.0), np.where(np.all(np.array(own) == ONE, axis=-1), 0, -1))
     with PeterkaFile(path) as file:
         reaches = [reach(file, axis, 0, 0) for axis in (file.rows, file.columns)]
-        assert np.isnan(guaranteed(admitted(file, "any", "peak_force"), *reaches)[1, 2])
-        assert np.isfinite(guaranteed(admitted(file, 1.0, "peak_force"), *reaches)).all()
+        assert np.isnan(worst_of_boxes(admitted(file, "any", "peak_force"), *reaches)[1, 2])
+        assert np.isfinite(worst_of_boxes(admitted(file, 1.0, "peak_force"), *reaches)).all()
 
 
 def one_label(path, frequency_ratio, gap_ratio, known=None):
@@ -134,7 +134,7 @@ def test_what_is_known_without_a_start_forbids_any_but_no_share(tmp_path, label,
     path = one_label(tmp_path / "a.h5", np.linspace(1.5, 2.5, 6), np.linspace(0, 1, 5), known=(2, 3, label))
     with PeterkaFile(path) as file:
         reaches = [reach(file, axis, 0.5, 0) for axis in (file.rows, file.columns)]
-        with_any, with_share = (np.isfinite(guaranteed(admitted(file, starts, "peak_force"), *reaches)) for starts in ("any", 0.8))
+        with_any, with_share = (np.isfinite(worst_of_boxes(admitted(file, starts, "peak_force"), *reaches)) for starts in ("any", 0.8))
     assert with_any[2, 2:5].tolist() == [not forbids] * 3 and with_any[[1, 3], 1:5].all()
     assert with_share[:, 1:5].all()
 
@@ -205,9 +205,9 @@ def test_best_places_are_separate_and_in_order(tmp_path):
     with PeterkaFile(path) as file:
         reaches = [reach(file, axis, 1.35, 0.4) for axis in (file.rows, file.columns)]
         found = admitted(file, "job", "peak_force")
-        guarantee = guaranteed(found, *reaches)
-        places = best_places(guarantee, found, *reaches)
-    assert places[0].worst == np.nanmax(guarantee)
+        worst = worst_of_boxes(found, *reaches)
+        places = best_places(worst, found, *reaches)
+    assert places[0].worst == np.nanmax(worst)
     assert all(a.worst >= b.worst for a, b in zip(places, places[1:]))
     for n, a in enumerate(places):
         for b in places[:n]:
@@ -222,7 +222,7 @@ def test_the_command_prints_and_draws(tmp_path, run_program):
     assert (code, err) == (0, "")
     assert "peak force from 80 % of the starts, drift ±0.5 Hz, ±0.1 mm" in out and "smallest share" in out
     best = next(line for line in out.splitlines() if line.startswith("best: frequency"))
-    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N")
+    assert " Hz (frequency_ratio " in best and " mm (gap_ratio " in best and best.endswith(" N in all cells of its box")
     assert (tmp_path / "pictures" / "a_operating_point.png").stat().st_size > 5000
 
 
@@ -237,7 +237,7 @@ def test_an_old_map_is_judged_from_its_own_start(tmp_path, run_program):
                r"frequency_ratio [\d.]+, gap_ratio [\d.]+"),
     (ONE, 1.0, r"holds in all 289 cells of the finer box: the worst has [12]\d\d(\.\d)? N"),
 ])
-def test_a_guarantee_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):
+def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, label, force, words):
     """Maps that claim of the paper's rig, between 6.75 and 11.25 Hz, what isn't so, and what is."""
     path = write_map(tmp_path / "a.h5", [[label] * 6] * 5, frequency_ratio=np.linspace(1.5, 2.5, 6),
                      gap_ratio=np.linspace(0.2, 1.0, 5), forces=np.full((5, 6), force), job=JOB)

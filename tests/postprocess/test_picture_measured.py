@@ -205,6 +205,16 @@ def test_residuals_are_to_the_nearest_branch(tmp_path):
     assert told[1].force == pytest.approx(55.0) and told[2].force == 0 and told[2].share is None
 
 
+def test_no_residual_is_told_across_a_jump_from_the_side_it_is_taken(tmp_path):
+    """Going down the sample jumps between 1.625 and 1.5, and has 30 + 40 (r - 1) from there on; up, between 1.75 and 1.875."""
+    text = "frequency_ratio,gap_ratio,force_ratio\n1.4375,1.5,40\n1.53125,1.5,35\n1.8,1.5,9\n"
+    for directions, right in (((1,), [(1.4375, 47.5), (1.8, 0.0)]), ((0,), [(1.4375, 47.5), (1.53125, 51.25)])):
+        found = points(tmp_path, text, directions=directions)
+        with SweepFile(tmp_path / "a.h5") as file:
+            told = residuals(file, found.points)
+        assert [(one.point.frequency, one.force) for one in told] == [pytest.approx(pair) for pair in right], directions
+
+
 def test_draw_prints_the_residuals(tmp_path, draw):
     (tmp_path / "points.csv").write_text("frequency_hz,gap_ratio,force_n,label\n9,0,100,mine\n")
     outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv", "--formats", "png")

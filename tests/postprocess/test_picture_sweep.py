@@ -185,7 +185,7 @@ def test_every_attractor_is_drawn_thin_below_the_branches(tmp_path):
     samples, = dots_of(panels_of(diagram)[1])
     assert np.sum(np.asarray(samples.get_ydata()) == -9) == 6
     for drawn in (figure, diagram):
-        assert "every attractor that starts find" in legend_texts(drawn)
+        assert "attractors that are known" in legend_texts(drawn)
 
 
 def test_a_sweep_whose_branches_never_impact_shows_what_starts_find(tmp_path):
@@ -206,7 +206,7 @@ def test_a_sweep_without_starts_has_none_of_it(tmp_path):
         assert file.slots == 0
         figure = figure_of(response.draw(file))
     assert not dots_of(panels_of(figure)[1])
-    assert "every attractor that starts find" not in legend_texts(figure)
+    assert "attractors that are known" not in legend_texts(figure)
 
 
 def test_attractors_of_another_shape_are_refused(tmp_path):

@@ -122,10 +122,50 @@ def test_it_is_installed_by_pip(tmp_path):
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
     done = subprocess.run([*pip, "--target", tmp_path / "site", tmp_path / "source"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    code = "import peterka; print(peterka.__file__, peterka.draw, (__import__('pathlib').Path(peterka.__file__).parent / 'page' / 'page.html').is_file())"
+    (tmp_path / "peterka" / "src").mkdir(parents=True)  # a clone, which doesn't hide the package
+    code = ("import peterka, pathlib, xarray; folder = pathlib.Path(peterka.__file__).parent; data = xarray.open_dataset('rig.h5', engine='peterka', "
+            "drop_variables='impacts'); print(folder, peterka.draw, (folder / 'page' / 'page.html').is_file(), (folder / 'py.typed').is_file(), "
+            "data.regime.shape, 'impacts' in data)")
+    write_map(tmp_path / "rig.h5")
     said = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True,
                           env=os.environ | {"PYTHONPATH": str(tmp_path / "site")}).stdout
-    assert said.startswith(str(tmp_path / "site")) and said.endswith("True\n")
+    assert said.startswith(str(tmp_path / "site")) and said.endswith("True True (4, 4) False\n"), said
+    damaged = bytearray((tmp_path / "rig.h5").read_bytes())
+    at = damaged.index(b"mass_kg")
+    damaged[at] ^= 1
+    (tmp_path / "rig.h5").write_bytes(damaged)
+    refused = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False,
+                             env=os.environ | {"PYTHONPATH": str(tmp_path / "site")})
+    assert refused.returncode != 0 and "is damaged" in refused.stderr
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_how_far_a_run_is_is_told(ranks, tmp_path, capfd):
+    shares = []
+    large = {"axes": {"frequency_ratio": {"points": 192}, "gap_ratio": {"points": 96}}}
+    with_progress = peterka.run(JOB, ranks=ranks, progress=shares.append, **large)
+    assert shares and shares == sorted(shares) and 0 <= shares[0] and shares[-1] == 1.0
+    assert capfd.readouterr().err == ""
+    assert peterka.run(JOB, ranks=ranks, progress=True, **large).regime.equals(with_progress.regime)
+    assert "100.0 %" in capfd.readouterr().err
+    with pytest.raises(peterka.JobError) as caught:
+        peterka.run(JOB | {"contcat": {}}, ranks=ranks, progress=shares.append)
+    assert len(caught.value.faults) == 1
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_an_interrupted_run_goes_on_from_its_file(ranks, tmp_path):
+    large = {"axes": {"frequency_ratio": {"points": 256}, "gap_ratio": {"points": 192}}}
+
+    def interrupt(share):
+        if share > 0.02:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        peterka.run(JOB, ranks=ranks, output=tmp_path / "rig.h5", progress=interrupt, **large)
+    seen = []
+    whole = peterka.run(JOB, ranks=ranks, output=tmp_path / "rig.h5", progress=seen.append, **large)
+    assert seen[0] > 0 and not (whole.regime == -128).any()
 
 
 @pytest.mark.parametrize("line", ['rig = "stop.toml"', "rig = 'stop.toml'", '  rig="stop.toml"  # of the workshop', 'rig = "\\u0073top.toml"'])

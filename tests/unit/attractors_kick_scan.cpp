@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -11,15 +12,15 @@
 namespace peterka::attractors {
 namespace {
 
-// The size of kick at which the basin ends, by phase; the way back grows with the logarithm of what is missing.
-using Border = std::function<double(double phase, bool up)>;
+using End = KickScan::Way::End;
+using Ways = std::function<KickScan::Way(const KickTried& kick)>;
 
 struct Scanned {
     KickScan scan;
     int kicks = 0;
 };
 
-Scanned scanned(int period, double largest, const Border& border) {
+Scanned scanned_ways(int period, double largest, const Ways& way_of) {
     Scanned result{KickScan(period, largest)};
     std::vector<KickScan::Way> ways;
     for (auto kicks = result.scan.next({}); !kicks.empty(); kicks = result.scan.next(ways)) {
@@ -28,13 +29,22 @@ Scanned scanned(int period, double largest, const Border& border) {
             EXPECT_GE(kick.phase, 0);
             EXPECT_LE(kick.phase, period);
             EXPECT_LE(kick.size(), largest);
-            const double left = border(kick.phase, kick.change > 0) - kick.size();
-            const double way = left > 0 ? 10 - 5 * std::log(left / largest) : 20;
-            ways.push_back({left <= 0, static_cast<std::int64_t>(way)});
+            ways.push_back(way_of(kick));
             ++result.kicks;
         }
     }
     return result;
+}
+
+// The size of kick at which the basin ends, by phase; the way back grows with the logarithm of what is missing.
+using Border = std::function<double(double phase, bool up)>;
+
+Scanned scanned(int period, double largest, const Border& border) {
+    return scanned_ways(period, largest, [&](const KickTried& kick) {
+        const double left = border(kick.phase, kick.change > 0) - kick.size();
+        const double way = left > 0 ? 10 - 5 * std::log(left / largest) : 20;
+        return KickScan::Way{left > 0 ? End::back : End::elsewhere, static_cast<std::int64_t>(way)};
+    });
 }
 
 TEST(KickScan, FindsTheWorstPhaseAndDirection) {
@@ -78,6 +88,69 @@ TEST(KickScan, EndsCloseAboveTheBorder) {
         EXPECT_GE(scan.smallest().size(), 0.3333);
         EXPECT_LT(scan.smallest().size(), 0.3333 * 1.001) << sharp;
     }
+}
+
+// A fraction that a kick has, as if at random.
+double chance_of(const KickTried& kick) {
+    const double mixed = std::sin(kick.phase * 12.9898 + kick.change * 78.233) * 43758.5453;
+    return mixed - std::floor(mixed);
+}
+
+// Kicks above `border` get onto chaos, live there for a mean of so many cycles, and are followed for 1,000.
+KickScan::Way way_over_chaos(const KickTried& kick, double border, double mean) {
+    if (kick.size() < border) return {End::back, 10};
+    const double life = -mean * std::log(1 - chance_of(kick));
+    const auto chaotic = static_cast<std::int64_t>(std::min(life, 1000.0)) + 1;
+    return {life < 1000 ? End::back : End::chaos, 30 + chaotic, chaotic};
+}
+
+// One of some hundreds stays on the chaos for as long as it is followed.
+TEST(KickScan, CountsNoChaosThatDies) {
+    for (const double mean : {150.0, 200.0, 400.0}) {
+        const auto [scan, kicks] = scanned_ways(1, 4, [&](const KickTried& kick) {
+            return kick.size() > 3 ? KickScan::Way{End::elsewhere, 20} : way_over_chaos(kick, 0.5, mean);
+        });
+        ASSERT_TRUE(scan.found()) << mean;
+        EXPECT_NEAR(scan.smallest().size(), 3, 0.003) << mean;
+    }
+    const auto [alone, kicks] =
+        scanned_ways(1, 4, [](const KickTried& kick) { return way_over_chaos(kick, 0.5, 150); });
+    EXPECT_FALSE(alone.found());
+    EXPECT_EQ(alone.tried(), 4);
+}
+
+// Below the border of its basin some kicks wander for a while, too, and come back.
+TEST(KickScan, CountsChaosThatLasts) {
+    const auto [scan, kicks] = scanned_ways(1, 4, [](const KickTried& kick) {
+        const bool wanders = chance_of(kick) < 0.05;
+        if (kick.size() > 0.8) return KickScan::Way{End::chaos, 1000, 950};
+        return KickScan::Way{End::back, wanders ? 60 : 10, wanders ? 15 : 0};
+    });
+    ASSERT_TRUE(scan.found());
+    EXPECT_NEAR(scan.smallest().size(), 0.8, 0.001);
+}
+
+// Sizes grow by twos from 1/256 of the largest on, where nothing ends elsewhere, and fill each level evenly.
+TEST(KickScan, BeginsWithTheSmallestSizes) {
+    constexpr double largest = 256;
+    KickScan scan(1, largest);
+    std::vector<KickScan::Way> ways;
+    for (double most = 1; most <= largest; most *= 2) {
+        const std::vector<KickTried> kicks = scan.next(ways);
+        const double least = most == 1 ? 0 : most / 2;
+        ASSERT_EQ(kicks.size(), 32U);
+        for (int part = 0; part < 8; ++part) {
+            const double from = least + (most - least) * part / 8;
+            const double to = least + (most - least) * (part + 1) / 8;
+            const auto inside = std::ranges::count_if(
+                kicks, [&](const KickTried& kick) { return kick.size() >= from && kick.size() < to; });
+            EXPECT_GE(inside, 2) << most << ", part " << part;
+        }
+        EXPECT_EQ(std::ranges::count_if(kicks, [](const KickTried& kick) { return kick.change > 0; }), 16)
+            << most;
+        ways.assign(kicks.size(), {.end = End::back, .cycles = 5});
+    }
+    EXPECT_GT(scan.next(ways).size(), 32U);  // rounds
 }
 
 TEST(KickScan, TriesTheSameKicksEachTime) {

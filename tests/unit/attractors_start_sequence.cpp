@@ -12,11 +12,11 @@ namespace {
 
 const job::Starts starts{.count = 1024, .displacement_ratio = {-4, 1}, .velocity_ratio = {-3, 5}};
 
-scene::Oscillator<double> cell(double gap) {
-    scene::Oscillator<double> oscillator;
-    oscillator.frequency = 2.5;
-    oscillator.gap = gap;
-    return oscillator;
+scene::Cell cell(double gap) {
+    scene::Cell cell;
+    cell.oscillator.frequency = 2.5;
+    cell.oscillator.gap = gap;
+    return cell;
 }
 
 // Of the unit square, from the absolute start.

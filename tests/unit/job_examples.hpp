@@ -129,4 +129,38 @@ inline std::vector<Job> studies() {
     return {study(StudyTopic::work_precision), study(StudyTopic::labels), study(StudyTopic::stability)};
 }
 
+// Of each kind that has them, one with its coordinates in SI units; the last one is a trace.
+inline std::vector<Job> in_si_units() {
+    const OperatingPoint place{.frequency_hz = 8.5, .gap_m = 1.5e-3};
+    const Start start{.displacement_m = -0.25e-3, .velocity_m_per_s = 0.05};
+    Job of_map = map();
+    of_map.columns.over = "frequency_hz";
+    of_map.rows.over = "gap_m";
+    of_map.start = start;
+    of_map.starts.displacement_ratio = {};
+    of_map.starts.displacement_m = {-4e-3, 0.5e-3};
+    of_map.starts.velocity_ratio = {};
+    of_map.starts.velocity_m_per_s = {-0.3, 0.3};
+    Job of_basin = basin();
+    of_basin.operating_point = place;
+    of_basin.columns.over = "displacement_m";
+    of_basin.rows.over = "velocity_m_per_s";
+    Job of_sweep = sweep();
+    of_sweep.columns.over = "frequency_hz";
+    of_sweep.start = start;
+    of_sweep.sweep.gap_ratio = {};
+    of_sweep.sweep.gap_m = {0.5e-3, -1.5e-3};
+    Job of_precision = study(StudyTopic::work_precision);
+    of_precision.study.frequency_ratio = of_precision.study.gap_ratio = {};
+    of_precision.study.frequency_hz = {11.5, 4.5};
+    of_precision.study.gap_m = {0.25e-3, -1e-3};
+    Job of_labels = study(StudyTopic::labels);
+    of_labels.columns.over = "frequency_hz";
+    of_labels.rows.over = "gap_m";
+    Job of_trace = trace();
+    of_trace.operating_point = place;
+    of_trace.start = start;
+    return {of_map, of_basin, of_sweep, of_precision, of_labels, of_trace};
+}
+
 }  // namespace peterka::job::examples

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -86,8 +87,12 @@ const std::map<std::string, std::string> other_values{
     {"contact.dissipation_s_per_m", "0.35"},
     {"operating_point.frequency_ratio", "1.95"},
     {"operating_point.gap_ratio", "1.75"},
+    {"operating_point.frequency_hz", "8.25"},
+    {"operating_point.gap_m", "0.0015"},
     {"start.displacement_ratio", "-1.35"},
     {"start.velocity_ratio", "1.85"},
+    {"start.displacement_m", "-0.00135"},
+    {"start.velocity_m_per_s", "0.085"},
     {"steady_state.max_cycles", "4001"},
     {"steady_state.max_period", "66"},
     {"steady_state.chaos_cycles", "2001"},
@@ -101,14 +106,19 @@ const std::map<std::string, std::string> other_values{
     {"starts.count", "66"},
     {"starts.displacement_ratio", "[-4.5, 0.25]"},
     {"starts.velocity_ratio", "[-3.5, 3.5]"},
+    {"starts.displacement_m", "[-0.0045, 0.00025]"},
+    {"starts.velocity_m_per_s", "[-0.35, 0.35]"},
     {"starts.attractors", "10"},
     {"limits.failed_cells", "8"},
     {"curves.max_period", "5"},
     {"sweep.gap_ratio", "[2.5]"},
+    {"sweep.gap_m", "[0.0025]"},
     {"sweep.direction", "\"independent\""},
     {"sweep.samples", "49"},
     {"study.frequency_ratio", "[3.5, 1.5]"},
     {"study.gap_ratio", "[0.5, -2.0]"},
+    {"study.frequency_hz", "[15.5, 6.5]"},
+    {"study.gap_m", "[0.0005, -0.002]"},
     {"study.tolerances", "[0.01]"},
     {"study.steps_per_cycle", "[200]"},
     {"study.cycles", "78"},
@@ -201,6 +211,19 @@ TEST(JobKeys, OfStudiesAreWiredThrough) {
 
 TEST(JobKeys, OfATraceAreWiredThrough) {
     expect_every_key_to_be_wired_through(examples::trace());
+}
+
+TEST(JobKeys, InSiUnitsAreWiredThrough) {
+    for (const Job& job : examples::in_si_units()) expect_every_key_to_be_wired_through(job, 14);
+}
+
+// Whichever keys gave them, cells have ratios, and those of a job without axes are its own.
+TEST(JobKeys, InSiUnitsGiveTheRatiosOfTheRig) {
+    const Job trace = read_job_text(resolved_text(examples::in_si_units().back()), "trace");
+    EXPECT_DOUBLE_EQ(trace.operating_point.frequency_ratio, 8.5 / 4.6);
+    EXPECT_DOUBLE_EQ(trace.operating_point.gap_ratio, 1.5 / 0.9);
+    EXPECT_DOUBLE_EQ(trace.start.displacement_ratio, -0.25 / 0.9);
+    EXPECT_DOUBLE_EQ(trace.start.velocity_ratio, 0.05 / (0.9e-3 * 2 * std::numbers::pi * 4.6));
 }
 
 TEST(JobKeys, ATraceOfACartAtRestLastsForATime) {

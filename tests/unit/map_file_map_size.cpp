@@ -42,6 +42,22 @@ TEST(OutputMapSize, PredictsExtraFieldsAndLongTitlesToTheByte) {
     expect_exact(job);
 }
 
+// A branch is one chunk, whose sides take more bytes in a header the larger they are.
+TEST(OutputMapSize, PredictsSweepsToTheByte) {
+    for (const auto& [points, samples] :
+         {std::pair{3, 1}, {3, 300}, {255, 64}, {256, 1}, {601, 64}, {601, 300}, {70'000, 1}}) {
+        SCOPED_TRACE(std::to_string(points) + " points, " + std::to_string(samples) + " samples");
+        job::Job job = examples::small_map(1, points);
+        job.kind = job::Kind::sweep;
+        job.sweep.gap_ratio = {1.5, 2.5};
+        job.sweep.samples = samples;
+        expect_exact(job);
+        job.starts.count = 8;
+        job.starts.attractors = 8;
+        expect_exact(job);
+    }
+}
+
 TEST(OutputMapSize, HugeGridsDoNotOverflow) {
     EXPECT_GT(predicted_bytes(examples::small_map(512, 1'000'000'000)), 15'000'000'000'000);
     for (const std::int64_t points :

@@ -83,7 +83,7 @@ class Plane:
 
     @property
     def is_settled(self) -> Mask:
-        """Proved for ever: orbit, no impact or lasting contact."""
+        """Verified for ever: orbit, no impact or lasting contact."""
         return np.isin(self.regime, [NO_IMPACT, PERIODIC, SUSTAINED_CONTACT])
 
     @property
@@ -93,7 +93,7 @@ class Plane:
 
     @property
     def strikes(self) -> Mask:
-        """Impacts go on: proved orbits and chaos."""
+        """Impacts go on: verified orbits and chaos."""
         return (self.regime == PERIODIC) | (self.regime == CHAOTIC)
 
     @property

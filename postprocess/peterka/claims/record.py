@@ -24,8 +24,8 @@ LIMITS = (
     ("High gaps", f"from gap/A0 = {HIGH_GAP:g} up, the only number that the paper gives for them"),
     ("Between the bands", "from the end of the widest z = 1/1 of a gap to the beginning of its widest z = 1/2; a gap with no "
      f"z = 1/1, or with none of z = 1/2 as wide as {100 * WIDE:.0f} % of the frequencies, takes those of the next lower gap"),
-    ("Drift", f"most of the force is left where a place still guarantees {100 * (1 - SHARE):.0f} % of the largest one that any "
-     "place of the same gap guarantees without the drift"),
+    ("Drift", f"most of the force is left where a place has, at the worst, still {100 * (1 - SHARE):.0f} % of the largest one that a "
+     "place of the same gap has without the drift"),
     ("Jumps of a sweep", "change the force by more than a twentieth of the branch's largest one and, between motions with a "
      "period, by more than twice as much as the steps beside it; a motion of four points or more begins or ends there"),
 )

@@ -27,13 +27,13 @@ def claims(folder: Folder) -> list[Claim]:
 
 
 def depends_on_start(planes: Sequence[Plane]) -> Mask:
-    """Cells whose proved label (orbit, no impact, lasting contact) isn't the same from all starts, (rows, columns)."""
+    """Cells whose settled label (orbit, no impact, lasting contact) isn't the same from all starts, (rows, columns)."""
     require_alike(planes)
-    proved = np.array([plane.is_settled for plane in planes])
+    settled = np.array([plane.is_settled for plane in planes])
     codes = np.array([plane.label_code for plane in planes])
-    lowest = np.where(proved, codes, np.iinfo(np.int64).max).min(axis=0)
-    highest = np.where(proved, codes, -1).max(axis=0)
-    return (proved.sum(axis=0) > 1) & (lowest != highest)
+    lowest = np.where(settled, codes, np.iinfo(np.int64).max).min(axis=0)
+    highest = np.where(settled, codes, -1).max(axis=0)
+    return (settled.sum(axis=0) > 1) & (lowest != highest)
 
 
 def _region(folder):

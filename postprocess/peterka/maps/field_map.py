@@ -59,7 +59,7 @@ class Field:
 
 
 def has_impacts(regime: Integers, *_: object) -> Mask:
-    """Cells of proved orbits with impacts, chaos among them."""
+    """Cells of verified orbits with impacts, chaos among them."""
     return (regime == PERIODIC) | (regime == CHAOTIC)
 
 

@@ -24,7 +24,7 @@ def draw_single_impact(file: PeterkaFile, ax: Axes | None = None, *, measured: M
 
 @picture(PeterkaFile)
 def draw_all_impacts(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes | None:
-    """Force of every proved orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
+    """Force of every verified orbit with impacts, chaotic ones over their observed window; None where no cell has one."""
     return _draw(file, ax, field_map.has_impacts, "all impacts", field_map.WITHOUT_IMPACTS, measured)
 
 

@@ -1,7 +1,7 @@
 """Numbers without a unit over the plane of a map: how stable the motion is, where its orbit is, and forces of each cycle.
 
 Multipliers and stroboscopic points are those of orbits, Lyapunov exponents and growths of errors those of every motion
-that was followed; forces of each cycle are drawn where impacts are proved. In chaos the largest force of all grows with
+that was followed; forces of each cycle are drawn where impacts go on. In chaos the largest force of all grows with
 the time observed, the mean and the 95 % quantile of the cycles' largest ones don't.
 """
 

@@ -2,7 +2,7 @@
 
 TITLES has short words for some; of the others the file's own are shown, and its unit.
 
-Those of impacts are drawn where impacts are proved; the largest displacement in every cell with a proof.
+Those of impacts are drawn where impacts go on; the largest displacement in every cell whose regime is known.
 """
 
 from collections.abc import Callable
@@ -31,11 +31,11 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, name: str) -> Axes | None
     carries: Callable = field_map.has_impacts
     apart: tuple[str, ...] = WITHOUT_IMPACTS
     if name == "max_displacement":
-        carries, apart = _proved, ("unresolved", "failed")
+        carries, apart = _known, ("unresolved", "failed")
     return field_map.draw(file, Field(name, carries, apart, lambda largest: _scale(file, name, largest)), ax)
 
 
-def _proved(regime, *_):
+def _known(regime, *_):
     return (regime != UNRESOLVED) & (regime != FAILED) & (regime != NOT_COMPUTED)
 
 

@@ -9,7 +9,7 @@ start_attractor int32, the slot in which the job's own start ends, -1 for none o
     share s  at least the share s of them, s above one half
     job      the job's own start alone, as in a map without [starts]
 
-Only proved orbits with impacts count: a largest force that was seen in chaos guarantees nothing.
+Only orbits with impacts count: a largest force that was seen in chaos is none to rely on.
 """
 
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ QUANTITIES = {"peak_force": "peak_force_ratio", "contact_power": "contact_power_
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is guaranteed: `name` of QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
+    """What is to be large: `name` of QUANTITIES, `title`, and the factor from the stored numbers to `unit`."""
 
     name: str
     title: str

@@ -1,7 +1,7 @@
 """How far a drift reaches on a map's axes, and the worst over the box that it makes around each cell.
 
 The box reaches at least as far as the drift: where that ends between two cells, the farther one belongs to it. Cells whose
-box leaves the map have no guarantee, as nobody computed what lies there.
+box leaves the map have none, as nobody computed what lies there.
 """
 
 from collections.abc import Callable, Collection
@@ -66,7 +66,7 @@ def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:
     return Reach(width, np.where(inside, before, 0), np.where(inside, after, 0), inside)
 
 
-def guaranteed(admitted: Admitted, rows: Reach, columns: Reach, codes: Collection[int] | None = None) -> Reals:
+def worst_of_boxes(admitted: Admitted, rows: Reach, columns: Reach, codes: Collection[int] | None = None) -> Reals:
     """The worst value over the box around each cell, (rows, columns): NaN where its regime isn't one, or isn't one of
     `codes`."""
     labels, number = np.unique(admitted.code, return_inverse=True)

@@ -1,4 +1,4 @@
-"""The guaranteed value over the plane of a map, with the best separate places and the box of the best one."""
+"""The worst value of each cell's box over the plane of a map, with the best separate places and the box of the best one."""
 
 from collections.abc import Sequence
 
@@ -20,13 +20,13 @@ COLOURS, NOTHING = "viridis", "#F2F2F2"
 
 
 @style.using()
-def draw(file: PeterkaFile, guarantee: Reals, places: Sequence[Place], rows: Reach, columns: Reach,
+def draw(file: PeterkaFile, worst: Reals, places: Sequence[Place], rows: Reach, columns: Reach,
          what: tuple[Quantity, str, str]) -> Figure:
     """As a Figure; `what`: the Quantity, and in words the starts and the drift."""
     quantity, starts, drift = what
     block = block_size(file.shape)
-    reduced = with_edges(file, largest(guarantee, block), block)
-    entries = [axes.legend_patch("nothing guaranteed", NOTHING)]
+    reduced = with_edges(file, largest(worst, block), block)
+    entries = [axes.legend_patch("no such place", NOTHING)]
     if file.computed < 1:
         entries.append(axes.legend_patch("not computed yet", None, hatched=True))
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(entries, 2, None)], bar=True)
@@ -38,7 +38,7 @@ def draw(file: PeterkaFile, guarantee: Reals, places: Sequence[Place], rows: Rea
     axes.label_axes(ax, file)
     bar = figure.colorbar(mesh, cax=bar_ax, orientation="horizontal")
     bar.outline.set_linewidth(0.6)
-    bar.set_label(f"guaranteed {quantity.title} ({unit})", fontsize=8)
+    bar.set_label(f"worst {quantity.title} of the box ({unit})", fontsize=8)
     axes.notice_incomplete(ax, file)
     axes.write_title(figure, file, f"{axes.so_far(file)}{starts}; {drift}")
     _mark(ax, file, places, rows, columns, quantity)

@@ -14,7 +14,7 @@ MOST = 10
 
 @dataclass(frozen=True)
 class Place:
-    """A cell: its indices, what its box guarantees and what it has itself [as stored], its orbit (p, q), and the smallest
+    """A cell: its indices, the worst of its box and what it has itself [as stored], its orbit (p, q), and the smallest
     share of the starts in its box that end in it."""
 
     row: int
@@ -25,14 +25,14 @@ class Place:
     share: float
 
 
-def best_places(guarantee: Reals, admitted: Admitted, rows: Reach, columns: Reach, most: int = MOST) -> list[Place]:
-    """The Places with the largest guarantee, the best first; none where nothing is guaranteed."""
-    left = np.where(guarantee > 0, guarantee, -np.inf)
+def best_places(worst: Reals, admitted: Admitted, rows: Reach, columns: Reach, most: int = MOST) -> list[Place]:
+    """The Places whose boxes have the largest worst values, the best first; none without any."""
+    left = np.where(worst > 0, worst, -np.inf)
     shares = over_box(admitted.share, rows, columns, minimum_filter1d)
     found: list[Place] = []
     while len(found) < most and np.isfinite(left.max()):
         row, column = (int(n) for n in np.unravel_index(_middle_of_best(left), left.shape))
-        found.append(Place(row, column, float(guarantee[row, column]), float(admitted.value[row, column]),
+        found.append(Place(row, column, float(worst[row, column]), float(admitted.value[row, column]),
                            read_code(admitted.code[row, column]), float(shares[row, column])))
         left[np.ix_(rows.meets(row), columns.meets(column))] = -np.inf
     return found

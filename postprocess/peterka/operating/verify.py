@@ -35,7 +35,7 @@ class Verified:
     at: tuple[float, float]
 
     def holds(self, place: Place) -> bool:
-        """Whether the guarantee of a Place stands, but for rounding."""
+        """Whether a Place is as good here as it was told to be, but for rounding."""
         return self.another == 0 and self.worst >= place.worst * (1 - ROUNDING)
 
 
@@ -81,12 +81,12 @@ def text_of(file: PeterkaFile, place: Place, found: Verified, quantity: Quantity
     """What the finer box says, in words."""
     worst, unit = quantity.factor * found.worst, quantity.unit
     if found.another:
-        return (f"the guarantee doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
+        return (f"it doesn't hold: {found.another} of {found.cells} cells of the finer box have another regime, or more "
                 "than one")
     share = 100 * (found.worst / place.worst - 1)
     if found.holds(place):
-        return f"the guarantee holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
-    return (f"the guarantee falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
+        return f"it holds in all {found.cells} cells of the finer box: the worst has {worst:.4g} {unit} ({share:+.2g} %)"
+    return (f"it falls short by {-share:.3g} %: of {found.cells} cells of the finer box, all of the same regime, the worst "
             f"has {worst:.4g} {unit}, at {file.columns.name} {found.at[1]:.6g}, {file.rows.name} {found.at[0]:.6g}")
 
 

@@ -36,7 +36,7 @@ def place_in_words(file: PeterkaFile, place: Place) -> str:
 def table(file: PeterkaFile, places: Sequence[Place], quantity: Quantity, with_share: bool) -> list[str]:
     """Lines with the Places."""
     heads = [_head(file, file.columns), _head(file, file.rows)]
-    names = ["", "z", *heads, f"guaranteed [{quantity.unit}]", f"at the place [{quantity.unit}]"]
+    names = ["", "z", *heads, f"worst of its box [{quantity.unit}]", f"at the place [{quantity.unit}]"]
     names += ["smallest share"] if with_share else []
     lines = []
     for number, place in enumerate(places, 1):
@@ -52,7 +52,7 @@ def best_lines(file: PeterkaFile, place: Place, quantity: Quantity, fields: Mapp
     """On the best place; `fields` {dataset: what the file has there}."""
     newtons = file.newtons
     lines = [f"best: {place_in_words(file, place)}, z = {place.orbit[0]}/{place.orbit[1]}: at least "
-             f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)}"]
+             f"{units.amount(quantity.factor * place.worst, quantity.unit, 4)} in all cells of its box"]
     there = []
     if "peak_force_ratio" in fields:
         force = fields["peak_force_ratio"]

@@ -13,7 +13,7 @@ SIZE = 1.0  # pt
 
 def handles(file: SweepFile) -> list[Line2D]:
     """Entries of a legend: one where the sweep has [starts]."""
-    return [Line2D([], [], label="every attractor that starts find", **DOTS | {"markersize": 3 * SIZE})] if file.slots else []
+    return [Line2D([], [], label="attractors that are known", **DOTS | {"markersize": 3 * SIZE})] if file.slots else []
 
 
 def forces(file: SweepFile, gap: float | None) -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,108 @@
+"""The program started and watched: its words, how far it is, and an interrupt that it hears of.
+
+On a terminal the program shows a bar, "\\r[####......]  41.3 %  5,432 cells/s  ETA 2 s"; so its stderr is one here, and what
+follows a carriage return is how far it is, all else its words.
+"""
+
+import os
+import pty
+import re
+import selectors
+import signal
+import subprocess
+import sys
+import tty
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+Progress = bool | Callable[[float], object]
+BAR = re.compile(r" *(?:\[[#.]*\])? *(\d+(?:\.\d)?) %")
+AT_ONCE = 1 << 16
+
+
+@dataclass(frozen=True)
+class Finished:
+    """The exit code of a program, and what it wrote."""
+
+    code: int
+    stdout: str
+    stderr: str
+
+
+def launch(command: Sequence[str], environment: Mapping[str, str], progress: Progress = False) -> Finished:
+    """Runs a program to its end. `progress`: True shows its bar on our stderr; a function is called with the share that is
+    done, 0 to 1, where that changes; False: nothing. Upon KeyboardInterrupt the program is interrupted, too, and waited for."""
+    ours, its = pty.openpty()
+    tty.setraw(its)  # lines end as they were written
+    try:
+        process = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its)
+        os.close(its)
+        its = -1
+        try:
+            return _listen(process, ours, _Bar(progress))
+        except BaseException:
+            process.send_signal(signal.SIGINT)
+            raise
+        finally:
+            process.wait()
+            if process.stdout:
+                process.stdout.close()
+    finally:
+        for descriptor in (ours, its):
+            if descriptor >= 0:
+                os.close(descriptor)
+
+
+def _listen(process, terminal, bar):
+    written = {process.stdout.fileno(): bytearray(), terminal: bytearray()}
+    with selectors.DefaultSelector() as selector:
+        for descriptor in written:
+            selector.register(descriptor, selectors.EVENT_READ)
+        while selector.get_map():
+            for key, _ in selector.select():
+                piece = _read(key.fd)
+                written[key.fd] += piece
+                if key.fd == terminal:
+                    bar.look_at(piece)
+                if not piece:
+                    selector.unregister(key.fd)
+    stdout, stderr = (bytes(text).decode("utf-8", "replace") for text in written.values())
+    return Finished(process.wait(), stdout, _without_bar(stderr))
+
+
+def _read(descriptor):
+    try:
+        return os.read(descriptor, AT_ONCE)
+    except OSError:  # a terminal that nobody has open any more
+        return b""
+
+
+def _without_bar(text):
+    return "\n".join(line for line in re.split(r"[\r\n]+", text) if line and not BAR.match(line))
+
+
+class _Bar:
+    """Tells how far a program is, by the end of what it wrote last."""
+
+    def __init__(self, progress):
+        self.progress, self.rest, self.told = progress, b"", None
+
+    def look_at(self, piece):
+        """piece: what the program wrote; nothing when it has ended."""
+        if self.progress is False:
+            return
+        *lines, self.rest = re.split(rb"[\r\n]+", self.rest + piece)
+        bars = [line for line in lines if BAR.match(line.decode("utf-8", "replace"))]
+        if bars:
+            self.tell(bars[-1].decode("utf-8", "replace"))
+        if not piece and self.progress is True and self.told is not None:
+            sys.stderr.write("\n")
+
+    def tell(self, line):
+        share = float(BAR.match(line)[1]) / 100
+        if self.progress is True:
+            sys.stderr.write(f"\r{line.rstrip()}")
+            sys.stderr.flush()
+        elif share != self.told:
+            self.progress(share)
+        self.told = share

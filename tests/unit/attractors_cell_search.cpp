@@ -1,0 +1,120 @@
+// A cell with many starts against one search for each of them; and its smallest kick against kicks one by one.
+#include "attractors/cell_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "attractors/start_sequence.hpp"
+#include "regime/same_attractor.hpp"
+#include "regime/scalar_engine.hpp"
+#include "rig.hpp"
+
+namespace peterka::attractors {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+// 1/1 beside no impact, on the paper's 150 mm rig without its cubic spring.
+job::Job two_attractors(std::int64_t starts) {
+    job::Job job = testing::job_170mm(0);
+    job.hammer.natural_frequency_hz = testing::beam_150mm.natural_frequency_hz;
+    job.hammer.damping_ns_per_m = testing::beam_150mm.damping_ns_per_m;
+    job.columns = {1.8, 2.8, 2};
+    job.rows = {1.6, 2.6, 2};
+    job.starts.count = starts;
+    return job;
+}
+
+SolvedCell searched(const job::Job& job, Ends ends = Ends::counted) {
+    const scene::Scene scene(job);
+    const regime::AttractorTable nothing;
+    const Setting setting(scene, nothing, ends);
+    CellSearch search(setting, 0, 0);
+    std::vector<Ended> ended;
+    for (auto begins = search.next({}); !begins.empty(); begins = search.next(ended)) {
+        ended.clear();
+        for (const Begin& begin : begins) {
+            Ended& end = ended.emplace_back();
+            regime::CycleDesk desk;
+            end.result = regime::complete(begin(desk, &end.found), desk);
+        }
+    }
+    return search.result();
+}
+
+TEST(CellSearch, SharesAreThoseOfSingleSearches) {
+    constexpr std::int64_t count = 40;
+    const job::Job job = two_attractors(count);
+    const scene::Cell cell = scene::Scene(job).cell(0, 0);
+    std::map<std::pair<Regime, std::int32_t>, std::int64_t> alone;
+    std::vector<CellResult> ends;
+    for (std::int64_t n = 0; n < count; ++n) {
+        ends.push_back(
+            regime::find_steady_state(cell.oscillator, start_of(job.starts, cell.oscillator, n), {}));
+        ++alone[{ends.back().regime, ends.back().impacts}];
+    }
+    ASSERT_EQ(alone.size(), 2U);
+
+    const SolvedCell solved = searched(job, Ends::told);
+    ASSERT_EQ(solved.ends.size(), ends.size());
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        EXPECT_TRUE(regime::same_attractor(solved.ends[n], ends[n])) << n;
+    }
+    EXPECT_EQ(solved.cell.attractors, 2);
+    ASSERT_EQ(solved.attractors.size(), 2U);
+    EXPECT_GE(solved.attractors[0].share, solved.attractors[1].share);
+    for (const CellAttractor& attractor : solved.attractors) {
+        const auto starts = alone.at({attractor.regime, attractor.impacts});
+        EXPECT_EQ(attractor.share, static_cast<double>(starts) / count);
+    }
+    const CellResult own = regime::find_steady_state(cell.oscillator, cell.start, {});
+    EXPECT_TRUE(same_label(solved.cell, own));
+    EXPECT_EQ(solved.attractors.at(static_cast<std::size_t>(solved.cell.start_attractor)).regime, own.regime);
+    std::int64_t cycles = own.cycles;
+    for (const CellResult& end : ends) cycles += end.cycles;
+    EXPECT_LT(solved.cell.cycles, cycles);  // later starts know what earlier ones found
+    EXPECT_GT(solved.cell.cycles, own.cycles + count);
+}
+
+TEST(CellSearch, TheFirstStartOnEachAttractorIsTold) {
+    const job::Job job = two_attractors(40);
+    const SolvedCell told = searched(job, Ends::told);
+    const SolvedCell firsts = searched(job, Ends::firsts);
+    ASSERT_EQ(firsts.firsts.size(), firsts.attractors.size());
+    for (const FirstEnd& first : firsts.firsts) {
+        ASSERT_GE(first.start, 0);
+        for (std::int64_t n = 0; n <= first.start; ++n) {
+            const bool is_it = regime::same_attractor(told.ends[static_cast<std::size_t>(n)], first.result);
+            EXPECT_EQ(is_it, n == first.start) << n;
+        }
+    }
+}
+
+// Without starts the cell's own motion is kicked: just below the smallest kick it comes back, and at it it
+// doesn't.
+TEST(CellSearch, TheSmallestKickParts) {
+    job::Job job = two_attractors(0);
+    job.output.fields = {job::OptionalField::critical_kick};
+    const scene::Cell cell = scene::Scene(job).cell(0, 0);
+    job.start.velocity_ratio = 1;
+    const SolvedCell solved = searched(job);
+    ASSERT_EQ(solved.cell.regime, Regime::periodic);
+    EXPECT_EQ(solved.cell.attractors, 0);
+    const cell::Kick& kick = solved.cell.kick;
+    ASSERT_GT(kick.size, 0);
+    KickedOrbit orbit(cell.oscillator, {0, {}, solved.cell});
+    const auto end_of = [&](double size) {
+        const auto start = orbit.after({kick.phase, kick.direction * size});
+        EXPECT_TRUE(start.has_value());
+        return regime::find_steady_state(cell.oscillator, *start, {});
+    };
+    EXPECT_FALSE(regime::same_attractor(end_of(kick.size), solved.cell));
+    EXPECT_TRUE(regime::same_attractor(end_of(kick.size * 0.99), solved.cell));
+}
+
+}  // namespace
+}  // namespace peterka::attractors

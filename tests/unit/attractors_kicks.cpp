@@ -1,0 +1,120 @@
+// Kicks of several motions side by side: which start each search has, and that its end goes back to its own
+// motion.
+#include "attractors/kicks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "rig.hpp"
+
+namespace peterka::attractors {
+namespace {
+
+using regime::CellResult;
+using regime::Regime;
+
+struct Kicked {
+    scene::Oscillator<double> oscillator;
+    std::vector<Tally::Entry> entries;
+};
+
+Tally::Entry entry_of(const CellResult& result, bool has_orbit) {
+    Tally::Entry entry;
+    entry.result = result;
+    if (has_orbit) entry.orbit = regime::FoundAttractor{0, {}, result};
+    return entry;
+}
+
+// 1/1 of the paper's rig at gap 0 in slots 1 and 3; what can't be kicked in slots 0 and 2.
+Kicked two_orbits() {
+    Kicked kicked{testing::paper_rig(testing::beam_170mm, 2, 0), {}};
+    const CellResult orbit = testing::solve(kicked.oscillator);
+    EXPECT_EQ(orbit.regime, Regime::periodic);
+    CellResult chaos;
+    chaos.regime = Regime::chaotic;
+    kicked.entries = {entry_of(chaos, false), entry_of(orbit, true), entry_of(chaos, false),
+                      entry_of(orbit, true)};
+    return kicked;
+}
+
+CellResult elsewhere() {
+    CellResult result;
+    result.regime = Regime::no_impact;
+    result.cycles = 30;
+    return result;
+}
+
+TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
+    const Kicked kicked = two_orbits();
+    std::vector<scene::State<double>> starts;
+    Kicks kicks(kicked.oscillator, kicked.entries, 4, [&](const scene::State<double>& start) {
+        starts.push_back(start);
+        return Begin{};
+    });
+    std::vector<Ended> ended;
+    std::size_t rounds = 0;
+    for (;;) {
+        starts.clear();
+        const std::vector<Begin> searches = kicks.next(ended);
+        if (searches.empty()) break;
+        ASSERT_EQ(searches.size(), starts.size());
+        ended.assign(searches.size(), {kicked.entries[1].result, {}});
+        // in the first round each of both has 32 kicks: all of the first come back, and one of the second
+        // doesn't
+        if (rounds == 0) {
+            ASSERT_EQ(searches.size(), 64U);
+            ended.back() = {elsewhere(), {}};
+            ended[3].result.regime = Regime::failed;  // tells nothing
+        }
+        ++rounds;
+    }
+    EXPECT_GT(rounds, 9U);
+    EXPECT_TRUE(std::isnan(kicks.smallest(1).size));
+    EXPECT_EQ(kicks.smallest(1).tried, 4);
+    EXPECT_LE(kicks.smallest(3).size, 4.0 / 256);
+    EXPECT_GT(kicks.smallest(3).size, 0);
+    EXPECT_EQ(kicks.smallest(3).tried, kicks.smallest(3).size);
+    for (const std::size_t slot : {0U, 2U}) {
+        EXPECT_TRUE(std::isnan(kicks.smallest(slot).tried)) << slot;
+        EXPECT_TRUE(std::isnan(kicks.smallest(slot).size)) << slot;
+        EXPECT_EQ(kicks.smallest(slot).direction, 0) << slot;
+    }
+}
+
+// A basin that ends at a speed, downwards alone: its kick is found, with its size and direction.
+TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
+    Kicked kicked = two_orbits();
+    kicked.entries.resize(2);
+    const CellResult& orbit = kicked.entries[1].result;
+    KickedOrbit undisturbed(kicked.oscillator, *kicked.entries[1].orbit);
+    const auto at_phase_0 = undisturbed.after({1.0, 0});
+    ASSERT_TRUE(at_phase_0.has_value());
+    std::vector<scene::State<double>> starts;
+    Kicks kicks(kicked.oscillator, kicked.entries, 4, [&](const scene::State<double>& start) {
+        starts.push_back(start);
+        return Begin{};
+    });
+    std::vector<Ended> ended;
+    for (;;) {
+        starts.clear();
+        if (kicks.next(ended).empty()) break;
+        ended.clear();
+        for (const auto& start : starts) {
+            const bool leaves = start[1] < (*at_phase_0)[1] - 0.5;  // at the next phase 0
+            ended.push_back({leaves ? elsewhere() : orbit, {}});
+        }
+    }
+    const cell::Kick smallest = kicks.smallest(1);
+    ASSERT_GT(smallest.size, 0);
+    const auto start = undisturbed.after({smallest.phase, smallest.direction * smallest.size});
+    ASSERT_TRUE(start.has_value());
+    EXPECT_LT((*start)[1], (*at_phase_0)[1] - 0.5);
+    const auto smaller = undisturbed.after({smallest.phase, 0.998 * smallest.direction * smallest.size});
+    ASSERT_TRUE(smaller.has_value());
+    EXPECT_GT((*smaller)[1], (*at_phase_0)[1] - 0.5);
+}
+
+}  // namespace
+}  // namespace peterka::attractors

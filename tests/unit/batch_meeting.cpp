@@ -1,0 +1,72 @@
+// Rare states of the kernel, built by hand: flights that come through the stop, back and through it once more
+// between two points of its grid. What counts is the first time, however short the impact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "batch_agreement.hpp"
+
+namespace peterka::testing {
+namespace {
+
+constexpr int steps = 16;
+
+// A state of the free hammer, moved in time by the closed form.
+scene::State<double> flown(const scene::Oscillator<double>& rig, const scene::State<double>& x, double from,
+                           double to) {
+    const double eta = rig.frequency;
+    const double zeta = rig.damping_ratio;
+    const double w = std::sqrt(1 - zeta * zeta);
+    const std::complex<double> amplitude = eta * eta / std::complex<double>(1 - eta * eta, 2 * zeta * eta);
+    const auto steady = [&](double t) {
+        const std::complex<double> swing = amplitude * std::polar(1.0, eta * t);
+        return scene::State<double>(swing.imag() - rig.gap, (std::complex<double>(0, eta) * swing).imag());
+    };
+    const double t = to - from;
+    const scene::State<double> free = x - steady(from);
+    const double decay = std::exp(-zeta * t);
+    const double c = std::cos(w * t);
+    const double s = std::sin(w * t) / w;
+    return steady(to) + decay * scene::State<double>(free[0] * (c + zeta * s) + free[1] * s,
+                                                     free[1] * (c - zeta * s) - free[0] * s);
+}
+
+// At some moment the stop is passed downwards, slowly, without acceleration but with a jerk upwards: nearly a
+// cubic with three roots, which lie `apart` from each other.
+BatchCell wavy_flight(std::mt19937& random, scene::Oscillator<double> rig) {
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    rig.frequency = between(0.6, 4.5);
+    const double eta = rig.frequency;
+    const double step = rig.period() / steps;
+    const double middle = (std::uniform_int_distribution(0, 3)(random) + between(0.4, 0.6)) * step;
+    const double apart = step * std::pow(10, between(-1.5, -0.4));
+    const double jerk = eta * eta * eta * std::cos(eta * middle);
+    const double speed = jerk * apart * apart / 6;
+    rig.gap = eta * eta * std::sin(eta * middle) + 2 * rig.damping_ratio * speed;
+    return {rig.frequency, rig.gap, flown(rig, {0, -speed}, middle, 0)};
+}
+
+TEST(BatchMeeting, IsTheFirstOfThreeInOneStep) {
+    const auto rig = paper_rig(beam_170mm, 1, 0);
+    std::mt19937 random(4);
+    std::vector<BatchCell> cells;
+    while (cells.size() < 4000) {
+        const BatchCell cell = wavy_flight(random, rig);
+        if (cell.state[0] < -1e-3) cells.push_back(cell);
+    }
+    const Comparison c = compare_with_twin(rig, cells, steps, 1);
+    EXPECT_EQ(c.different_events, c.grazes);
+    EXPECT_LE(c.grazes, 40);
+    EXPECT_GT(c.impacts, 2 * c.cycles * 9 / 10);  // the short one, and that after it
+    EXPECT_LT(c.state, state_tolerance);
+    EXPECT_LT(c.peak_force, 1e-9);
+}
+
+}  // namespace
+}  // namespace peterka::testing

@@ -1,0 +1,103 @@
+// Motions that last for ever: how far from the free orbit of a hammer with a cubic spring a trajectory may be.
+#include "regime/settling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "rig.hpp"
+
+namespace peterka::regime {
+namespace {
+
+// By the midpoint rule on the closed form of the impulse response of u'' + 2 zeta u' + u.
+double integral_of_impulse_response(double zeta) {
+    const double w = std::sqrt(std::abs(1 - zeta * zeta));
+    const double slowest = zeta < 1 ? zeta : zeta - w;
+    const double step = 1e-3;
+    double sum = 0;
+    for (double t = step / 2; t < 40 / slowest; t += step) {
+        const double swing = zeta < 1 ? std::sin(w * t) : std::sinh(w * t);
+        sum += step * std::abs(std::exp(-zeta * t) * swing / w);
+    }
+    return sum;
+}
+
+TEST(Settling, GainIsTheIntegralOfTheImpulseResponse) {
+    for (const double zeta : {0.02, 0.1, 0.4, 0.9, 1.3}) {
+        EXPECT_NEAR(gain(zeta) / integral_of_impulse_response(zeta), 1, 1e-4) << zeta;
+    }
+}
+
+struct FreeHammer {
+    scene::Oscillator<double> oscillator;
+    CycleDesk desk;
+    StroboscopicMap map;
+    Settling settling;
+    SettledMotion motion;  // of the hammer that never touches the stop
+
+    explicit FreeHammer(const scene::Oscillator<double>& with_cubic)
+        : oscillator(with_cubic),
+          map(oscillator, {Engine::arkode, 1e-9}, desk),
+          settling(map),
+          motion(settled()) {}
+
+    // Near the stop's far side, where the linear amplitude of the distance is what it is at phase 0.
+    [[nodiscard]] bool stays_free_at(double distance) const {
+        return settling.stays_free(motion.point + scene::State<double>(distance, 0)).has_value();
+    }
+
+  private:
+    // The free orbit of the whole springs lies close to that of the linear ones.
+    [[nodiscard]] SettledMotion settled() const {
+        auto linear = oscillator;
+        linear.cubic = 0;
+        const trajectory::FreeFlight<double> flight(linear);
+        const auto found = settling.stays_free(flight.steady());
+        if (!found) throw std::runtime_error("the free orbit is not found");
+        return *found;
+    }
+};
+
+scene::Oscillator<double> damped_hammer(double cubic, job::CubicForm form) {
+    auto oscillator = testing::paper_rig(testing::beam_170mm, 2, 3);
+    oscillator.damping_ratio = 0.1;
+    oscillator.cubic = cubic;
+    oscillator.cubic_form = form;
+    return oscillator;
+}
+
+// Distances grow to at most 1/(1 - L H) of their linear amplitude: what is proved ends there, and not at the
+// stop.
+TEST(Settling, ACubicSpringTakesItsShareOfTheRoom) {
+    for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
+        const FreeHammer hammer(damped_hammer(1e-3, form));
+        const double gap = hammer.oscillator.gap;
+        const double farthest = form == job::CubicForm::absolute ? gap + 1 : gap;
+        const double loop = 3e-3 * farthest * farthest * integral_of_impulse_response(0.1);
+        ASSERT_GT(loop, 0.1);
+        ASSERT_LT(loop, 0.5);
+        const double rate =
+            std::sqrt(1 - 0.1 * 0.1);  // an amplitude is a displacement at rest in the decay over this
+        const double most = rate * (gap - hammer.motion.largest_displacement) * (1 - loop);
+        EXPECT_TRUE(hammer.stays_free_at(-0.99 * most));
+        EXPECT_FALSE(hammer.stays_free_at(-1.01 * most));
+        EXPECT_TRUE(hammer.stays_free_at(0.99 * most));
+        EXPECT_FALSE(hammer.stays_free_at(1.01 * most));
+    }
+}
+
+TEST(Settling, ACubicSpringThatIsTooStrongProvesNothing) {
+    auto oscillator = damped_hammer(1e-3, job::CubicForm::relative);
+    oscillator.cubic = 6.5e-3;  // L H = 1.1
+    CycleDesk desk;
+    const StroboscopicMap map(oscillator, {Engine::arkode, 1e-9}, desk);
+    const Settling settling(map);
+    EXPECT_TRUE(settling.may_settle());
+    oscillator.cubic = 0;
+    EXPECT_FALSE(settling.stays_free(trajectory::FreeFlight<double>(oscillator).steady()).has_value());
+}
+
+}  // namespace
+}  // namespace peterka::regime
