@@ -76,15 +76,17 @@ Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
     return {.verdict = Certified::orbit, .force_ratio = force, .stability_margin = margin};
 }
 
-Certificate certify_steady(const Rig& rig, bool presses, const job::Start& start) {
+Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& start) {
     const Springs<Interval> springs(rig);
     if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
     const std::optional<SteadyMotion> motion = steady_motion(springs, presses);
     if (!motion) return refused(Certified::near_grazing);
     if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
-    const bool touches = rig.gap.lo == start.displacement_ratio && rig.gap.hi == start.displacement_ratio;
-    const Vector<Interval> state{touches ? Interval(0) : Interval(start.displacement_ratio) - rig.gap,
-                                 Interval(start.velocity_ratio) - rig.frequency};
+    // A start on the surface is told from one beside it where both numbers are exact.
+    const bool touches =
+        rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo && start.displacement.hi == rig.gap.hi;
+    const Vector<Interval> state{touches ? Interval(0) : start.displacement - rig.gap,
+                                 start.velocity - rig.frequency};
     const bool from_start = keeps_to_phase(springs, presses, *motion, state);
     return {.verdict = from_start ? Certified::start : Certified::orbit,
             .force_ratio = motion->force,
@@ -105,7 +107,7 @@ Certificate certify(const job::CellNumbers& numbers, const Claim& claim) {
     Certificate certificate =
         claim.regime == cell::Regime::periodic
             ? certify_orbit(*rig, claim.orbit)
-            : certify_steady(*rig, claim.regime == cell::Regime::sustained_contact, numbers.start);
+            : certify_steady(*rig, claim.regime == cell::Regime::sustained_contact, start_of(numbers));
     if (certificate.force_ratio.hi > 0)
         certificate.force_ratio = certificate.force_ratio * force_ratio(numbers);
     return certificate;

@@ -51,6 +51,15 @@ std::optional<Rig> rig_of(const job::CellNumbers& numbers) {
     return rig;
 }
 
+EnclosedStart start_of(const job::CellNumbers& numbers) {
+    const job::Start& start = numbers.start;
+    const Interval amplitude(numbers.cart.amplitude_m);
+    return {
+        start.displacement_m ? Interval(*start.displacement_m) / amplitude : Interval(start.displacement_ratio),
+        start.velocity_m_per_s ? Interval(*start.velocity_m_per_s) / (amplitude * omega_of(numbers.hammer))
+                               : Interval(start.velocity_ratio)};
+}
+
 Interval force_ratio(const job::CellNumbers& numbers) {
     return square(omega_of(numbers.hammer)) * numbers.cart.amplitude_m / standard_gravity;
 }

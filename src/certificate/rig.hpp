@@ -28,6 +28,13 @@ using Rig = RigOf<Interval>;
 // Of a spring-dashpot stop; nothing of another law.
 [[nodiscard]] std::optional<Rig> rig_of(const job::CellNumbers& numbers);
 
+// Where the hammer starts, x(0)/A0 and x'(0)/(A0 omega), absolute.
+struct EnclosedStart {
+    Interval displacement;
+    Interval velocity;
+};
+[[nodiscard]] EnclosedStart start_of(const job::CellNumbers& numbers);
+
 // F/(m g0) of F/(k A0): omega^2 A0/g0.
 [[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);
 
