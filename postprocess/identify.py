@@ -10,14 +10,17 @@
 Recordings have columns time_s or time_ms and one or more of force_n, acceleration_m_s2 or acceleration_g, displacement_m
 or displacement_mm, parted by commas, semicolons or tabs; --from and --to [s] cut out what is before the release, say.
 Tables have restitution, or speed_before_m_s and speed_after_m_s, and contact_time_s or contact_time_ms. Several files are
-one rig's: their results are averaged, each with its weight. Prints ki, ci, natural frequency and damping ratio with
-standard errors, draws each recording with what was fitted (STEM_identified), and writes a rig file for jobs. What is known
-already, --natural-frequency-hz and --damping-ratio, is taken as given; --amplitude-mm, of the cart, goes into the rig file.
+one rig's: their results are averaged, each with its weight. Prints ki, ci, natural frequency, damping ratio and gap with
+standard errors and correlations, draws each recording with what was fitted (STEM_identified), and writes a rig file for jobs
+(STEM_rig.toml) and the numbers with their covariance (STEM_identified.toml). What is known already, --gap-mm,
+--natural-frequency-hz and --damping-ratio, is taken as given and refused where the recording says otherwise; --amplitude-mm, of
+the cart, goes into the rig file.
 Exit codes: 0 done; 2 a file cannot be read or doesn't tell, or bad arguments; 3 a picture or the rig cannot be written.
 """
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import peterka.program.interpreter  # noqa: F401, I001: before all that needs packages
@@ -27,11 +30,12 @@ from peterka.files.csv_table import column_names
 from peterka.files.opened import NotDrawable
 from peterka.files.whole_file import write_text
 from peterka.identification import picture
-from peterka.identification.fit import Fit, fit, fit_each
+from peterka.identification.driven import fit_driven
+from peterka.identification.fit import Fit, fit
 from peterka.identification.impact_table import COLUMNS, fault_of, from_impact, read_impacts
-from peterka.identification.numbers_found import Identified, Number, combined, combined_impacts
-from peterka.identification.recording import Recording, read_recording
-from peterka.identification.rig_file import rig_text
+from peterka.identification.numbers_found import DAMPING_RATIO, FREQUENCY, Identified, Number, combined
+from peterka.identification.recorded_file import read_recording
+from peterka.identification.rig_file import identified_text, rig_text
 from peterka.identification.words import recording_lines, result_lines
 from peterka.program.command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
@@ -50,27 +54,32 @@ def main() -> int:
     for line in result_lines(result):
         tell(line)
     sources = [path.name for path in (*arguments.files, *arguments.driven)] or ["restitution and contact time"]
-    rig = arguments.rig or Path(f"{Path(sources[0]).stem if arguments.files or arguments.driven else 'identified'}_rig.toml")
+    stem = Path(sources[0]).stem if arguments.files or arguments.driven else "identified"
+    rig = arguments.rig or Path(f"{stem}_rig.toml")
+    numbers = rig.with_name(f"{rig.stem.removesuffix('_rig')}_identified.toml")
+    for path, text in ((rig, rig_text(result, sources, arguments.amplitude_mm and 1e-3 * arguments.amplitude_mm)),
+                       (numbers, identified_text(result, sources))):
+        try:
+            write_text(path, text)
+            tell(path)
+        except OSError as error:
+            complain(f"cannot write {path}: {error.strerror or error}")
+            return BAD_OUTPUT
     try:
-        write_text(rig, rig_text(result, sources, arguments.amplitude_mm and 1e-3 * arguments.amplitude_mm))
-        tell(rig)
-    except OSError as error:
-        complain(f"cannot write {rig}: {error.strerror or error}")
-        return BAD_OUTPUT
-    try:
-        for recording, fits in drawn:
-            title = f"{recording.path.stem}: {np.size(recording.time)} samples at {1e-3 / recording.step:.4g} kHz"
-            save_all(picture.draw(recording, fits, title), arguments.output_dir, f"{recording.path.stem}_identified",
-                     arguments.formats)
+        for one in drawn:
+            recording = one.recording
+            title = f"{recording.path.stem}: {recording.count} samples at {1e-3 / recording.step:.4g} kHz"
+            save_all(picture.draw(one, title), arguments.output_dir, f"{recording.path.stem}_identified", arguments.formats)
     except OSError as error:
         complain_of_folder(arguments.output_dir, error)
         return BAD_OUTPUT
     return DONE
 
 
-def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[tuple[Recording, list[Fit]]]]:
-    """([Identified], [(Recording, its Fits)]) of all that was measured."""
-    found, drawn = [], []
+def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[Fit]]:
+    """([Identified], [Fit]) of all that was measured."""
+    found: list[Identified] = []
+    drawn: list[Fit] = []
     if arguments.contact_time_ms:
         found.append(from_impact(arguments.mass_kg, *single_impact(arguments)))
     for path in (*arguments.files, *arguments.driven):
@@ -78,36 +87,25 @@ def identify(arguments: argparse.Namespace) -> tuple[list[Identified], list[tupl
             found.append(from_impact(arguments.mass_kg, *read_impacts(path)))
             continue
         recording = read_recording(path, arguments.begin, arguments.end)
-        if path in arguments.driven:
-            fits = fit_each(recording, arguments.mass_kg)
-            found.append(combined_impacts([one.found for one in fits], in_step(recording, fits)))
-        else:
-            fits = [fit(recording, arguments.mass_kg, 1e-3 * arguments.gap_mm, springs(arguments))]
-            found.append(fits[0].found)
-        drawn.append((recording, fits))
-        for line in recording_lines(recording, fits):
+        one = (fit_driven if path in arguments.driven else fit)(recording, arguments.mass_kg, given(arguments))
+        found.append(one.found)
+        drawn.append(one)
+        for line in recording_lines(one):
             tell(line)
     return found, drawn
 
 
-def in_step(recording: Recording, fits: list[Fit]) -> bool:
-    """Whether all impacts come the same number of samples apart: then each is sampled at the same places."""
-    steps = np.rint(np.diff([one.motion.touches[0] for one in fits]) / recording.step)
-    return len(steps) > 2 and np.ptp(steps) == 0
-
-
-def springs(arguments: argparse.Namespace) -> tuple[float, float] | None:
-    """(omega [rad/s], damping ratio) where they are given."""
-    if arguments.natural_frequency_hz is None:
-        return None
-    return 2 * np.pi * arguments.natural_frequency_hz, arguments.damping_ratio or 0.0
+def given(arguments: argparse.Namespace) -> dict[str, float]:
+    """What isn't to be fitted, as fit() takes it."""
+    told = {"omega": arguments.natural_frequency_hz and 2 * np.pi * arguments.natural_frequency_hz,
+            "damping_ratio": arguments.damping_ratio, "gap": None if arguments.gap_mm is None else 1e-3 * arguments.gap_mm}
+    return {name: value for name, value in told.items() if value is not None}
 
 
 def with_given(found: Identified, arguments: argparse.Namespace) -> Identified:
     """The Identified with what the user knows already."""
-    given = {name: Number(value) for name in ("natural_frequency_hz", "damping_ratio")
-             if (value := getattr(arguments, name)) is not None}
-    return found.replaced(**given)
+    known = {FREQUENCY: arguments.natural_frequency_hz, DAMPING_RATIO: arguments.damping_ratio}
+    return replace(found, given={**found.given, **{key: value for key, value in known.items() if value is not None}})
 
 
 def single_impact(arguments: argparse.Namespace) -> tuple[Number, Number]:
@@ -129,7 +127,7 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("files", metavar="FILE.csv", nargs="*", type=Path)
     parser.add_argument("--driven", metavar="FILE.csv", nargs="+", type=Path, default=[])
     parser.add_argument("--mass-kg", type=positive, required=True)
-    parser.add_argument("--gap-mm", type=not_negative, default=0.0, help="between hammer at rest and stop; default: 0")
+    parser.add_argument("--gap-mm", type=not_negative, help="between hammer at rest and stop; fitted where it isn't given")
     parser.add_argument("--from", dest="begin", metavar="S", type=finite)
     parser.add_argument("--to", dest="end", metavar="S", type=finite)
     parser.add_argument("--restitution", metavar="E", nargs="+", type=positive)

@@ -33,6 +33,7 @@ std::string system_text(const std::string& reason) {
 void leave_open_files_alone() {
     H5dont_atexit();
     H5open();  // once MPI is there, it would have MPI_Finalize close its files
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 std::string hdf5_reason() {

@@ -32,7 +32,8 @@ class Checked {
 
 // To be called before MPI_Init: HDF5 closes nothing by itself when MPI or the program ends. Every file is
 // closed where it was written; what is still open then is a file whose MPI file alone was closed
-// (map_file/parallel_file.cpp), or one that couldn't be written, and HDF5 1.10 crashes when it closes one.
+// (map_file/parallel_file.cpp), or one that couldn't be written, and HDF5 1.10 crashes when it closes one. It
+// doesn't print its error stacks from here on either.
 void leave_open_files_alone();
 
 // Why the last HDF5 call failed, in the words of the lowest layer that said something.

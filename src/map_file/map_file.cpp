@@ -203,10 +203,11 @@ void MapFile::seal() {
     const std::uint64_t sum = look([&](hid_t file) { return seal_of(check_, file, &disk_); });
     hdf5::Stored(open_map(), path::sum_of_file, hdf5::Number::uint64).write(hdf5::Block(0, 1), &sum);
     if (look([&](hid_t file) { return is_sealed(check_, file); })) return;
-    throw Failure(ExitCode::output,
-                  fmt::format("{}: can't be read twice alike; its disk may be failing. Run the same "
-                              "command again.",
-                              check_.path().string()));
+    throw Failure(
+        ExitCode::output,
+        fmt::format("{}: can't be read twice alike: its disk may be failing, or memory has run out. Run "
+                    "the same command again.",
+                    check_.path().string()));
 }
 
 void MapFile::close() {

@@ -23,12 +23,10 @@ int size_of(MPI_Comm communicator) {
 std::optional<Failure> failure_of(const std::function<void()>& task) {
     try {
         task();
-    } catch (const Failure& failure) {
-        return failure;
     } catch (const Stopped&) {
         return Failure(ExitCode::stopped_early, "");
     } catch (const std::exception& error) {
-        return Failure(ExitCode::internal, error.what());
+        return as_failure(error);
     }
     return std::nullopt;
 }

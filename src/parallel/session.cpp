@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "parallel/checked.hpp"
+#include "support/last_words.hpp"
 #include "support/print.hpp"
 #include "support/stopwatch.hpp"
 #include "support/tell.hpp"
@@ -76,14 +77,9 @@ bool somebody_speaks(const Session& session) {
         // Open MPI 5 hands on what ranks write until one of them aborts, and not what it has not read yet.
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
     }
+    LastWords::are_said();
     MPI_Abort(session.communicator(), static_cast<int>(code));
     std::_Exit(static_cast<int>(code));
-}
-
-std::string as_internal(const std::exception& error) {
-    return fmt::format(
-        "internal error: {}. This is a fault of the program; please report it with the job file.",
-        error.what());
 }
 
 // Runs `task`; gives what it threw to `handle`, with the exit code and message that belong to it.
@@ -93,12 +89,9 @@ void catching(const std::function<void()>& task,
         task();
     } catch (const AgreedFailure&) {
         throw;
-    } catch (const Failure& failure) {
-        handle(failure.code(), failure.what());
-    } catch (const std::bad_alloc&) {
-        handle(ExitCode::internal, "out of memory. Use fewer ranks on this machine.");
     } catch (const std::exception& error) {
-        handle(ExitCode::internal, as_internal(error));
+        const Failure failure = as_failure(error);
+        handle(failure.code(), failure.what());
     }
 }
 
@@ -139,6 +132,7 @@ void failing_ends_all(const Session& session, const std::function<void()>& task)
 
 int run_in_session(int argc, char** argv, const std::function<ExitCode(const Session&)>& program) {
     const Session session(argc, argv);
+    const LastWords last_words;
     ExitCode code = ExitCode::done;
     try {
         failing_ends_all(session, [&] { code = program(session); });

@@ -142,10 +142,11 @@ class Rows {
         std::optional<TileSlots> slots;
         for (std::int64_t i = 0; i < tile.size(); ++i) {
             const std::int64_t cell = number(tile, static_cast<std::size_t>(i));
-            const auto here = std::ranges::equal_range(found_, cell, {}, &KnownMotions::Found::cell);
-            if (here.empty()) continue;
+            const auto begin = std::ranges::lower_bound(found_, cell, {}, &KnownMotions::Found::cell);
+            const auto end = std::ranges::upper_bound(found_, cell, {}, &KnownMotions::Found::cell);
+            if (begin == end) continue;
             if (!slots) slots.emplace(file_, index, kept_);
-            add(*slots, static_cast<std::size_t>(i), {here.begin(), here.end()});
+            add(*slots, static_cast<std::size_t>(i), {begin, end});
         }
         if (slots) file_.write_attractors(index, slots->cells, slots->in_file_order());
     }

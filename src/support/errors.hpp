@@ -5,6 +5,8 @@
 // are data of a cell and never an exception.
 #pragma once
 
+#include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -28,5 +30,18 @@ class Failure : public std::runtime_error {
   private:
     ExitCode code_;
 };
+
+// What ends the program because of an exception of any kind, in words.
+[[nodiscard]] inline Failure as_failure(const std::exception& error) {
+    if (const auto* const failure = dynamic_cast<const Failure*>(&error)) return *failure;
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+        return {ExitCode::internal,
+                "out of memory. Use fewer ranks on this machine, or one that has more; a run that was begun "
+                "goes on "
+                "by the same command."};
+    }
+    return {ExitCode::internal, std::string("internal error: ") + error.what() +
+                                    ". This is a fault of the program; please report it with the job file."};
+}
 
 }  // namespace peterka

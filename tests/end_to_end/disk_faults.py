@@ -8,14 +8,13 @@ import subprocess
 
 import jobs
 import launch
-import map_contents
+from right_file import MPI_FILES, NAME, RightFile
 
 LIBRARY = launch.BINARY.with_name("faulty_io.so")
 CALLS = ("write", "read", "fsync", "truncate", "allocate", "rename", "unlink")
 HOWS = ("ENOSPC", "EIO", "EDQUOT", "EINTR", "short", "persistent ENOSPC", "persistent EIO")
 CAUSES = ("No space left", "Input/output error", "Disk quota exceeded", "Interrupted system call", "cut short",
           "failed", "damaged", "checksum", "doesn't hold", "read twice", "can't be locked")
-NAME = "job.h5"
 
 KINDS = {
     "map": jobs.small_map(18, 3) + "[audit]\ncells = 2\n",
@@ -29,9 +28,6 @@ KINDS = {
     "study": jobs.small_label_study(2),
 }
 
-# Open MPI removes them when it closes a file; those whose removal fails stay, for nobody else knows them.
-MPI_FILES = {NAME + ".data.0", NAME + ".metadata.0"}
-
 
 def run(folder, ranks=None, **faults):
     settings = {f"FAULTY_{name.upper()}": str(value) for name, value in faults.items()}
@@ -42,26 +38,22 @@ def run(folder, ranks=None, **faults):
                           text=True, timeout=launch.HANGING)
 
 
-class Kind:
-    """A job, the right file of it, and how many calls of each kind a run makes."""
+class Kind(RightFile):
+    """How many calls of each kind a run makes, and what comes of one that fails."""
 
     def __init__(self, name, folder):
+        super().__init__(folder, KINDS[name])
         self.name = name
-        self.folder = folder
-        self.begun = None
-        self.right = folder / "right.h5"
-        jobs.write(folder, KINDS[name])
-        launch.run("run", "job.toml", "--quiet", "--output", self.right, cwd=folder)
         self.calls = {call: self.count(call) for call in CALLS}
 
     def begin_with_what_is_left_after(self, call, number, how):
         """So does each run from now on."""
-        self._clear()
+        self.clear()
         assert run(self.folder, call=call, at=number, how=how).returncode == 3
         self.begun = (self.folder / NAME).read_bytes()
 
     def count(self, call, **where):
-        self._clear()
+        self.clear()
         report = self.folder / "count"
         report.write_text("0")
         assert run(self.folder, call=call, count=report, **where).returncode == 0
@@ -69,7 +61,7 @@ class Kind:
 
     def fails(self, call, number, how, **where):
         """What is wrong with what came of it; nothing where all is as it should be. `where`: so many ranks, on which."""
-        self._clear()
+        self.clear()
         finished = run(self.folder, call=call, at=number, how=how, **where)
         problem = self._problem(finished, 0 if call != "unlink" else 2 if "persistent" in how else 1)
         return problem and f"{self.name}, {how} at {call} {number}: {problem}"
@@ -81,23 +73,13 @@ class Kind:
             told = launch.messages(finished)
             if len(told) != 1 or NAME not in told[0] or not any(cause in told[0] for cause in CAUSES):
                 return f"says {finished.stderr[-300:]}"
-            again = launch.run("run", "job.toml", "--quiet", cwd=self.folder)
-            if again.returncode != 0:
-                return f"the next run ends with {again.returncode}: {again.stderr[-300:]} (first: {told[0]})"
-        try:
-            map_contents.assert_same_map(self.folder / NAME, self.right)
-        except (AssertionError, OSError, KeyError) as error:
-            return f"another file than the right one, after code {finished.returncode}: {str(error)[:200]}"
-        looked_at = launch.run("run", "job.toml", "--quiet", cwd=self.folder)
-        if looked_at.returncode != 0:
-            return f"after code {finished.returncode} the file is not complete: {looked_at.stderr[-300:]}"
-        left = [path.name for path in self.folder.iterdir() if path.name.startswith(NAME + ".")]
+            problem = self.problem_of_next_run()
+            if problem:
+                return f"{problem} (first: {told[0]})"
+        problem = self.problem_of_file(finished.returncode)
+        if problem:
+            return problem
+        left = self.left_beside()
         if len(left) <= may_stay and MPI_FILES.issuperset(left):
             return ""
         return f"leaves {left} behind" if left and finished.returncode == 0 else ""
-
-    def _clear(self):
-        for path in self.folder.glob(NAME + "*"):
-            path.unlink()
-        if self.begun is not None:
-            (self.folder / NAME).write_bytes(self.begun)

@@ -13,6 +13,12 @@ if "ENDURANCE_ROWS" not in os.environ or len(sys.argv) > 1:
     sys.exit(2)
 
 
+def is_wanted(kind):
+    """Whether a part that goes through kinds of files does this one: all, or those of PETERKA_ENDURANCE_KINDS."""
+    wanted = os.environ.get("PETERKA_ENDURANCE_KINDS", "")
+    return not wanted or kind in wanted.split(",")
+
+
 def row(fault, tried, what_happened):
     """A row of the table in tests/README.md."""
     print(f"{fault}: tried {tried} times: {what_happened}", flush=True)

@@ -12,7 +12,17 @@ done
 [ "$(id -u)" = 0 ] || { echo "skipped: the daemons of a Slurm of its own need root"; exit 77; }
 folder=$(mktemp -d)
 chmod 755 "$folder"
-trap 'stop_cluster "$folder"; wait; rm -rf "$folder"' EXIT
+id= # of the job
+leave() {
+    if [ -n "$id" ]; then
+        scancel "$id" || true # what slurmd has started outlives it
+        for _ in $(seq 50); do [ -n "$(squeue --noheader --jobs "$id" 2>/dev/null)" ] || break; sleep 0.2; done
+    fi
+    stop_cluster "$folder"
+    wait
+    rm -rf "$folder"
+}
+trap leave EXIT
 start_cluster "$folder"
 
 field() { scontrol show job "$id" | grep -o "$1=[^ ]*" | cut -d= -f2; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <new>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -51,6 +52,16 @@ TEST(OutputCollective, OtherExceptionsAreInternalErrors) {
     const auto failure = failure_of([] { throw std::runtime_error("surprise"); });
     ASSERT_TRUE(failure.has_value());
     EXPECT_EQ(failure->code(), ExitCode::internal);
+    EXPECT_STREQ(failure->what(), as_failure(std::runtime_error("surprise")).what());
+}
+
+TEST(OutputCollective, MemoryThatRanOutOnOneRankIsTold) {
+    const auto failure = failure_of([] {
+        if (rank_in(MPI_COMM_WORLD) == ranks() - 1) throw std::bad_alloc();
+    });
+    ASSERT_TRUE(failure.has_value());
+    EXPECT_EQ(failure->code(), ExitCode::internal);
+    EXPECT_TRUE(std::string(failure->what()).starts_with("out of memory. ")) << failure->what();
 }
 
 TEST(OutputCollective, FirstRankWorksAlone) {

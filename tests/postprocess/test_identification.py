@@ -11,8 +11,9 @@ from conftest import POSTPROCESS
 from peterka.identification.contact_pulse import identified, pulse
 from peterka.identification.fit import fit
 from peterka.identification.impact_table import from_impact
+from peterka.identification import numbers_found
 from peterka.identification.numbers_found import Number
-from peterka.identification.recording import read_recording
+from peterka.identification.recorded_file import read_recording
 
 MASS, STIFFNESS, DAMPING, OMEGA, RATIO = 0.298, 5.5e6, 1200.0, 2 * np.pi * 4.5, 0.004
 RATE = 51200.0
@@ -85,10 +86,9 @@ def test_errors_are_those_of_repetition(tmp_path):
     pulls = []
     for seed in range(10):
         recording = read_recording(write(tmp_path / "a.csv", noise=0.01, seed=seed), None, None)
-        found = fit(recording, MASS, 0.0).found
-        pulls.append([(found.stiffness.value - STIFFNESS) / found.stiffness.error,
-                      (found.damping.value - DAMPING) / found.damping.error,
-                      (found.natural_frequency_hz.value - 4.5) / found.natural_frequency_hz.error])
+        found = fit(recording, MASS, {"gap": 0.0}).found
+        numbers = [found.number(key) for key in (numbers_found.STIFFNESS, numbers_found.DAMPING, numbers_found.FREQUENCY)]
+        pulls.append([(number.value - true) / number.error for number, true in zip(numbers, (STIFFNESS, DAMPING, 4.5))])
     spread = np.sqrt(np.mean(np.square(pulls), axis=0))
     assert np.all((0.4 < spread) & (spread < 1.7)), spread
 
@@ -110,7 +110,7 @@ def test_errors_of_one_impact_go_on_through_the_closed_form():
     found = from_impact(MASS, Number(0.32, 0.004), Number(0.57e-3, 5e-6))
     drawn = np.array([identified(MASS, e, t) for e, t in zip(chance.normal(0.32, 0.004, 4000),
                                                              chance.normal(0.57e-3, 5e-6, 4000))])
-    assert (found.stiffness.error, found.damping.error) == pytest.approx(tuple(drawn.std(axis=0)), rel=0.06)
+    assert tuple(np.sqrt(np.diag(found.covariance))) == pytest.approx(tuple(drawn.std(axis=0)), rel=0.06)
 
 
 def test_measured_numbers_without_a_recording(tmp_path, run_program):
@@ -155,7 +155,7 @@ def test_a_recording_that_doesnt_tell_gets_words(tmp_path, run_program, changes,
     ("time_s,acceleration_g,acceleration_m_s2\n1,2,3\n", "one column of each kind"),
     ("time_s,weight\n1,2\n", "unknown column 'weight'"),
     ("time_s,force_n\n" + "".join(f"{n * n},1\n" for n in range(60)), "don't ascend evenly"),
-    ("time_s,force_n\n1,\n", ":2 has no force_n"),
+    ("time_s,force_n\n,1\n1,1\n", ":2 has no time_s"),
     ("time_s,force_n\n1,nan\n", ":2 has 'nan' as force_n"),
     ("time_s,force_n\n1,1,5\n", ":2 has 3 cells"),
     ("restitution,contact_time_ms\n1.2,0.5\n", ":2 has a restitution of 1.2"),

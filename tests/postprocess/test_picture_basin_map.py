@@ -145,4 +145,4 @@ def test_a_motion_without_impact_that_no_start_found_is_told(tmp_path, damping, 
     more = {} if damping is None else {"damping_ratio": damping}
     with PeterkaFile(write_basin(tmp_path / "a.h5", cells, TABLE[1:2], gap_ratio=gap, **more)) as file:
         texts = Drawn(basin_map.draw_attractors(file), tmp_path / "a.png").legend_texts()
-    assert ("a motion without impact exists, too: none of these starts ends on it" in texts) == told
+    assert ("a motion without impact exists, too:\nnone of these starts ends on it" in texts) == told

@@ -38,10 +38,10 @@ class RandomJobs {
             job.start = {signed_number(1e9), signed_number(1e9)};
             job.refine.levels = integer(0, 6);
             if (coin()) {
-                job.starts = {integer(1, 1'000'000),
-                              {job.rows.from - uniform(1, 1e6), job.rows.from + 1},
-                              {uniform(-1e9, 0), uniform(1, 1e9)},
-                              integer(1, 64)};
+                job.starts = {.count = integer(1, 1'000'000),
+                              .displacement_ratio = {job.rows.from - uniform(1, 1e6), job.rows.from + 1},
+                              .velocity_ratio = {uniform(-1e9, 0), uniform(1, 1e9)},
+                              .attractors = integer(1, 64)};
             }
         } else {
             job.operating_point = {uniform(1e-6, 1e6), signed_number(1e6)};

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.coordinates import unit_of
 from ..files.opened import NotDrawable
 from ..maps.map_file import PeterkaFile
 
@@ -45,7 +46,8 @@ def fields_of(file: PeterkaFile) -> list[Field]:
     first = ["regime", "impacts", "period", "peak_force_ratio"]
     edges = {f"edge_distance_{side}": (word, factor) for side, word, factor in (
         ("frequency_ratio", "edge_distance_frequency_hz", file.positive("natural_frequency_hz")),
-        ("gap_ratio", "edge_distance_gap_mm", 1e3 * (file.positive("cart_amplitude_m") or 0))) if factor}
+        ("gap_ratio", "edge_distance_gap_mm", 1e3 * (file.positive("cart_amplitude_m") or 0)),
+        ("gap_m", "edge_distance_gap_mm", 1e3)) if factor}
     found = []
     for name in [*first, *(name for name in file.data.names() if name not in first and PLAIN_NAME.fullmatch(name))]:
         try:
@@ -66,15 +68,16 @@ def fields_of(file: PeterkaFile) -> list[Field]:
 
 def sides_of(file: PeterkaFile) -> tuple[Side, Side]:
     """(rows, columns) as Sides."""
-    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    speed = 2 * np.pi * hertz * metres if hertz and metres else None
-    units = {"frequency_ratio": ("frequency_hz", hertz), "gap_ratio": ("gap_mm", metres and 1e3 * metres),
-             "displacement_ratio": ("displacement_mm", metres and 1e3 * metres), "velocity_ratio": ("velocity_m_s", speed),
-             "gap_m": ("gap_mm", 1e3)}
+    units = {"frequency_ratio": ("frequency_hz", 1.0), "gap_ratio": ("gap_mm", 1e3), "displacement_ratio": ("displacement_mm", 1e3),
+             "velocity_ratio": ("velocity_m_s", 1.0)}
     found = []
     for axis in (file.rows, file.columns):
-        name, factor = units.get(axis.name, (axis.name, 1.0))
-        name, factor = (name, factor) if factor else (axis.name, 1.0)
+        name, factor = axis.name, 1.0
+        unit = unit_of(file, axis.name) if axis.name in units else None
+        if unit:
+            name, factor = units[axis.name][0], units[axis.name][1] * unit
+        elif axis.name == "gap_m":
+            name, factor = "gap_mm", 1e3
         found.append(Side(name, axis.values * factor, axis.name, axis.values))
     return found[0], found[1]
 

@@ -11,6 +11,7 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from .checked_hdf5 import CheckedFile
+from .coordinates import NAMES
 
 
 class _Stored(BackendArray):
@@ -33,7 +34,7 @@ def dataset_of(data: CheckedFile) -> xarray.Dataset:
         values = indexing.LazilyIndexedArray(_Stored(data, name, dataset))
         variables[name] = xarray.Variable(_dimensions(name, dataset), values, data.attributes(name))
     scales = {name for name, variable in variables.items() if variable.dims == (name,)}
-    beside = {name for name, variable in variables.items() if name in ("gap_ratio", "direction") and name not in scales
+    beside = {name for name, variable in variables.items() if name in NAMES | {"direction"} and name not in scales
               and variable.ndim == 1}
     coordinates = {name: variables.pop(name) for name in scales | beside}
     result = xarray.Dataset(variables, coordinates, data.attributes("/"))

@@ -1,6 +1,6 @@
-"""Where a recording has impacts, which way its signals point, and what rig they would roughly be from.
+"""Where a recording has impacts, which way its signals point, and how long contacts roughly last.
 
-A recording that can't tell is refused in words: no impact, clipped, or too coarse to see the contact.
+A recording that can't tell is refused in words: no impact, or clipped.
 """
 
 from dataclasses import dataclass
@@ -9,14 +9,18 @@ import numpy as np
 
 from ..arrays import Reals
 from ..files.checked_hdf5 import NotDrawable
+from .problem import SHARP
 from .recording import Recording
 
 OVER_NOISE = 8  # an impact stands out of the noise by so many of its standard deviations
-WEAKEST = 0.03  # of the hardest impact
-FEWEST_IN_CONTACT = 6  # samples; fewer don't tell a stiffness from a damping
+OVER_SMOOTHED = 6  # the same once it is known how long they last
+WEAKEST = 0.01  # of the hardest impact
 FLAT_TOP = 0.15  # of the width of a pulse: what is flat for longer was cut off
 BEND_WIDTHS = (100, 200, 500, 1000, 2000)  # of a displacement: the recording over the samples looked at together
 REACH = 0.1  # of its peak: where a pulse begins and ends
+LOOKED_AT = 1_000_000  # samples at most for a median
+AT_ONCE = 1_000_000
+BENT = 24  # samples for which a displacement is taken to be in contact at most
 
 
 @dataclass(frozen=True)
@@ -33,65 +37,119 @@ class Pulse:
 @dataclass(frozen=True)
 class Guess:
     """`signs` {signal: +1 or -1} that turn the recorded signals to the model's; offsets in the recorded units, noise as a
-    standard deviation; of the first impact the touch and of the hardest one how long it lasts [s]; `flights` [s] between
-    impacts; `pulses` of force or acceleration, none of a displacement alone."""
+    standard deviation; `sharp`: the signal that showed the `pulses`, which are in the order of time, None where a displacement did."""
 
     signs: dict[str, int]
     offsets: dict[str, float]
     noise: dict[str, float]
-    touch_time: float
-    contact_s: float
-    flights: list[float]
+    ranges: dict[str, float]
+    sharp: str | None
     pulses: list[Pulse]
+
+    @property
+    def hardest(self) -> int:
+        """Number of the hardest pulse."""
+        return int(np.argmax([pulse.height for pulse in self.pulses]))
+
+    @property
+    def contact(self) -> int:
+        """Samples of the hardest contact, as far as the pulse tells them."""
+        pulse = self.pulses[self.hardest]
+        return pulse.last - pulse.first
 
 
 def look(recording: Recording) -> Guess:
     """The Guess from a recording; NotDrawable where it shows no impact that could be measured."""
     signals = recording.signals
-    sharp = next((name for name in ("force", "acceleration") if name in signals), None)
+    offsets = {name: float(np.nanmedian(_some(values))) for name, values in signals.items()}
+    noise = {name: noise_of(values) for name, values in signals.items()}
+    ranges = {name: _range(values) for name, values in signals.items()}
+    sharp = next((name for name in SHARP if name in signals), None)
     if sharp is None:
-        return _from_displacement(recording)
-    values = signals[sharp]
-    offset, noise = float(np.median(values)), noise_of(values)
-    sign = int(np.sign(values[np.argmax(np.abs(values - offset))] - offset)) or 1
-    pulses = _pulses(sign * (values - offset), noise)
+        sign, pulses = _bends(recording)
+    else:
+        values, offset = signals[sharp], offsets[sharp]
+        lowest, highest = _extremes(values)
+        sign = 1 if highest - offset >= offset - lowest else -1
+        pulses = _pulses(values, sign, offset, noise[sharp], max(highest - offset, offset - lowest))
     if not pulses:
         raise NotDrawable(f"{recording.path} shows no impact: its {sharp} never stands out of the rest by "
                           f"{OVER_NOISE} times the noise")
-    hardest = max(pulses, key=lambda pulse: pulse.height)
-    _refuse_clipped(recording, sharp, values, hardest)
-    _refuse_coarse(recording, sharp, hardest)
-    signs = {sharp: sign if sharp == "force" else -sign}  # the stop pushes the hammer back
-    if "acceleration" in signals and sharp == "force":
-        signs["acceleration"] = _sign_at(signals["acceleration"], hardest, turn=-1)
-    if "displacement" in signals:
-        signs["displacement"] = _sign_of_displacement(signals["displacement"], hardest)
-    first = pulses[0]
-    return Guess(signs, {name: float(np.median(values)) for name, values in signals.items()},
-                 {name: noise_of(values) for name, values in signals.items()},
-                 float(recording.time[first.first] - 0.5 * recording.step),
-                 (hardest.last - hardest.first) * recording.step,
-                 np.diff([recording.time[pulse.first] for pulse in pulses]).tolist(), pulses)
+    guess = Guess({}, offsets, noise, ranges, sharp, pulses)
+    hardest = pulses[guess.hardest]
+    if sharp is None:
+        guess.signs["displacement"] = sign
+    else:
+        _refuse_clipped(recording, sharp, signals[sharp], hardest)
+        guess.signs[sharp] = sign if sharp == "force" else -sign  # the stop pushes the hammer back
+        if "acceleration" in signals and sharp == "force":
+            guess.signs["acceleration"] = _sign_at(signals["acceleration"], offsets["acceleration"], hardest, turn=-1)
+        if "displacement" in signals:
+            guess.signs["displacement"] = _sign_of_displacement(signals["displacement"], hardest)
+    guess.signs.update({name: 1 for name in signals if name.startswith("cart_")})
+    return guess
 
 
 def noise_of(values: Reals) -> float:
     """Standard deviation of what changes from sample to sample; not of what swings slowly, nor of rare impacts."""
-    steps = np.diff(values)
-    return float(1.4826 * np.median(np.abs(steps - np.median(steps))) / np.sqrt(2))
+    steps = np.diff(_pieces(values))
+    steps = steps[np.isfinite(steps)]
+    return float(1.4826 * np.median(np.abs(steps - np.median(steps))) / np.sqrt(2)) if len(steps) else 0.0
 
 
-def _pulses(values, noise):
-    """All Pulses of a signal whose impacts point up."""
-    highest = values.max()
-    swing = np.quantile(np.abs(values), 0.9)  # what it does between impacts
-    limit = max(OVER_NOISE * noise, WEAKEST * highest, 1.5 * swing)
-    if not highest > max(limit, 3 * swing):
+def _some(values):
+    return np.asarray(values[::max(1, len(values) // LOOKED_AT)], dtype=float)
+
+
+def _pieces(values):
+    """Neighbours, from all over the recording."""
+    if len(values) <= LOOKED_AT:
+        return np.asarray(values, dtype=float)
+    begins = np.linspace(0, len(values) - 1000, LOOKED_AT // 1000).astype(int)
+    return np.concatenate([np.append(values[begin:begin + 1000], np.nan) for begin in begins])
+
+
+def _extremes(values):
+    found = [(np.nanmin(part), np.nanmax(part)) for first in range(0, len(values), AT_ONCE)
+             if np.isfinite(part := np.asarray(values[first:first + AT_ONCE], dtype=float)).any()]
+    return float(min(low for low, _ in found)), float(max(high for _, high in found))
+
+
+def _range(values):
+    lowest, highest = _extremes(values)
+    return max(highest - lowest, 1e-300)
+
+
+def _pulses(values, sign, offset, noise, highest):
+    """All Pulses of a signal whose impacts point to this sign: with the hardest one's width known, weaker ones stand out of
+    what is smoothed over a third of it."""
+    swing = float(np.nanquantile(np.abs(_some(values) - offset), 0.9))  # what it does between impacts
+    if not highest > max(OVER_NOISE * noise, 3 * swing):
         return []
-    found, begin = [], 0
-    while (above := np.flatnonzero(values[begin:] > limit)).size:
-        pulse = _pulse_around(values, begin + int(above[0]), begin, 3 * noise)
-        found.append(pulse)
-        begin = 2 * pulse.last - pulse.first  # its tail is no impact
+    limit = max(OVER_NOISE * noise, WEAKEST * highest, 1.5 * swing)
+    found = _above(values, sign, offset, limit, noise, 1)
+    hardest = max(found, key=lambda pulse: pulse.height)
+    width = (hardest.last - hardest.first) // 3
+    if width < 2:
+        return found
+    smoothed = max(OVER_SMOOTHED * noise / np.sqrt(width), WEAKEST * highest, 1.5 * swing)
+    return _above(values, sign, offset, smoothed, noise, width) if smoothed < limit else found
+
+
+def _above(values, sign, offset, limit, noise, width):
+    """The Pulses of means over so many samples."""
+    count, found, begin = len(values), [], 0
+    for start in range(0, count, AT_ONCE):
+        stop = min(count, start + AT_ONCE + 10 * width + 1000)
+        part = sign * (np.nan_to_num(np.asarray(values[start:stop], dtype=float), nan=offset) - offset)
+        level = np.convolve(part, np.ones(width) / width, mode="same") if width > 1 else part
+        for at in np.flatnonzero(level[:AT_ONCE] > limit):
+            if at + start < begin:
+                continue
+            pulse = _pulse_around(level, int(at), max(0, begin - start), 3 * noise / np.sqrt(width))
+            top = pulse.first + int(np.argmax(part[pulse.first:pulse.last]))
+            found.append(Pulse(pulse.first + start, pulse.last + start, top + start, float(level[pulse.top])))
+            begin = 2 * found[-1].last - found[-1].first  # its tail is no impact
     return found
 
 
@@ -110,50 +168,47 @@ def _pulse_around(values, start, begin, floor):
 
 def _refuse_clipped(recording, name, values, pulse):
     height = values[pulse.top]
-    flat = np.abs(values[pulse.first:pulse.last] - height) <= 1e-9 * np.ptp(values)
+    piece = np.asarray(values[pulse.first:pulse.last], dtype=float)
+    flat = np.abs(piece - height) <= 1e-9 * np.nanmax(np.abs(piece - height), initial=1e-300)
     at = pulse.top - pulse.first
     run = int(np.argmin(np.append(flat[at:], False))) + int(np.argmin(np.append(flat[at::-1], False))) - 1
     if run >= 3 and run > FLAT_TOP * (pulse.last - pulse.first):
         raise NotDrawable(f"{recording.path} is clipped: its {name} stays at {height:.4g} for {run} samples at the top of the "
-                          f"hardest impact, at {recording.time[pulse.top]:.6g} s; record with a larger range")
+                          f"hardest impact, at {recording.begin + pulse.top * recording.step:.6g} s; record with a larger range")
 
 
-def _refuse_coarse(recording, name, pulse):
-    seen = pulse.last - pulse.first
-    if seen < FEWEST_IN_CONTACT:
-        enough = 2 * FEWEST_IN_CONTACT / seen / recording.step
-        raise NotDrawable(f"{recording.path} is too coarse to see the contact: the hardest impact has {seen} samples in its "
-                          f"{name}, and {FEWEST_IN_CONTACT} are needed at least; record at {enough / 1000:.3g} kHz or more")
-
-
-def _sign_at(values, pulse, turn):
-    piece = values[pulse.first:pulse.last] - np.median(values)
-    return int(np.sign(piece[np.argmax(np.abs(piece))])) * turn or 1
+def _sign_at(values, offset, pulse, turn):
+    piece = np.asarray(values[max(0, pulse.first - 1):pulse.last + 1]) - offset
+    return int(np.sign(piece[np.nanargmax(np.abs(piece))])) * turn or 1
 
 
 def _sign_of_displacement(values, pulse):
     """+1 where the hammer comes from below: it goes up before the impact and down after it."""
     around = 20 * (pulse.last - pulse.first)
-    middle = values[pulse.first:pulse.last].mean()
+    middle = np.nanmean(values[pulse.first:pulse.last])
     before, after = values[max(0, pulse.first - around):pulse.first], values[pulse.last:pulse.last + around]
-    return 1 if middle >= np.mean([piece.mean() for piece in (before, after) if piece.size]) else -1
+    return 1 if middle >= np.mean([np.nanmean(piece) for piece in (before, after) if np.isfinite(piece).any()]) else -1
 
 
-def _from_displacement(recording):
-    """Of a displacement alone: an impact is where its speed turns at once, seen over as many samples as show it best."""
-    values = recording.signals["displacement"]
+def _bends(recording):
+    """(sign, Pulses) of a displacement alone: an impact is where its speed turns at once, seen over as many samples as show
+    it best."""
+    if "displacement" not in recording.signals:
+        raise NotDrawable(f"{recording.path} has no force, acceleration or displacement of the hammer")
+    values = np.asarray(recording.signals["displacement"], dtype=float)
+    there = np.isfinite(values)
+    values = np.interp(np.arange(len(values)), np.flatnonzero(there), values[there])
     bends = [_bend(values, max(2, len(values) // share)) for share in BEND_WIDTHS]
     width, bend, limit = max(bends, key=lambda found: np.abs(found[1]).max() / found[2])
     at = int(np.argmax(np.abs(bend)))
     if not abs(bend[at]) > limit:
         raise NotDrawable(f"{recording.path} shows no impact: its displacement never turns back at once")
     sign = -int(np.sign(bend[at]))
-    beyond = np.flatnonzero(-sign * bend > max(limit, WEAKEST * abs(bend[at])))
+    beyond = np.flatnonzero(-sign * bend > max(limit, 0.05 * abs(bend[at])))
     groups = np.split(beyond, np.flatnonzero(np.diff(beyond) > 2 * width) + 1)
-    places = [group[np.argmax(np.abs(bend[group]))] + 1.5 * width for group in groups]
-    times = recording.time[0] + np.array(places) * recording.step
-    return Guess({"displacement": sign}, {"displacement": float(np.median(values))}, {"displacement": noise_of(values)},
-                 float(times[0]), 4 * FEWEST_IN_CONTACT * recording.step, np.diff(times).tolist(), [])
+    tops = [int(group[np.argmax(np.abs(bend[group]))] + 1.5 * width) for group in groups]
+    return sign, [Pulse(top - BENT // 4, top + BENT // 4, top, float(abs(bend[min(max(0, int(top - 1.5 * width)), len(bend) - 1)])))
+                  for top in tops]
 
 
 def _bend(values, width):

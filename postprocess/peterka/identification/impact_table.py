@@ -10,7 +10,7 @@ import numpy as np
 
 from ..files.csv_table import read_csv_table
 from .contact_pulse import identified
-from .numbers_found import Identified, Number, identified_from
+from .numbers_found import Identified, Number, identified_stop
 
 COLUMNS = ("restitution", "speed_before_m_s", "speed_after_m_s", "contact_time_s", "contact_time_ms")
 LARGEST_BYTES = 2**24
@@ -22,7 +22,7 @@ def from_impact(mass: float, restitution: Number, contact_s: Number) -> Identifi
     covariance = np.diag([(number.error or 0.0) ** 2 for number in (restitution, contact_s)])
     stiffness, damping = identified(mass, *values)
     slopes = _slopes(mass, values)
-    return identified_from(mass, stiffness, damping, slopes @ covariance @ slopes.T)
+    return identified_stop(mass, stiffness, damping, slopes @ covariance @ slopes.T)
 
 
 def read_impacts(path: Path) -> tuple[Number, Number]:

@@ -1,13 +1,20 @@
-"""What came out of measurements: numbers with their standard errors, and how errors go on through a function."""
+"""What came out of measurements: numbers with their standard errors and covariance, and how errors go on through a function."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import Self
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..arrays import Reals
 from .contact_pulse import pulse
+
+# As jobs name them, in SI; gap_m last, which is no key of a rig but of a place.
+KEYS = ("contact.stiffness_n_per_m", "contact.damping_ns_per_m", "hammer.natural_frequency_hz", "hammer.damping_ratio",
+        "operating_point.gap_m")
+STIFFNESS, DAMPING, FREQUENCY, DAMPING_RATIO, GAP = KEYS
 
 
 @dataclass(frozen=True)
@@ -20,31 +27,65 @@ class Number:
 
 @dataclass(frozen=True)
 class Identified:
-    """ki [N/m], ci [Ns/m]; natural frequency [Hz] and damping ratio of the springs, None where neither the recording nor
-    anybody tells; restitution and contact time [s] of one impact of a free mass on this stop."""
+    """Of a hammer of `mass` [kg] {key of KEYS: value} with their `covariance` in the order of `values`; `given` {key: value} that wasn't measured."""
 
     mass: float
-    stiffness: Number
-    damping: Number
-    natural_frequency_hz: Number | None
-    damping_ratio: Number | None
-    restitution: Number
-    contact_s: Number
-    covariance: np.ndarray  # of ki and ci, (2, 2)
+    values: Mapping[str, float]
+    covariance: Reals
+    given: Mapping[str, float]
 
-    def replaced(self, **numbers: Number) -> Self:
-        """The same with other Numbers."""
-        return replace(self, **numbers)
+    def number(self, key: str) -> Number | None:
+        """That of a key; None where nothing tells it."""
+        if key in self.given:
+            return Number(self.given[key])
+        if key not in self.values:
+            return None
+        return Number(self.values[key], float(np.sqrt(max(self._variance(key), 0.0))))
+
+    def _variance(self, key):
+        at = list(self.values).index(key)
+        return self.covariance[at, at]
+
+    def correlation(self, one: str, other: str) -> float:
+        """Of two keys of `values`."""
+        names = list(self.values)
+        pair = self.covariance[names.index(one), names.index(other)]
+        size = np.sqrt(self._variance(one) * self._variance(other))
+        return float(pair / size) if size > 0 else 0.0
+
+    def impact(self) -> tuple[Number, Number]:
+        """(restitution, contact time [s]) of one impact of a free mass on this stop."""
+        both = [self.number(STIFFNESS), self.number(DAMPING)]
+        names, stop = list(self.values), [key for key in (STIFFNESS, DAMPING) if key in self.values]
+        places = [names.index(key) for key in stop]
+        restitution, contact_s = propagated(lambda k, c: pulse(self.mass, k, c), [number.value for number in both if number],
+                                            self.covariance[np.ix_(places, places)])
+        return restitution, contact_s
 
 
-def identified_from(mass: float, stiffness: float, damping: float, covariance: Reals,
-                    natural_frequency_hz: Number | None = None, damping_ratio: Number | None = None) -> Identified:
-    """Identified of ki and ci with their covariance (2, 2), and the Numbers of the springs."""
-    covariance = np.asarray(covariance)
-    errors = np.sqrt(np.diag(covariance))
-    restitution, contact_s = propagated(lambda k, c: pulse(mass, k, c), (stiffness, damping), covariance)
-    return Identified(mass, Number(stiffness, float(errors[0])), Number(damping, float(errors[1])), natural_frequency_hz,
-                      damping_ratio, restitution, contact_s, covariance)
+def identified_from(found: Any, likeness: float) -> Identified:
+    """Identified of a Solved, with errors of neighbours that are alike."""
+    problem, names = found.problem, found.problem.parameters
+    rig = problem.rig(found.value)
+    stop = 2 * np.sqrt(rig.stiffness * rig.mass)
+    # rows: KEYS, columns: parameters
+    slopes = {STIFFNESS: {"stiffness": rig.stiffness}, DAMPING: {"stop_ratio": stop, "stiffness": rig.damping / 2},
+              FREQUENCY: {"omega": rig.omega / (2 * np.pi)}, DAMPING_RATIO: {"damping_ratio": 1.0}, GAP: {"gap": problem.scale["gap"]}}
+    values = {STIFFNESS: rig.stiffness, DAMPING: rig.damping, FREQUENCY: rig.omega / (2 * np.pi), DAMPING_RATIO: rig.damping_ratio,
+              GAP: rig.gap}
+    fitted = [key for key in KEYS[:2 if problem.pushed else None] if set(slopes[key]) <= set(names)]
+    matrix = np.zeros((len(fitted), len(names)))
+    for row, key in enumerate(fitted):
+        for name, slope in slopes[key].items():
+            matrix[row, names.index(name)] = slope
+    covariance = matrix @ found.covariance @ matrix.T * (1 + likeness) / (1 - likeness)
+    given = {} if problem.pushed else {key: values[key] for key in KEYS if key not in fitted}
+    return Identified(rig.mass, {key: float(values[key]) for key in fitted}, covariance, given)
+
+
+def identified_stop(mass: float, stiffness: float, damping: float, covariance: Reals) -> Identified:
+    """Identified of ki and ci with their covariance (2, 2) alone."""
+    return Identified(mass, {STIFFNESS: stiffness, DAMPING: damping}, np.asarray(covariance), {})
 
 
 def propagated(function: Callable[..., Sequence[float]], values: Sequence[float], covariance: Reals) -> list[Number]:
@@ -62,36 +103,25 @@ def propagated(function: Callable[..., Sequence[float]], values: Sequence[float]
 
 
 def combined(found: Sequence[Identified]) -> Identified:
-    """The Identified of several of the same mass: means, each with its own weight. Where they scatter by more than their
-    errors, the errors grow by as much."""
+    """The Identified of several of the same mass by generalised least squares. Where they scatter by more than their errors, the errors
+    grow by as much."""
     if len(found) == 1:
         return found[0]
-    values = np.array([[one.stiffness.value, one.damping.value] for one in found])
-    weights = [np.linalg.pinv(one.covariance) for one in found]
-    covariance = np.linalg.pinv(sum(weights))
-    mean = covariance @ sum(weight @ value for weight, value in zip(weights, values))
-    scatter = sum((value - mean) @ weight @ (value - mean) for weight, value in zip(weights, values)) / (2 * len(found) - 2)
-    springs = {name: _mean([getattr(one, name) for one in found]) for name in ("natural_frequency_hz", "damping_ratio")}
-    return identified_from(found[0].mass, float(mean[0]), float(mean[1]), covariance * max(1.0, scatter), **springs)
-
-
-def combined_impacts(found: Sequence[Identified], in_step: bool) -> Identified:
-    """The same of impacts of one recording. Where sampling is in step with them, all jumps lie at the same place between
-    samples, and that many impacts tell no better than one where it is: the errors don't shrink."""
-    mean = combined(found)
-    if not in_step:
-        return mean
-    covariance = np.mean([one.covariance for one in found], axis=0)
-    return identified_from(mean.mass, mean.stiffness.value, mean.damping.value, covariance)
-
-
-def _mean(numbers):
-    """Of those that there are."""
-    numbers = [number for number in numbers if number is not None]
-    if not numbers:
-        return None
-    values, errors = np.transpose([(number.value, max(number.error, 1e-300)) for number in numbers])
-    weights = errors**-2 / np.sum(errors**-2)
-    mean, error = float(np.sum(weights * values)), float(np.sum(errors**-2) ** -0.5)
-    scatter = np.sum(((values - mean) / errors)**2) / max(len(values) - 1, 1)
-    return Number(mean, error * float(np.sqrt(max(1.0, scatter))))
+    keys = [key for key in KEYS if any(key in one.values for one in found)]
+    information, target, freedom = np.zeros((len(keys), len(keys))), np.zeros(len(keys)), -len(keys)
+    weighed = []
+    for one in found:
+        places = [keys.index(key) for key in one.values]
+        size = np.sqrt(np.maximum(np.diag(one.covariance), 1e-300))
+        weight = np.linalg.pinv(one.covariance / np.outer(size, size), hermitian=True) / np.outer(size, size)
+        values = np.array(list(one.values.values()))
+        information[np.ix_(places, places)] += weight
+        target[places] += weight @ values
+        freedom += len(places)
+        weighed.append((places, weight, values))
+    size = 1 / np.sqrt(np.diag(information))
+    covariance = np.linalg.pinv(information * np.outer(size, size), hermitian=True) * np.outer(size, size)
+    mean = covariance @ target
+    scatter = sum((values - mean[places]) @ weight @ (values - mean[places]) for places, weight, values in weighed)
+    given = {key: value for one in found for key, value in one.given.items() if key not in keys}
+    return Identified(found[0].mass, dict(zip(keys, mean.tolist())), covariance * max(1.0, scatter / max(freedom, 1)), given)

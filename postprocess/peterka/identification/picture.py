@@ -1,7 +1,5 @@
 """A recording and the motion fitted to it: all of it, the hardest impact closely, and what is left of each signal."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -9,13 +7,13 @@ from matplotlib.lines import Line2D
 from ..look import axes, style, units
 from ..look.linear_ticks import LinearNumbers, LinearTicks
 from .fit import Fit
-from .recording import Recording
 
 WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below
 RECORDED = {"color": "#8C8C8C", "marker": "o", "markersize": 1.8, "markeredgewidth": 0, "linestyle": "none"}
 FITTED = {"color": "#D55E00", "linewidth": 1.1}
 LEFT = {"color": "#003355", "marker": "o", "markersize": 1.4, "markeredgewidth": 0, "linestyle": "none"}
 NAMES = {"force": ("force", "N"), "acceleration": ("acceleration", "m/s²"), "displacement": ("displacement", "m")}
+MOST_SHOWN = 20_000  # samples
 AROUND = 0.8  # of the contact, shown before and after it
 
 
@@ -27,23 +25,23 @@ class _Titled:
 
 
 @style.using()
-def draw(recording: Recording, fits: Sequence[Fit], title: str) -> Figure:
-    """The picture of the Fits [one, or one for each impact] of a Recording as a Figure."""
-    names = [name for name in NAMES if name in fits[0].fitted]
+def draw(fit: Fit, title: str) -> Figure:
+    """The picture of a Fit as a Figure."""
+    recording = _Shown(fit)
+    names = [name for name in NAMES if name in fit.solved.problem.names]
     figure = axes.new_figure(WIDTH, HEAD + ROW * len(names))
     layout = figure.add_gridspec(2 * len(names) + 1, 2, height_ratios=[3, 1.2] * len(names) + [0.001])
     grid = np.empty((2 * len(names), 2), dtype=object)
     for row, column in np.ndindex(grid.shape):
         grid[row, column] = figure.add_subplot(layout[row, column], sharex=grid[0, column])
         grid[row, column].tick_params(labelbottom=row == len(grid) - 1)
-    hardest = max(fits, key=_strength)
-    zoom = _window(hardest)
+    zoom = _window(fit)
     for row, name in enumerate(names):
-        factor, unit = units.with_prefix(float(np.max(np.abs(recording.signals[name]))), NAMES[name][1])
-        for column, (pieces, inside) in enumerate(((fits, None), ([hardest], zoom))):
+        factor, unit = units.with_prefix(float(np.nanmax(np.abs(recording.signals[name]))), NAMES[name][1])
+        for column, inside in enumerate((None, zoom)):
             upper, lower = grid[2 * row:2 * row + 2, column]
-            _draw_signal(upper, recording, pieces, name, factor, inside, (1, 1e3)[column])
-            _draw_left(lower, pieces, name, factor, inside, (1, 1e3)[column])
+            _draw_signal(upper, recording, name, factor, inside, (1, 1e3)[column])
+            _draw_left(lower, recording, name, factor, inside, (1, 1e3)[column])
             for ax in (upper, lower):
                 _plain(ax)
             if column == 0:
@@ -61,39 +59,46 @@ def draw(recording: Recording, fits: Sequence[Fit], title: str) -> Figure:
     return figure
 
 
-def _strength(fit):
-    return max(np.ptp(values) for name, values in fit.fitted.items() if name != "displacement" or len(fit.fitted) == 1)
+class _Shown:
+    """Samples and what was fitted to them: as many as a picture shows, and all near the hardest impact."""
+
+    def __init__(self, fit):
+        self.fit, recording = fit, fit.recording
+        begin, end = _window(fit)
+        single = np.arange(max(0, int((begin - recording.begin) / recording.step)),
+                           min(recording.count, int((end - recording.begin) / recording.step) + 1))
+        every = np.unique(np.concatenate([np.arange(0, recording.count, max(1, recording.count // MOST_SHOWN)), single]))
+        self.time = recording.begin + recording.step * every
+        self.signals = {name: np.asarray(signal[every], dtype=float) for name, signal in recording.signals.items()}
+        self.fitted = fit.model(recording.step * every)
 
 
 def _window(fit):
-    """(begin, end) of the first impact of a motion, which is its hardest, with some time around it [s]."""
-    begin, end = fit.motion.contacts()[0]
+    """(begin, end) of the hardest impact, with some time around it [s]."""
+    first = fit.guess.pulses[fit.guess.hardest].top * fit.recording.step
+    begin, end = min(fit.contacts(), key=lambda pair: abs(sum(pair) / 2 - first))
     around = AROUND * (end - begin)
-    return begin - around, end + around
+    return fit.recording.begin + begin - around, fit.recording.begin + end + around
 
 
-def _draw_signal(ax, recording, fits, name, factor, inside, per_second):
-    begin, keep = inside[0] if inside else 0.0, _inside(recording.time, inside)
-    ax.plot(per_second * (recording.time[keep] - begin), factor * recording.signals[name][keep],
+def _draw_signal(ax, shown, name, factor, inside, per_second):
+    begin, keep = inside[0] if inside else 0.0, _inside(shown.time, inside)
+    ax.plot(per_second * (shown.time[keep] - begin), factor * shown.signals[name][keep],
             rasterized=bool(keep.sum() > 5000), **RECORDED | ({"markersize": 3} if inside else {}))
-    for fit in fits:
-        time, values = fit.recording.time, fit.fitted[name]
-        if inside:  # as it is between the samples, too
-            time = np.linspace(*inside, 2000)
-            values = fit.model_between(time)[name]
-        ax.plot(per_second * (time - begin), factor * values, rasterized=len(time) > 5000, **FITTED)
+    time, values = shown.time, shown.fitted[name]
+    if inside:  # as it is between the samples, too
+        time = np.linspace(*inside, 2000)
+        values = shown.fit.model(time - shown.fit.recording.begin)[name]
+    ax.plot(per_second * (time - begin), factor * values, rasterized=len(time) > 5000, **FITTED)
 
 
-def _draw_left(ax, fits, name, factor, inside, per_second):
-    for fit in fits:
-        keep = _inside(fit.recording.time, inside)
-        begin = inside[0] if inside else 0.0
-        ax.plot(per_second * (fit.recording.time[keep] - begin),
-                factor * (fit.recording.signals[name] - fit.fitted[name])[keep], rasterized=bool(keep.sum() > 5000),
-                **LEFT | ({"markersize": 3} if inside else {}))
+def _draw_left(ax, shown, name, factor, inside, per_second):
+    keep = _inside(shown.time, inside)
+    begin, left = inside[0] if inside else 0.0, shown.signals[name] - shown.fitted[name]
+    ax.plot(per_second * (shown.time[keep] - begin), factor * left[keep], rasterized=bool(keep.sum() > 5000),
+            **LEFT | ({"markersize": 3} if inside else {}))
     ax.axhline(0, color="black", linewidth=0.5)
-    largest = np.nanquantile(np.abs(np.concatenate([(fit.recording.signals[name] - fit.fitted[name])[
-        _inside(fit.recording.time, inside)] for fit in fits])), 0.999)
+    largest = np.nanquantile(np.abs(left[keep]), 0.999)
     ax.set_ylim(-1.3 * factor * largest, 1.3 * factor * largest)
 
 

@@ -1,11 +1,7 @@
-"""A recording of impacts over a cart at rest, from a CSV file.
+"""A recording of impacts: evenly sampled signals, NaN where a sample is missing.
 
-    time_s or time_ms                                      evenly spaced, ascending
-    force_n                                                between hammer and stop
-    acceleration_m_s2, acceleration_g                      of the hammer
-    displacement_m, displacement_mm                        of the hammer
-
-One of these signals at least, in any order. Each may have an offset and either sign.
+Signals are force [N] between hammer and stop, acceleration [m/s^2] of the hammer, displacement [m] of the hammer in the cart,
+and cart_displacement [m] and cart_acceleration [m/s^2]. Each may have an offset and either sign.
 """
 
 from dataclasses import dataclass
@@ -13,74 +9,58 @@ from pathlib import Path
 
 import numpy as np
 
-from ..files.opened import STANDARD_GRAVITY
-from ..files.csv_table import read_csv_table
+from ..arrays import Reals
+from ..files.checked_hdf5 import NotDrawable
 
-TIMES = {"time_s": 1.0, "time_ms": 1e-3}
-SIGNALS = {
-    "force_n": ("force", 1.0),
-    "acceleration_m_s2": ("acceleration", 1.0),
-    "acceleration_g": ("acceleration", STANDARD_GRAVITY),
-    "displacement_m": ("displacement", 1.0),
-    "displacement_mm": ("displacement", 1e-3),
-}
-LARGEST_BYTES = 2**28
 FEWEST_SAMPLES = 50
-UNEVEN = 0.05  # of a step, by which a time may be off its place
+UNEVEN = 0.3  # of a step, by which a time may be off its place: as far as few printed digits move it
+LONGEST_MISSING = 100  # times as many samples missing as there are: then the times are wrong
 
 
 @dataclass(frozen=True)
 class Recording:
-    """`time` [s] from the file's own zero; `signals` {force [N], acceleration [m/s^2], displacement [m]: values as recorded}."""
+    """Sample n lies at `begin` + n `step` [s]; `signals` {name: values as recorded, (count,)}."""
 
     path: Path
-    time: np.ndarray
-    signals: dict[str, np.ndarray]
+    begin: float
+    step: float
+    signals: dict[str, Reals]
 
     @property
-    def step(self) -> float:
-        """Between samples [s]."""
-        return (self.time[-1] - self.time[0]) / (len(self.time) - 1)
+    def count(self) -> int:
+        """Of the samples, those missing included."""
+        return len(next(iter(self.signals.values())))
+
+    @property
+    def missing(self) -> int:
+        """How many samples lack a signal."""
+        return sum(int(np.logical_or.reduce([np.isnan(signal[first:first + 10**6]) for signal in self.signals.values()]).sum())
+                   for first in range(0, self.count, 10**6))
+
+    def cut(self, begin: float | None, end: float | None) -> "Recording":
+        """What lies between these times [s]; None: as far as it goes."""
+        first = 0 if begin is None else int(np.clip(np.ceil((begin - self.begin) / self.step - 1e-6), 0, self.count))
+        last = self.count if end is None else int(np.clip(np.floor((end - self.begin) / self.step + 1e-6) + 1, first, self.count))
+        if last - first < FEWEST_SAMPLES:
+            raise NotDrawable(f"{self.path} has {last - first} samples" + " between --from and --to" * (last - first < self.count)
+                              + f"; {FEWEST_SAMPLES} are needed at least")
+        return Recording(self.path, self.begin + first * self.step, self.step,
+                         {name: signal[first:last] for name, signal in self.signals.items()})
 
 
-def read_recording(path: Path, begin: float | None, end: float | None) -> Recording:
-    """The Recording of a file, of the times from begin to end [s] alone (None: as far as it goes)."""
-    table = read_csv_table(path, (*TIMES, *SIGNALS), "samples", LARGEST_BYTES)
-    clocks, names = [name for name in table.names if name in TIMES], [name for name in table.names if name in SIGNALS]
-    if len(clocks) != 1:
-        raise table.refusal(f"has {' and '.join(clocks) or 'no time'}; it needs one column of {' or '.join(TIMES)}")
-    quantities = [SIGNALS[name][0] for name in names]
-    if not names or len(set(quantities)) < len(quantities):
-        raise table.refusal(f"has {' and '.join(names) or 'no signal'}; it needs one column of each kind at most, of "
-                            f"{', '.join(SIGNALS)}")
-    columns = {name: _column(table, name) for name in (*clocks, *names)}
-    time = columns[clocks[0]] * TIMES[clocks[0]]
-    inside = (time >= (-np.inf if begin is None else begin)) & (time <= (np.inf if end is None else end))
-    if inside.sum() < FEWEST_SAMPLES:
-        raise table.refusal(f"has {inside.sum()} samples" + (" between --from and --to" if inside.sum() < len(time) else "")
-                            + f"; {FEWEST_SAMPLES} are needed at least")
-    _check_even(table, time)
-    return Recording(path, time[inside], {SIGNALS[name][0]: columns[name][inside] * SIGNALS[name][1] for name in names})
-
-
-def _column(table, name):
-    values = np.array([np.nan if (number := table.number(line, cells, name)) is None else number
-                       for line, cells in table.rows])
-    if np.isnan(values).any():
-        line, _ = table.rows[int(np.argmax(np.isnan(values)))]
-        raise table.refusal(f"has no {name}; every sample needs one", line)
-    return values
-
-
-def _check_even(table, time):
+def even_places(time: Reals) -> tuple[float, float, np.ndarray]:
+    """(begin [s], step [s], place of each time in whole steps); ValueError where these times don't ascend evenly, but for
+    missing ones."""
     steps = np.diff(time)
-    step = (time[-1] - time[0]) / (len(time) - 1)
-    away = np.abs(time - np.linspace(time[0], time[-1], len(time)))
-    if not step > 0 or steps.min() <= 0 or away.max() > max(UNEVEN * step, _last_digit(time)):
-        line, _ = table.rows[int(np.argmax(away))]
-        raise table.refusal("has times that don't ascend evenly; record at one sample rate, without gaps", line)
-
-
-def _last_digit(time):
-    """What rounding to the digits that a file prints may move a time by: some print six."""
-    return 1e-6 * abs(time).max()
+    if not len(steps) or not steps.min() > 0:
+        raise ValueError
+    step = float(np.median(steps))
+    for _ in range(3):  # the median of rounded steps is off by a little
+        places = np.rint(np.cumsum(np.append(0, np.rint(steps / step)))).astype(np.int64)
+        step = float((time[-1] - time[0]) / places[-1])
+    if places[-1] > LONGEST_MISSING * len(time):
+        raise ValueError
+    slope, begin = np.polyfit(places.astype(float), time - time[0], 1)
+    if np.abs(time - time[0] - begin - slope * places).max() > UNEVEN * slope:
+        raise ValueError
+    return float(time[0] + begin), float(slope), places

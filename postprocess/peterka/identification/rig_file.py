@@ -2,8 +2,11 @@
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from ..files.harmless import harmless
-from .numbers_found import Identified
+from ..toml import text_of
+from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 from .words import number_text
 
 KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error would be chance
@@ -13,18 +16,34 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
     """Of an Identified; `sources`: the names of what it was found from."""
     lines = ["# Found by identify.py from " + harmless(", ".join(sources), 400) + ", with standard errors.", "", "[hammer]",
              f"mass_kg = {found.mass!r}"]
-    frequency, ratio = found.natural_frequency_hz, found.damping_ratio
-    lines += [_line("natural_frequency_hz", frequency, "Hz") if frequency else
+    frequency, ratio, gap = (found.number(key) for key in (FREQUENCY, DAMPING_RATIO, GAP))
+    lines += [_line("natural_frequency_hz", frequency, "Hz") if frequency and told(frequency) else
               "# natural_frequency_hz =               what was measured doesn't tell it: give it here"]
-    if ratio and (ratio.error is None or 0 < ratio.error <= KNOWN_WITHIN * ratio.value):
+    if ratio and (ratio.error is None or ratio.value > 0 and ratio.error <= KNOWN_WITHIN * ratio.value):
         lines += [_line("damping_ratio", ratio, "")]
     else:
-        told = f" better than {number_text(ratio)}" if ratio else " it"
-        lines += [f"# damping_ratio =               what was measured doesn't tell{told}: give it here"]
+        better = f" better than {number_text(ratio)}" if ratio else " it"
+        lines += [f"# damping_ratio =               what was measured doesn't tell{better}: give it here"]
     lines += ["", *(["[cart]", f"amplitude_m = {amplitude_m!r}", ""] if amplitude_m else []), "[contact]",
-              'law = "kelvin_voigt"', _line("stiffness_n_per_m", found.stiffness, "N/m"),
-              _line("damping_ns_per_m", found.damping, "Ns/m")]
+              'law = "kelvin_voigt"', _line("stiffness_n_per_m", found.number(STIFFNESS), "N/m"),
+              _line("damping_ns_per_m", found.number(DAMPING), "Ns/m")]
+    if gap and gap.error is not None:
+        lines += ["", f"# The gap was {number_text(Number(1e3 * gap.value, 1e3 * gap.error))} mm."]
     return "\n".join(lines) + "\n"
+
+
+def identified_text(found: Identified, sources: Iterable[str]) -> str:
+    """The numbers with their covariance in SI, as jobs with uncertain rigs read them."""
+    kept = [key for key in found.values if (number := found.number(key)) and told(number)]
+    places = [list(found.values).index(key) for key in kept]
+    table = {"of": kept, "mean": [found.values[key] for key in kept], "matrix": found.covariance[np.ix_(places, places)].tolist()}
+    return ("# Found by identify.py from " + harmless(", ".join(sources), 400) + ": what was fitted, with its covariance, in SI.\n"
+            + text_of({"covariance": table}))
+
+
+def told(number: Number) -> bool:
+    """Whether a number is known: given, or with an error that leaves something of it."""
+    return number.error is None or number.error < 0.5 * abs(number.value) or 0 < number.error < 1e-4
 
 
 def _line(key, number, unit):

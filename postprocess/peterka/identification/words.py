@@ -1,12 +1,9 @@
 """What came out, in words for a terminal."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from .fit import Fit
-from .numbers_found import Identified, Number
-from .recording import Recording
+from .numbers_found import DAMPING, DAMPING_RATIO, FREQUENCY, GAP, STIFFNESS, Identified, Number
 
 MUCH_LEFT = 3  # times the noise
 
@@ -22,29 +19,39 @@ def number_text(number: Number) -> str:
     return " ± ".join(shown)
 
 
+ROWS = (("stop's stiffness ki", STIFFNESS, 1.0, "N/m"), ("stop's damping ci", DAMPING, 1.0, "Ns/m"),
+        ("natural frequency", FREQUENCY, 1.0, "Hz"), ("damping ratio ζ", DAMPING_RATIO, 1.0, ""), ("gap", GAP, 1e3, "mm"))
+STRONG = 0.5  # a correlation that is told
+
+
 def result_lines(found: Identified) -> list[str]:
     """Of an Identified."""
-    rows = [("stop's stiffness ki", found.stiffness, "N/m"), ("stop's damping ci", found.damping, "Ns/m"),
-            ("natural frequency", found.natural_frequency_hz, "Hz"), ("damping ratio ζ", found.damping_ratio, ""),
-            ("restitution", found.restitution, ""), ("contact time", _milli(found.contact_s), "ms")]
-    return [f"  {name:<20} {_value(number, unit)}" for name, number, unit in rows]
+    restitution, contact_s = found.impact()
+    rows = [(name, _scaled(found.number(key), factor), unit) for name, key, factor, unit in ROWS]
+    rows += [("restitution", restitution, ""), ("contact time", _scaled(contact_s, 1e3), "ms")]
+    lines = [f"  {name:<20} {_value(number, unit)}" for name, number, unit in rows]
+    names = {STIFFNESS: "ki", DAMPING: "ci", FREQUENCY: "natural frequency", DAMPING_RATIO: "ζ", GAP: "gap"}
+    keys = list(found.values)
+    pairs = [(one, other, found.correlation(one, other)) for at, one in enumerate(keys) for other in keys[at + 1:]]
+    strong = [f"{names[one]} and {names[other]} {value:+.2f}" for one, other, value in pairs if abs(value) >= STRONG]
+    return lines + ([f"  correlations         {', '.join(strong)}"] if strong else [])
 
 
-def recording_lines(recording: Recording, fits: Sequence[Fit]) -> list[str]:
-    """Of a Recording and its Fits."""
+def recording_lines(fit: Fit) -> list[str]:
+    """Of a Fit."""
+    recording, impacts = fit.recording, len(fit.impacts)
     signals = " and ".join(recording.signals)
-    impacts = sum(len(fit.motion.contacts()) for fit in fits)
-    lines = [f"{recording.path}: {len(recording.time)} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
-             f"impact{'s' * (impacts != 1)}"]
-    misfit = max(fit.misfit for fit in fits)
-    if misfit > MUCH_LEFT:
-        lines.append(f"  in contact {misfit:.2g} times as much is left as elsewhere: the stop is more than a spring and a dashpot, "
+    lines = [f"{recording.path}: {recording.count} samples of {signals} at {1e-3 / recording.step:.4g} kHz, {impacts} "
+             f"impact{'s' * (impacts != 1)}" + (f"; {recording.missing} samples are missing" if recording.missing else "")]
+    lines += [f"  {reason}" for reason in fit.unused]
+    if fit.misfit > MUCH_LEFT:
+        lines.append(f"  in contact {fit.misfit:.2g} times as much is left as elsewhere: the stop is more than a spring and a dashpot, "
                      "or the sensor rings; errors allow for it as far as neighbouring samples show it")
     return lines
 
 
-def _milli(number):
-    return type(number)(1e3 * number.value, None if number.error is None else 1e3 * number.error)
+def _scaled(number, factor):
+    return number and Number(factor * number.value, None if number.error is None else factor * number.error)
 
 
 def _value(number, unit):

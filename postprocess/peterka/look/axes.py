@@ -14,6 +14,7 @@ from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.patheffects import AbstractPathEffect
 from matplotlib.ticker import NullFormatter, NullLocator
 
+from ..files.coordinates import TWINS, unit_of
 from . import seen, style
 from .coordinates import IN_MILLIMETRES, label
 from .drawn import AtPoint, Growing, Image, InUnits, Plane
@@ -64,15 +65,13 @@ def second_scale(ax: Axes, side: str, label_and_factor: tuple[str, float] | None
 
 def si_scale(file: InUnits, name: str) -> tuple[str, float] | None:
     """(label, factor from the numbers of this axis) of its scale in SI units; None where the file doesn't tell."""
-    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
     if name in IN_MILLIMETRES:
         return IN_MILLIMETRES[name], 1000.0
-    if name == "frequency_ratio":
-        return ("excitation frequency (Hz)", hertz) if hertz else None
-    if name in ("velocity_ratio", "start_velocity_ratio"):
-        return (r"$\dot{x}$ (m/s)", 2 * np.pi * hertz * metres) if hertz and metres else None
-    lengths = {"gap_ratio": "gap (mm)", "displacement_ratio": "$x$ (mm)", "start_displacement_ratio": "start $x$ (mm)"}
-    return (lengths[name], 1000 * metres) if metres and name in lengths else None
+    unit = unit_of(file, name) if name in TWINS else None
+    if unit is None:
+        return None
+    twin = TWINS[name]
+    return (IN_MILLIMETRES[twin], 1000 * unit) if twin in IN_MILLIMETRES else (label(twin), unit)
 
 
 def _set_ticks(ticks: Axis, log: bool) -> None:
@@ -119,9 +118,14 @@ def percent(share: float) -> str:
 
 
 def operating_point(file: AtPoint) -> str:
-    """Frequency and gap where all cells share them, as text: both for a basin, none for a map over both."""
-    shared = (("Ω/ω", file.positive("frequency_ratio")), ("gap/A₀", file.number("gap_ratio")))
-    return ", ".join(f"{name} = {value:.4g}" for name, value in shared if value is not None)
+    """Frequency and gap where all cells share them, as text: both for a basin, none for a map over both; in Hz and mm in
+    pictures in SI alone, where the file tells them."""
+    in_si = style.current().units == "si"
+    hertz, metres = (unit_of(file, name) if in_si else None for name in ("frequency_ratio", "gap_ratio"))
+    shared = [("Ω/ω", file.positive("frequency_ratio"), "frequency", hertz, "Hz"),
+              ("gap/A₀", file.number("gap_ratio"), "gap", metres and 1000 * metres, "mm")]
+    return ", ".join(f"{word} = {value * factor:.4g} {unit}" if factor else f"{name} = {value:.4g}"
+                     for name, value, word, factor, unit in shared if value is not None)
 
 
 def notice_incomplete(ax: Axes, file: Growing) -> None:

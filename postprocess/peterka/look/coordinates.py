@@ -7,6 +7,10 @@ LABELS = {
     "velocity_ratio": r"$\dot{x}/(A_0\omega)$",
     "frequency_hz": "excitation frequency (Hz)",
     "gap_m": "gap (m)",
+    "displacement_m": "$x$ (m)",
+    "velocity_m_per_s": r"$\dot{x}$ (m/s)",
+    "start_displacement_m": "start $x$ (m)",
+    "start_velocity_m_per_s": r"$\dot{x}$ (m/s)",
     "start_displacement_ratio": r"start $x/A_0$",
     "start_velocity_ratio": r"start $\dot{x}/(A_0\omega)$",
     "cart_amplitude_m": "cart amplitude $A_0$ (m)",
@@ -25,7 +29,8 @@ LABELS = {
 }
 
 # Shown in mm whatever the units of other scales: m is how a job gives them.
-IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$ (mm)"}
+IN_MILLIMETRES = {"gap_m": "gap (mm)", "cart_amplitude_m": "cart amplitude $A_0$ (mm)", "displacement_m": "$x$ (mm)",
+                  "start_displacement_m": "start $x$ (mm)"}
 
 
 def label(name: str) -> str:

@@ -41,7 +41,7 @@ def draw_attractors(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     table = file.attractors
     assert table is not None
     named = _largest_attractors(table)
-    named_entries = _attractor_entries(table, named)
+    named_entries = _attractor_entries(table, named, file.newtons if style.current().units == "si" else None)
     # Labels below len(CLASSES) are classes, of starts that belong to no attractor; then the named ones, then the rest.
     entries = _class_entries() + named_entries + [("other attractors", OTHER_COLOUR)]
     number = np.full(table.count + 1, len(entries) - 1)
@@ -112,7 +112,7 @@ def _missed_free_motion(file):
         return []
     if any((band["regime"] == NO_IMPACT).any() for _, band in file.bands(["regime"])):
         return []
-    return [Line2D([], [], label="a motion without impact exists, too: none of these starts ends on it", linestyle="none")]
+    return [Line2D([], [], label="a motion without impact exists, too:\nnone of these starts ends on it", linestyle="none")]
 
 
 def _class_entries():
@@ -134,16 +134,18 @@ def _largest_attractors(table):
     return np.sort(by_size[:NAMED_ATTRACTORS])
 
 
-def _attractor_entries(table, named):
+def _attractor_entries(table, named, newtons):
     """(legend text, colour) of each named attractor: class of z, force with as many digits as tell it from others of the
-    class, and a shade of the class's colour."""
+    class, and a shade of the class's colour. The force is told over the weight, or in `newtons` of that."""
     seen, entries = Counter(), []
     classes = [class_of(table.regime[row], table.impacts[row], table.period[row]) for row in named]
     for row, entry in zip(named, classes):
         text = f"$z$ = {entry.label}" if table.regime[row] == PERIODIC else entry.label
         if table.regime[row] != NO_IMPACT and np.isfinite(table.peak_force_ratio[row]):
-            others = [table.peak_force_ratio[other] for other, theirs in zip(named, classes) if theirs == entry]
-            text += f", $F/(m\\,g)$ = {units.number_apart(table.peak_force_ratio[row], others)}"
+            factor = newtons or 1.0
+            others = [factor * table.peak_force_ratio[other] for other, theirs in zip(named, classes) if theirs == entry]
+            force = units.number_apart(factor * table.peak_force_ratio[row], others)
+            text += f", $F$ = {force} N" if newtons else f", $F/(m\\,g)$ = {force}"
         entries.append((text, _shade(entry.colour, seen[entry.colour])))
         seen[entry.colour] += 1
     return entries

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..files.coordinates import Coordinate
 from .map_file import BAND_CELLS, Axis, PeterkaFile, axis_of
 
 SAME_POINT = 1e-9  # of an axis, over its length: less is rounding
@@ -18,7 +19,8 @@ class CommonPlane:
     """kind, rows and columns (Axis), shape, and plain attributes of the first file: what axes are drawn from."""
 
     def __init__(self, first: PeterkaFile, second: PeterkaFile) -> None:
-        if first.kind == second.kind and any(getattr(first, side).name != getattr(second, side).name for side in ("rows", "columns")):
+        pairs = [(getattr(first, side), getattr(second, side)) for side in ("rows", "columns")]
+        if first.kind == second.kind and any(a.name != b.name and a.stored != b.stored for a, b in pairs):
             raise second.refusal(f"runs over {_axes(second)}, and {first.path} over {_axes(first)}: only cells at the same places "
                                  "can be compared")
         if first.kind != second.kind:
@@ -55,8 +57,13 @@ class CommonPlane:
         return {name: values[np.ix_(rows - rows[0], columns)] for name, values in band.items()}
 
     def _shared(self, side: str) -> tuple[Axis, tuple[Any, Any]]:
-        """The Axis of the points that both have, and their indices in the first and the second file."""
+        """The Axis of the points that both have, and their indices in the first and the second file: in the unit of both, or as
+        ratios where they have different ones."""
         axes = getattr(self.first, side), getattr(self.second, side)
+        same_unit, shown = axes[0].stored == axes[1].stored, Coordinate(axes[0].name, axes[0].stored, axes[0].unit)
+        if same_unit and axes[0].unit != axes[1].unit:  # the same frequencies of rigs with other natural frequencies
+            axes = as_stored(axes[0]), as_stored(axes[1])
+            shown = Coordinate(axes[0].name, axes[0].stored)
         coarse, fine = sorted(axes, key=lambda axis: len(axis.values))
         nearest = _nearest(fine.values, coarse.values)
         length = (coarse.values[-1] - coarse.values[0]) or abs(coarse.values[0]) or 1
@@ -68,7 +75,12 @@ class CommonPlane:
                                       "whose points fall on the other's")
         of_coarse, of_fine = np.flatnonzero(same), nearest[same]
         indices = (of_coarse, of_fine) if coarse is axes[0] else (of_fine, of_coarse)
-        return axis_of(coarse.name, coarse.values[same]), indices
+        return axis_of(shown.name, coarse.values[same], shown), indices
+
+
+def as_stored(axis: Axis) -> Axis:
+    """In the numbers of the file."""
+    return axis_of(axis.stored, axis.values * axis.unit)
 
 
 def _nearest(fine, coarse):

@@ -65,7 +65,8 @@ class UnstableBranch:
 
 class CurvesFile(PeterkaFile):
     """A checked, open file of curves: besides the coarse map `curves`, `specials`, `crossings`, `unstable_branches`, and
-    has_edge_distance."""
+    has_edge_distance. Crossings and branches are those of planes
+    of frequency and gap."""
 
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
@@ -76,18 +77,18 @@ class CurvesFile(PeterkaFile):
         self.specials = self._specials() if self.data.has("special_kind") else []
         self.crossings = self._crossings() if self.data.has("crossing_curve") else []
         self.unstable_branches = self._unstable_branches() if self.data.has("branch_first") else []
-        self.has_edge_distance = self.data.has(f"edge_distance_{self.columns.name}")
+        self.has_edge_distance = self.data.has(f"edge_distance_{self.columns.stored}")
         for axis in (self.columns, self.rows) if self.has_edge_distance else ():
-            self.data.dataset(f"edge_distance_{axis.name}", self.shape, REAL)
-            self.data.dataset(f"edge_kind_{axis.name}", self.shape, INTEGER)
+            self.data.dataset(f"edge_distance_{axis.stored}", self.shape, REAL)
+            self.data.dataset(f"edge_kind_{axis.stored}", self.shape, INTEGER)
 
     def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
         impacts, periods, firsts, counts = (
             self._column(name, INTEGER, kinds.shape)
             for name in ("curve_impacts", "curve_period", "curve_first", "curve_points"))
-        columns = self._column(f"point_{self.columns.name}", REAL)
-        rows = self._column(f"point_{self.rows.name}", REAL, columns.shape)
+        columns = self._along("point", self.columns)
+        rows = self._along("point", self.rows, columns.shape)
         if not (np.isin(kinds, range(len(KINDS))).all() and (impacts >= 0).all() and (periods > 0).all()):
             raise self.refusal("has a curve of no known kind or orbit")
         if not ((firsts >= 0).all() and (counts >= 0).all() and (counts <= len(rows)).all()
@@ -101,25 +102,30 @@ class CurvesFile(PeterkaFile):
 
     def _specials(self) -> list[Special]:
         kinds = self._column("special_kind", INTEGER)
-        columns, rows = (self._column(f"special_{axis.name}", REAL, kinds.shape) for axis in (self.columns, self.rows))
+        columns, rows = (self._along("special", axis, kinds.shape) for axis in (self.columns, self.rows))
         if not (np.isin(kinds, range(len(SPECIALS))).all() and np.isfinite(columns).all() and np.isfinite(rows).all()):
             raise self.refusal("has a special point of no known kind or place")
         return [Special(SPECIALS[kind], float(x), float(y)) for kind, x, y in zip(kinds, columns, rows)]
 
     def _crossings(self) -> list[Crossing]:
         numbers = self._column("crossing_curve", INTEGER)
-        frequencies, gaps = (self._column(name, REAL, numbers.shape)
-                             for name in ("crossing_frequency_ratio", "crossing_gap_ratio"))
+        axes = self._frequency_and_gap()
+        if axes is None:
+            return []
+        frequencies, gaps = (self._along("crossing", axis, numbers.shape) for axis in axes)
         if not (((numbers >= 0) & (numbers < len(self.curves))).all() and np.isfinite(frequencies).all()
                 and np.isfinite(gaps).all()):
             raise self.refusal("has a crossing of no curve or place")
         return [Crossing(self.curves[number], float(x), float(y)) for number, x, y in zip(numbers, frequencies, gaps)]
 
     def _unstable_branches(self):
-        gaps = self._column("branch_gap_ratio", REAL)
+        axes = self._frequency_and_gap()
+        if axes is None:
+            return []
+        gaps = self._along("branch", axes[1])
         impacts, periods, firsts, counts = (self._column(f"branch_{name}", INTEGER, gaps.shape)
                                             for name in ("impacts", "period", "first", "points"))
-        frequencies = self._column("branch_frequency_ratio", REAL)
+        frequencies = self._along("branch", axes[0])
         forces = self._column("branch_peak_force_ratio", REAL, frequencies.shape)
         if not ((firsts >= 0).all() and (counts > 0).all() and (firsts <= len(frequencies) - counts).all()
                 and np.isfinite(frequencies).all() and np.isfinite(gaps).all()):
@@ -130,6 +136,15 @@ class CurvesFile(PeterkaFile):
         return [UnstableBranch(float(gap), int(p), int(q), frequencies[part], forces[part],
                                *(samples[part] for samples in displacements))
                 for gap, p, q, part in zip(gaps, impacts, periods, parts)]
+
+    def _frequency_and_gap(self):
+        """The axes that a sweep over the frequency may be held against; None where the plane has others."""
+        by_name = {axis.name: axis for axis in (self.columns, self.rows)}
+        return (by_name["frequency_ratio"], by_name["gap_ratio"]) if by_name.keys() == {"frequency_ratio", "gap_ratio"} else None
+
+    def _along(self, prefix, axis, shape=None):
+        """Places on an axis, in its numbers."""
+        return self._column(f"{prefix}_{axis.stored}", REAL, shape) / axis.unit
 
     def _samples(self, name, points):
         found = self.data.dataset(name, None, REAL).shape

@@ -29,12 +29,13 @@ CLASSES = [("an edge within the window", "#FFFFFF"), ("no edge within the window
 @picture(CurvesFile)
 def draw(file: CurvesFile, ax: Axes | None = None, *, side: str) -> Axes | None:
     """The picture along an axis, named by its coordinate, or as columns or rows; None where no cell has an edge."""
-    side = {"columns": file.columns.name, "rows": file.rows.name}.get(side, side)
-    reduced = _smallest(file, f"edge_distance_{side}")
+    axis = next(axis for place, axis in (("columns", file.columns), ("rows", file.rows)) if side in (place, axis.name))
+    side = axis.name
+    reduced = _smallest(file, axis)
     if not np.isfinite(reduced.image).any():
         return None
     factor, words = _scale(file, side)
-    classes, counts = class_picture(file, ["regime", f"edge_kind_{side}"], lambda _, kind: _class_of(kind), len(CLASSES))
+    classes, counts = class_picture(file, ["regime", f"edge_kind_{axis.stored}"], lambda _, kind: _class_of(kind), len(CLASSES))
     handles = [axes.legend_patch(text, colour) for (text, colour), count in list(zip(CLASSES, counts))[1:] if count]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, [colour for _, colour in CLASSES], len(CLASSES))
@@ -72,9 +73,10 @@ def _class_of(kind):
                       kind == EDGE_KINDS.index("unknown")], [0, 1, 2], 3)
 
 
-def _smallest(file, name):
+def _smallest(file, axis):
+    name = f"edge_distance_{axis.stored}"
     block, pieces = block_size(file.shape, LIMIT), []
     for _, band in file.bands(["regime", name], block):
         rows, columns = (np.arange(0, size, block) for size in band[name].shape)
         pieces.append(np.fmin.reduceat(np.fmin.reduceat(np.abs(band[name]), rows, axis=0), columns, axis=1))
-    return with_edges(file, np.concatenate(pieces), block)
+    return with_edges(file, np.concatenate(pieces) / axis.unit, block)

@@ -3,6 +3,7 @@
 Layout versions 2 and 3: two coordinate vectors and the data on [rows][columns],
     map    rows gap_ratio,      columns frequency_ratio, unless the axes of its job are others
     basin  rows velocity_ratio, columns displacement_ratio
+or the same in SI units, which are brought to ratios where the file tells how (files/coordinates.py);
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
 `attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
 maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises NotDrawable.
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL, shown
+from ..files.coordinates import Coordinate, coordinate
 from ..files.harmless import harmless
 from ..files.job_axes import axes_of_job
 from ..files.opened import NotDrawable, OpenedFile
@@ -53,12 +55,15 @@ BAND_CELLS = 2**21
 class Axis:
     """Ratios along one side: cell centres `values` (n,), ascending, and cell borders `edges` (n+1,).
 
-    `log`: the centres are evenly spaced in the logarithm."""
+    `log`: the centres are evenly spaced in the logarithm. `stored` is the name in the file, whose numbers are `unit` times
+    these."""
 
     name: str
     values: np.ndarray
     edges: np.ndarray
     log: bool
+    stored: str
+    unit: float = 1.0
 
 
 class PeterkaFile(OpenedFile):
@@ -133,7 +138,7 @@ class PeterkaFile(OpenedFile):
 
     def _coordinates(self) -> tuple[str, str]:
         names = axes_of_job(self.data.attribute("job"))
-        if self.kind in ("map", "curves") and len(names) == 2 and all(self.data.has(name) for name in names):
+        if len(names) == 2 and all(self.data.has(name) for name in names):
             return names[1], names[0]
         return self.coordinates[self.kind]
 
@@ -197,22 +202,24 @@ class PeterkaFile(OpenedFile):
                 raise self.refusal(f"has a {name} that is neither 0 nor 1")
 
     def _axis(self, name: str) -> Axis:
+        """Of a coordinate that is stored."""
         shape = self.data.dataset(name, None, INTEGER + REAL).shape
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {shape}; an axis of 1 to {MAX_POINTS} points can be drawn")
         values = np.asarray(self.data.values(name, slice(None)), dtype=float)
         if not (np.isfinite(values).all() and np.all(np.diff(values) > 0)):
             raise self.refusal(f"has a coordinate {name} that does not ascend")
-        return axis_of(name, values)
+        found = coordinate(self, name)
+        return axis_of(found.name, values / found.unit, found)
 
 
-def axis_of(name: str, values: Reals) -> Axis:
-    """The Axis with these ascending values."""
+def axis_of(name: str, values: Reals, stored: Coordinate | None = None) -> Axis:
+    """The Axis with these ascending values; they are the stored ones where nothing else is said."""
     log = _evenly_spaced_in_log(values)
     edges = np.exp(_edges(np.log(values))) if log else _edges(values)
     if name in ("frequency_ratio", "frequency_hz") and values[0] >= 0:
         edges[0] = max(edges[0], 0)  # half a wide cell may reach below 0, where no frequency is
-    return Axis(name, values, edges, log)
+    return Axis(name, values, edges, log, *(name, 1.0) if stored is None else (stored.stored, stored.unit))
 
 
 def _edges(centres: Reals) -> Reals:

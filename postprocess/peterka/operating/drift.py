@@ -5,12 +5,14 @@ box leaves the map have none, as nobody computed what lies there.
 """
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from ..arrays import Mask, Reals
+from ..files import coordinates as scales
+from ..files.coordinates import TWINS
 from ..files.opened import OpenedFile
 from ..maps.map_file import Axis
 from .admitted import NO_REGIME, Admitted
@@ -45,12 +47,14 @@ class Unit:
 
 def unit_of(file: OpenedFile, name: str) -> Unit | None:
     """The Unit in which people set an axis, Hz or mm; None for an axis of something else."""
-    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
-    known = {"frequency_ratio": Unit(hertz, "Hz", "frequency") if hertz else None, "frequency_hz": Unit(1.0, "Hz", "frequency"),
-             "gap_ratio": Unit(1000 * metres, "mm", "gap") if metres else None, "gap_m": Unit(1000.0, "mm", "gap")}
-    if name in known and known[name] is None:
-        raise file.refusal(f"doesn't say what a {name} of 1 is in {'Hz' if name.startswith('frequency') else 'mm'}")
-    return known.get(name)
+    shown = {"frequency_hz": Unit(1.0, "Hz", "frequency"), "gap_m": Unit(1000.0, "mm", "gap")}
+    si = TWINS.get(name, name)
+    if si not in shown or si == name:
+        return shown.get(si)
+    ratio = scales.unit_of(file, name)
+    if ratio is None:
+        raise file.refusal(f"doesn't say what a {name} of 1 is in {shown[si].unit}")
+    return replace(shown[si], factor=shown[si].factor * ratio)
 
 
 def reach(file: OpenedFile, axis: Axis, hz: float, mm: float) -> Reach:

@@ -72,7 +72,7 @@ def axis_paths(file: PeterkaFile, text: object) -> dict[str, str]:
         raise file.refusal(f"holds no job that can be read ({type(error).__name__})") from error
     by_name = {_coordinate(path): path for path in found}
     try:
-        return {"columns": by_name[file.columns.name], "rows": by_name[file.rows.name]}
+        return {"columns": by_name[file.columns.stored], "rows": by_name[file.rows.stored]}
     except KeyError as error:
         raise file.refusal(f"has no axis {error} in its job") from error
 
@@ -105,11 +105,11 @@ def _coordinate(path):
 
 
 def _finer(axis, along, at):
-    """(from, to, points) of the box around a place."""
+    """(from, to, points) of the box around a place, in the numbers of the job."""
     step = float(np.diff(axis.values).min())
     width = max(along.width, NARROW * step)
     points = int(np.clip(2 * round(FINER * width / step) + 1, FEWEST, MOST)) if along.width else 2
-    return axis.values[at] - width, axis.values[at] + width, points
+    return (axis.values[at] - width) * axis.unit, (axis.values[at] + width) * axis.unit, points
 
 
 def _run(job, box, sizes, file, ranks, binary):

@@ -8,6 +8,7 @@ import subprocess
 import tomllib
 from pathlib import Path
 
+from ..files.coordinates import TWINS, unit_of
 from ..files.opened import OpenedFile
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -81,9 +82,21 @@ def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
     The law's own names stand for its numbers under `contact`."""
     text = file.data.attribute("job")
     try:
-        return _numbers(tomllib.loads(text))  # type: ignore[arg-type]  # what is no text is refused below
+        job = tomllib.loads(text)  # type: ignore[arg-type]  # what is no text is refused below
+        return _numbers(job) | _place(file, job)
     except (TypeError, KeyError, ValueError, AttributeError) as error:
         raise NoEngine(f"the job in the file can't be read ({type(error).__name__}: {str(error)[:100]})") from error
+
+
+def _place(file, job):
+    """Frequency, gap and start as ratios, whichever unit the job gives them in."""
+    numbers = {}
+    for table, names in PLACE.items():
+        for ratio in names:
+            given, unit = job.get(table, {}), unit_of(file, ratio)
+            value, in_si = given.get(ratio), given.get(TWINS[ratio])
+            numbers[ratio] = value if value is not None else float(in_si) / unit if in_si is not None and unit else None
+    return {name: None if value is None else float(value) for name, value in numbers.items()}
 
 
 def _numbers(job):
@@ -102,6 +115,5 @@ def _numbers(job):
         **{name: job["steady_state"][name] for name in ("max_cycles", "max_period", "chaos_cycles")},
         "engine_choice": ENGINES.index(solver["engine"]),
         **{name: solver[name] for name in ("tolerance", "omit_tolerance")},
-        **{name: job.get(table, {}).get(name) for table, names in PLACE.items() for name in names},
     }
     return {name: None if value is None else float(value) for name, value in numbers.items()}

@@ -32,8 +32,8 @@ AXES = {
 def page(file: PeterkaFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
     """(text of the page, sentences for the user) of an open PeterkaFile."""
     if any(axis.name not in AXES for axis in (file.columns, file.rows)):
-        raise file.refusal(f"runs over {file.columns.name} and {file.rows.name}; a page shows maps over frequency_ratio and "
-                           "gap_ratio, and basins; draw.py draws this one")
+        raise file.refusal(f"runs over {file.columns.name} and {file.rows.name}; a page shows maps over frequency and gap, and "
+                           "basins; draw.py draws this one")
     blobs: list[str] = []
     notes: list[str] = []
     content = _header(file, every)

@@ -76,26 +76,27 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom."""
     if not zoom:
         return file
-    names = _axes(file)
-    if len(zoom) > 2 * len(names):
-        raise file.refusal(f"is of kind {file.kind}; --zoom takes {2 * len(names)} numbers there")
+    axes = _axes(file)
+    if len(zoom) > 2 * len(axes):
+        raise file.refusal(f"is of kind {file.kind}; --zoom takes {2 * len(axes)} numbers there")
     from ..files.dataset import dataset_of  # xarray takes long to load
 
     assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
-    for name, low, high in zip(names, zoom[::2], zoom[1::2]):
-        scale = si_scale(file, name) if in_si or name in IN_MILLIMETRES else None
-        factor = scale[1] if scale else 1.0
-        data = data.sel({name: slice(low / factor, high / factor)})
-        if data.sizes[name] < 2:
-            raise file.refusal(f"has {data.sizes[name]} points of {name} from {low:g} to {high:g}; --zoom has to leave 2")
+    for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
+        scale = si_scale(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
+        factor = (scale[1] if scale else 1.0) / axis.unit
+        data = data.sel({axis.stored: slice(low / factor, high / factor)})
+        left = data.sizes[axis.stored]
+        if left < 2:
+            raise file.refusal(f"has {left} points of {axis.name} from {low:g} to {high:g}; --zoom has to leave 2")
     return open_file(data)
 
 
 def _axes(file):
-    """Names of the coordinates across and up."""
+    """Those across and up: each with its name, and its name and unit in the file."""
     if file.kind in ("map", "basin"):
-        return file.columns.name, file.rows.name
+        return file.columns, file.rows
     if file.kind == "sweep":
-        return (file.axis_name,)
+        return (file.axis,)
     raise file.refusal(f"is of kind {file.kind}; --zoom shows parts of maps, basins and sweeps")

@@ -148,8 +148,9 @@ def _mark_strongest(ax, file, gap):
         look, sign = (RESONANCE, "★") if branch.is_resonance(at) else (CUT_OFF, "■")
         x, force = file.values[at], branch.force[at]
         ax.plot(x, force, color=LOOKS[branch.direction].colour, zorder=5, clip_on=False, **look)
-        newtons = f" = {units.amount(force * file.newtons, 'N')}" if file.newtons else ""
-        text = f"{sign} {units.number(force)}{newtons} at {sweep_panels.frequency_text(file, x)}"
+        newtons = units.amount(force * file.newtons, "N") if file.newtons else ""
+        told = newtons if newtons and style.current().units == "si" else " = ".join(filter(None, [units.number(force), newtons]))
+        text = f"{sign} {told} at {sweep_panels.frequency_text(file, x)}"
         _add(notes, file, (x, force, text, "black"))
     return notes
 

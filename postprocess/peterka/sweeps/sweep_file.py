@@ -15,6 +15,7 @@ import numpy as np
 
 from ..arrays import Integers, Reals, Mask
 from ..files.checked_hdf5 import INTEGER, REAL
+from ..files.coordinates import coordinate
 from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC, UNRESOLVED, check_labels
@@ -27,6 +28,7 @@ SAMPLED = ("stroboscopic_displacement", "impact_displacement")
 OF_ATTRACTORS = ("basin_share", "attractor_peak_force_ratio")
 MAX_SLOTS = 64
 WITHOUT_PERIOD = (CHAOTIC, UNRESOLVED)
+_GAPS = ("gap_ratio", "gap_m")
 
 
 @dataclass(frozen=True)
@@ -71,8 +73,11 @@ class Branch:
 
 
 class SweepFile(OpenedFile):
-    """A checked, open sweep: axis_name, values (points,), branches, gaps; slots, the number of attractors kept at each point
+    """A checked, open sweep: axis, its name axis_name, values (points,), branches, gaps, in ratios unless gap_name is gap_m, for the
+    cart's amplitude is the axis; slots, the number of attractors kept at each point
     (0 without [starts])."""
+
+    gap_name = "gap_ratio"
 
     @cached_property
     def computed(self) -> float:
@@ -106,8 +111,9 @@ class SweepFile(OpenedFile):
     def check_content(self) -> None:
         """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
         names = axes_of_job(self.data.attribute("job"))
-        self.axis_name = names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio"
-        self.values = self._numbers(self.axis_name)
+        self.axis = coordinate(self, names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio")
+        self.axis_name = self.axis.name
+        self.values = self._numbers(self.axis.stored) / self.axis.unit
         if not (np.isfinite(self.values).all() and np.all(np.diff(self.values) > 0)):
             raise self.refusal(f"has a coordinate {self.axis_name} that does not ascend")
         gaps = self._gaps()
@@ -122,15 +128,18 @@ class SweepFile(OpenedFile):
 
     def _gaps(self) -> list[float | None]:
         """Of each branch: its own, or that of the whole file; None where the gap is the axis."""
-        if self.axis_name == "gap_ratio" or not self.data.has("gap_ratio"):
+        stored = next((name for name in _GAPS if self.data.has(name) and self.axis.stored not in _GAPS), None)
+        if stored is None:
             branches = self.data.dataset("direction", None, INTEGER).shape
             if len(branches) != 1 or not 1 <= branches[0] <= MAX_POINTS:
                 raise self.refusal(f"has branches of shape {branches}")
             return [self.number("gap_ratio")] * branches[0]
-        gaps = self._numbers("gap_ratio")
+        gap = coordinate(self, stored)
+        self.gap_name = gap.name
+        gaps = self._numbers(stored) / gap.unit
         if not np.isfinite(gaps).all():
-            raise self.refusal("has a gap_ratio that is no number")
-        return [float(gap) for gap in gaps]
+            raise self.refusal(f"has a {stored} that is no number")
+        return [float(value) for value in gaps]
 
     @property
     def frequency_ratio(self) -> Reals:

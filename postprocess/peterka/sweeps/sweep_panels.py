@@ -131,8 +131,10 @@ def _at_share(ax, share):
 
 
 def frequency_text(file: SweepFile, ratio: float) -> str:
-    """A frequency ratio in words, and in Hz where the file tells the rig."""
+    """A frequency ratio in words, and in Hz where the file tells the rig; in pictures in SI alone in these."""
     hertz = _hertz(file)
+    if hertz and style.current().units == "si":
+        return f"{ratio * hertz:.4g} Hz"
     return f"{ratio:.4g}" + (f" ({ratio * hertz:.4g} Hz)" if hertz else "")
 
 
@@ -149,7 +151,11 @@ def directions(file: SweepFile) -> list[str]:
 def _gap_text(file, gap):
     if gap is None:
         return ""
+    if file.gap_name == "gap_m":
+        return f"gap = {1000 * gap:.3g} mm"
     metres = file.positive("cart_amplitude_m")
+    if metres and style.current().units == "si":
+        return f"gap = {1000 * gap * metres:.3g} mm"
     return f"gap/A₀ = {gap:.4g}" + (f" ({1000 * gap * metres:.3g} mm)" if metres else "")
 
 

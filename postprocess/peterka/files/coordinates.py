@@ -1,0 +1,57 @@
+"""The coordinates of a file, in both of their units: the one place that knows which names belong together, and what a ratio is in
+SI units.
+
+A job may give frequency, gap and start as ratios or in Hz, m and m/s, and a file names its axes, and what lies on curves, as its job
+does. Everything that is drawn or told speaks of ratios, with SI units beside them or in their place: `coordinate` brings the
+stored numbers there, wherever all cells of the file share what that takes. Where they don't, for an axis changes the rig, a
+coordinate stays what it is.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+# Of each ratio: its name in SI units, and from the root attributes of a file what a ratio of 1 is there.
+TWINS = {
+    "frequency_ratio": "frequency_hz",
+    "gap_ratio": "gap_m",
+    "displacement_ratio": "displacement_m",
+    "velocity_ratio": "velocity_m_per_s",
+    "start_displacement_ratio": "start_displacement_m",
+    "start_velocity_ratio": "start_velocity_m_per_s",
+}
+RATIOS = {si: ratio for ratio, si in TWINS.items()}
+NAMES = TWINS.keys() | RATIOS.keys()
+
+
+class Scales(Protocol):
+    """A file that knows natural_frequency_hz and cart_amplitude_m where all of its cells share them; else None."""
+
+    def positive(self, name: str) -> float | None: ...
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """`name` of what is shown, `stored` in the file, and the `unit`: a number that is shown, times it, is the stored one."""
+
+    name: str
+    stored: str
+    unit: float = 1.0
+
+
+def unit_of(file: Scales, name: str) -> float | None:
+    """What a ratio of 1 is in SI units [Hz, m or m/s], of a coordinate by either of its names; None where the file doesn't tell."""
+    ratio = RATIOS.get(name, name)
+    hertz, metres = file.positive("natural_frequency_hz"), file.positive("cart_amplitude_m")
+    if ratio == "frequency_ratio":
+        return hertz
+    if ratio in ("velocity_ratio", "start_velocity_ratio"):
+        return 2 * np.pi * hertz * metres if hertz and metres else None
+    return metres if ratio in TWINS else None
+
+
+def coordinate(file: Scales, stored: str) -> Coordinate:
+    """The Coordinate of a name in the file."""
+    unit = unit_of(file, stored) if stored in RATIOS else None
+    return Coordinate(RATIOS[stored], stored, unit) if unit else Coordinate(stored, stored)

@@ -1,0 +1,95 @@
+"""Whether a recording is of the motion that was fitted to it: what is left, against noise.
+
+Impacts by themselves, each with a time and a speed of its own, say how much a spring and a dashpot leave; where the whole motion
+leaves more in the same samples (F test), its springs, gap or cart are others. Between impacts what is left must change its sign as
+often as noise does (Wald and Wolfowitz's runs test).
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.stats import f, norm
+
+from ..arrays import Reals
+from ..files.checked_hdf5 import NotDrawable
+from .problem import SHARP
+from .recording import Recording
+from .solve import Solved, settle
+from .starts import Begin
+
+CHANCE = 1e-6  # below which what is left isn't noise
+LEAST_LEFT = 3e-4  # of the hardest peak, which no sensor resolves
+LEAST_SWING = 0.01  # of a signal's range: what is left between impacts and isn't worth a word
+FEWEST = 20  # residuals for a test
+ADVICE = "cut out one release with --from and --to; where the cart moves, give it as --driven"
+
+
+def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impacts: int, given: Mapping[str, float]) -> None:
+    """NotDrawable where the whole motion of one leg isn't the recorded one."""
+    named = {"gap": f"{1e3 * given.get('gap', 0):.4g} mm from the stop", "omega": "with these springs", "damping_ratio": ""}
+    what = " ".join(["the motion of a hammer that was let go over a cart at rest", *(named[name] for name in given if named[name])])
+    touches = found.problem.motion(found.value, 0).touches
+    if len(touches) < impacts:
+        raise NotDrawable(f"{recording.path} isn't {what}: it shows {impacts} impacts, and the nearest such motion has {len(touches)}. "
+                          f"{_hint(given)}")
+    if begun.alone is not None:
+        chance, more = _impacts_left(found, begun.alone)
+        if chance < CHANCE:
+            raise NotDrawable(f"{recording.path} isn't {what}: its impacts are off the nearest one by {more:.3g} times what they are off a "
+                              f"spring and a dashpot by themselves, which noise does in less than one of {1 / CHANCE:.0e} cases. {_hint(given)}")
+    for name in found.problem.names:
+        chance, share = _between_left(found, name)
+        if chance < CHANCE and share > LEAST_SWING:
+            raise NotDrawable(f"{recording.path} isn't {what}: between impacts its {name} is off the nearest one by {100 * share:.2g} % of "
+                              f"its range, and not by noise. {_hint(given)}")
+
+
+def _hint(given: Mapping[str, float]) -> str:
+    if "gap" in given:
+        return "Without --gap-mm the gap is fitted; else " + ADVICE
+    return ADVICE[0].upper() + ADVICE[1:]
+
+
+def _impacts_left(found, alone) -> tuple[float, float]:
+    """(chance of so much more, root of mean squares' ratio) of what the whole motion leaves near impacts over what they leave by themselves."""
+    problem = found.problem
+    moved = problem.motion(found.value, 0)
+    whole = itself = 0.0
+    count = 0
+    for number, leg in enumerate(alone.problem.legs):
+        settled, time = settle(alone.problem, alone.value, number), leg.samples.time
+        far = settled.used & np.all([np.abs(time - touch) > problem.step for touch in moved.touches], axis=0)
+        model = problem.as_recorded(found.value, 0, moved.signals(time, problem.names))
+        single = alone.problem.left(alone.value, number, settled.places)[0]
+        for name in alone.problem.names:
+            floor = LEAST_LEFT * problem.ranges[name]
+            whole += float(np.sum((leg.samples.values[name] - model[name])[far]**2 / floor**2))
+            itself += float(np.sum(single[name][far]**2 / floor**2)) + far.sum()
+            count += int(far.sum())
+    own = 2 * len(alone.problem.legs)
+    if count <= 3 * own or whole <= itself:
+        return 1.0, 1.0
+    ratio = (whole - itself) / own / (itself / (count - own))
+    return float(f.sf(ratio, own, count - own)), float(np.sqrt(whole / itself))
+
+
+def _between_left(found, name) -> tuple[float, float]:
+    """(chance of so few changes of sign, structured part of what is left over the signal's range) between impacts."""
+    settled, problem = found.settled[0], found.problem
+    left = problem.left(found.value, 0, settled.places)[1][name][settled.known_means]
+    if name in SHARP and name == "force" or len(left) < FEWEST:
+        return 1.0, 0.0
+    alike = float(np.mean(left[1:] * left[:-1]))
+    return runs_chance(left), float(np.sqrt(max(alike, 0.0))) / problem.ranges[name]
+
+
+def runs_chance(left: Reals) -> float:
+    """The chance that noise changes its sign so seldom, by the normal approximation of Wald and Wolfowitz."""
+    signs = left > np.median(left)
+    above, below = int(signs.sum()), int((~signs).sum())
+    if min(above, below) < 2:
+        return 1.0
+    runs = 1 + int(np.sum(signs[1:] != signs[:-1]))
+    product, count = 2 * above * below, above + below
+    mean, variance = product / count + 1, product * (product - count) / (count**2 * (count - 1))
+    return float(norm.cdf((runs + 0.5 - mean) / np.sqrt(variance)))

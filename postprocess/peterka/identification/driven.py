@@ -1,0 +1,74 @@
+"""The stop from impacts of a hammer that something moves: the cart, or a hand.
+
+Each impact has a time, a speed and a push of its own, by springs and cart, which changes evenly while it lasts; the stop is common
+to all. What moves the hammer between impacts doesn't matter then, and isn't told.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..files.checked_hdf5 import NotDrawable
+from .first_guess import look
+from .fit import Fit, finished
+from .problem import SLOW
+from .recording import Recording
+from .solve import solved, start
+from .starts import SEEN, alone_problem, begin, impact_legs
+
+WEAKEST = 0.1  # of the hardest impact: weaker ones tell next to nothing
+MOST = 20  # impacts that are fitted, evenly out of all
+PUSHES = 2.0  # standard deviation of a push over its mean between impacts
+SPRINGS = {"omega": (0.0, 1.0), "damping_ratio": (0.02, 0.03)}  # mean and standard deviation; ln omega over that of the impacts' rate
+
+
+def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | None = None) -> Fit:
+    """The Fit of the impacts of a Recording, whatever moves the hammer between them; mass [kg]; `given`: "omega" [rad/s] and
+    "damping_ratio" of the springs where they are known; else errors allow for springs that swing about as fast as impacts come."""
+    given, guess = dict(given or {}), look(recording)
+    if not guess.sharp:
+        raise NotDrawable(f"{recording.path} has neither force nor acceleration, without which single impacts can't be told")
+    if guess.contact < SEEN:
+        raise NotDrawable(f"{recording.path} is too coarse to see the contact: the hardest impact has {guess.contact} samples, and {SEEN} "
+                          f"are needed at least; record at {2e-3 * SEEN / guess.contact / recording.step:.3g} kHz or more")
+    begun = begin(recording, guess, mass)
+    used, unused, weak = [], [], 0
+    for impact in begun.impacts:
+        one, width = guess.pulses[impact.number], guess.pulses[impact.number].last - guess.pulses[impact.number].first
+        at = f"the impact at {recording.begin + impact.touch:.6g} s isn't used: "
+        after = guess.pulses[impact.number + 1].first if impact.number + 1 < len(guess.pulses) else recording.count + width
+        before = guess.pulses[impact.number - 1].last if impact.number else -width
+        if one.first < width or one.last + width > recording.count:
+            unused.append(at + "the recording cuts it")
+        elif after - one.last < 2 * width or one.first - before < 2 * width:
+            unused.append(at + "the next one is too near")
+        elif one.height < WEAKEST * guess.pulses[guess.hardest].height:
+            weak += 1
+        else:
+            used.append(impact)
+    if not used:
+        raise NotDrawable(f"{recording.path} has no impact to tell the stop by: {'; '.join(unused[:3])}")
+    chosen = [used[at] for at in np.unique(np.linspace(0, len(used) - 1, MOST).astype(int))]
+    if weak:
+        unused.append(f"{weak} impacts aren't used: their forces are below {100 * WEAKEST:.0f} % of the hardest one's")
+    if len(chosen) < len(used):
+        unused.append(f"{len(used) - len(chosen)} impacts aren't used: {MOST}, evenly out of all, are enough")
+    problem = _problem(recording, guess, begun, chosen, mass, given)
+    first = start(problem, stop_ratio=begun.stop_ratio, damping_ratio=problem.fixed.get("damping_ratio", SPRINGS["damping_ratio"][0]))
+    return finished(recording, guess, solved(problem, first), chosen, unused)
+
+
+def _problem(recording, guess, begun, chosen, mass, given):
+    """What brings a hammer back within a time T at (1 + e) times its speed pushes it by (1 + e) v/T in the mean, and about so, changing
+    as fast as a wave of half that time, during the impact: all impacts have a push in common, and each one of its own."""
+    flight = float(np.median(np.diff([one.touch for one in begun.impacts]))) if len(begun.impacts) > 1 else recording.count * recording.step / 2
+    push = PUSHES * (1 + begun.restitution) * begun.contact / (np.pi * flight)
+    turn = 4 * np.pi / flight * begun.contact / SLOW
+    problem = alone_problem(recording, guess, mass, begun.stiffness, begun.contact, impact_legs(recording, guess, chosen), push)
+    prior = {name: (0.0, push * (turn if "_sin" in name else 1.0)) for name in ("mean_cos", "mean_sin", *problem.prior)}
+    springs = {name: SPRINGS[name] for name in SPRINGS if name not in given}
+    free = [*problem.free, "mean_cos", "mean_sin", *springs]
+    fixed = {"gap": 0.0, "omega": 0.0, "damping_ratio": given.get("damping_ratio", 0.0)}
+    return replace(problem, free=free, fixed={name: value for name, value in fixed.items() if name not in free},
+                   scale={**problem.scale, "omega": given.get("omega", 2 * np.pi / flight)}, prior={**prior, **springs})

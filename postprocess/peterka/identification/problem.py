@@ -1,0 +1,120 @@
+"""Parameters <-> the motion of a rig, leg by leg, and how far recorded signals are from it.
+
+A leg is a stretch of a recording that begins with an impact, whose time and speed are parameters of its own: a release is
+one leg, a driven motion several, so that no leg is so long that small differences grow in it; an impact by itself is one,
+too, with a push by springs and cart of its own. All legs have the rig in common.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..arrays import Integers, Reals
+from .motion import MOST_IMPACTS, Cart, Motion, Rig, motion, next_touch
+from .samples import Samples
+
+SHARP = ("force", "acceleration")  # signals that jump at first touch
+LEAST_NOISE = 1e-6  # of a signal's range
+NO_RIG = 1e6  # in standard deviations: what is left by parameters that are no rig
+SLOW = 0.1  # a push during one impact: its angle over the contact
+# of ln ki, zeta of the stop, ln omega and zeta of the springs, gap in swings, of each over its first guess
+LOWEST = {"stop_ratio": 0.0, "damping_ratio": -0.3, "gap": -3.0, "stiffness": -12.0, "omega": -6.0}
+HIGHEST = {"stop_ratio": 50.0, "damping_ratio": 0.9, "gap": 30.0, "stiffness": 12.0, "omega": 6.0}
+
+
+@dataclass(frozen=True)
+class Leg:
+    """`touch` [s] and `speed` [m/s] are first guesses of the impact with which it begins; `impacts`: how many it has, those too weak to
+    be seen left out: its motion goes on without them, and what is recorded after the first of them counts for nothing."""
+
+    samples: Samples
+    touch: float
+    speed: float
+    impacts: int = MOST_IMPACTS
+
+
+@dataclass
+class Problem:
+    """mass [kg]; `scale` {parameter: SI value of which it is the logarithm over, or a multiple}, with "contact" [s]; `free`: which are fitted; `fixed`: the others as parameters, 0 where absent. `signs` and `noise` {signal: ...}; offsets are fitted as multiples of `ranges`. `pushed`: legs have a push each, beside one, mean_cos and mean_sin, that all have.
+    `prior` {parameter: (mean, standard deviation)}."""
+
+    mass: float
+    legs: Sequence[Leg]
+    scale: Mapping[str, float]
+    free: Sequence[str]
+    fixed: Mapping[str, float]
+    signs: Mapping[str, int]
+    offsets: Mapping[str, float]
+    ranges: Mapping[str, float]
+    noise: dict[str, float]
+    step: float
+    pushed: bool = False
+    blind: float = 0.0  # s: what lies as near to a touch counts for nothing
+    prior: dict[str, tuple[float, float]] = field(default_factory=dict)
+    extra_noise: dict[str, float] = field(default_factory=dict)  # {signal: factor of its noise in contact}
+
+    @property
+    def names(self) -> list[str]:
+        """Of the signals."""
+        return list(self.ranges)
+
+    @property
+    def parameters(self) -> list[str]:
+        """Names of all parameters in their order."""
+        offsets = [f"offset_{name}" for name in self.names]
+        own = ["touch", "speed", *(["push_cos", "push_sin", *offsets] if self.pushed else [])]
+        return [*self.free, *([] if self.pushed else offsets), *(f"{name} {leg}" for leg in range(len(self.legs)) for name in own)]
+
+    def values(self, chosen: Reals) -> dict[str, float]:
+        """{parameter: value}, those that are fixed, too."""
+        return {**self.fixed, **dict(zip(self.parameters, chosen))}
+
+    def bounds(self) -> tuple[Reals, Reals]:
+        """Lowest and highest values of the parameters."""
+        names = [name.split()[0] for name in self.parameters]
+        far = {"touch": 6.0, "speed": 3.0}
+        return (np.array([LOWEST.get(name, -far.get(name, np.inf)) for name in names]),
+                np.array([HIGHEST.get(name, far.get(name, np.inf)) for name in names]))
+
+    def rig(self, value: Mapping[str, float]) -> Rig:
+        """That of these values."""
+        stiffness = self.scale["stiffness"] * np.exp(value["stiffness"])
+        return Rig(self.mass, stiffness, 2 * value["stop_ratio"] * np.sqrt(stiffness * self.mass),
+                   self.scale["omega"] * np.exp(value["omega"]), value["damping_ratio"], self.scale["gap"] * value["gap"])
+
+    def motion(self, value: Mapping[str, float], number: int) -> Motion:
+        """That of a leg."""
+        leg, contact = self.legs[number], self.scale["contact"]
+        cart = Cart()
+        if self.pushed:
+            omega = SLOW / contact
+            push = self.scale["push"] * complex(value["mean_cos"] + value[f"push_cos {number}"],
+                                                value["mean_sin"] + value[f"push_sin {number}"])
+            cart = Cart(omega, push * np.exp(-1j * omega * leg.touch))
+        until = max([*leg.samples.time[-1:], *leg.samples.ends[-1:]])
+        return motion(self.rig(value), cart, leg.touch + contact * value[f"touch {number}"],
+                      leg.speed * np.exp(value[f"speed {number}"]), until, leg.impacts)
+
+    def known_until(self, moved: Motion, number: int) -> float:
+        """Up to where a motion holds [s]: the first impact that its leg leaves out."""
+        until = max([*self.legs[number].samples.time[-1:], *self.legs[number].samples.ends[-1:]])
+        if len(moved.touches) < self.legs[number].impacts or moved.pieces[-1].contact:
+            return np.inf
+        touch = next_touch(moved.rig, moved.cart, moved.pieces[-1], until)
+        return np.inf if touch is None else touch
+
+    def as_recorded(self, value: Mapping[str, float], number: int, model: Mapping[str, Reals]) -> dict[str, Reals]:
+        """A motion's signals with sign and offset."""
+        own = f" {number}" * self.pushed
+        return {name: self.signs[name] * model[name] + self.offsets[name] + self.ranges[name] * value[f"offset_{name}{own}"]
+                for name in self.names}
+
+    def left(self, value: Mapping[str, float], number: int, places: Integers | None = None, moved: Motion | None = None
+             ) -> tuple[dict[str, Reals], dict[str, Reals]]:
+        """({signal: recorded less model} of the single samples, the same of the means) of a leg."""
+        samples, moved = self.legs[number].samples, moved or self.motion(value, number)
+        singles = self.as_recorded(value, number, moved.signals(samples.time, self.names, places))
+        means = self.as_recorded(value, number, moved.means(samples.begins, samples.ends, self.names))
+        return ({name: samples.values[name] - singles[name] for name in self.names},
+                {name: samples.means[name] - means[name] for name in self.names})

@@ -1,0 +1,234 @@
+"""Least squares of a Problem, by scipy, with what they say of errors.
+
+Which samples lie in contact is settled before each round, from the touches of the last one, and the sample nearest to a touch
+(where contacts are sampled well, those within a step of it) counts for nothing: there the force of the model jumps, and that of a real sensor doesn't. What is left is a smooth function
+of the parameters.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from ..arrays import Integers, Mask, Reals
+from .problem import LEAST_NOISE, NO_RIG, SHARP, Problem
+
+ROUNDS = 8  # until the samples in contact stay the same
+NO_JUMP = 100.0  # standard deviations
+SHARP_JUMP, JUMP_OVER_NOISE, JUMP_REACH = 0.85, 10, 4  # of the model's jump; standard deviations; samples
+WITHIN_STEP = 12**-0.5  # standard deviation of a place that may be anywhere within a step
+MANY = 10  # samples of a contact, with which two more can be spared at each touch: a wrong one there leads far off
+STAYS = 0.3  # of a step, by which touches may move in the last round
+FEWEST = 4  # residuals, of which a level is told
+CLOSE = 1e-8  # relative change at which least squares end
+COARSE, BLIND = 0.02, 0.1  # of a signal's range, of a contact
+STEP = 1e-6  # of parameters, which are of order 1, for slopes
+
+
+@dataclass(frozen=True)
+class Settled:
+    """Of a leg: `touches` [s]; `places`: the first sample in each contact; `used`: which single samples aren't the nearest one to a touch;
+    `known` and `known_means`: what lies before the first impact that is left out; `contact`: which single samples lie in one;
+    `jumps` {number of a contact: middle [s] of the step in which a recorded signal jumps as far as the model says: the touch lies in it}."""
+
+    touches: Reals
+    places: Integers
+    used: Mask
+    known: Mask
+    known_means: Mask
+    contact: Mask
+    jumps: dict[int, float]
+
+    def of(self, name: str) -> Mask:
+        """Which single samples of this signal count."""
+        return self.used & self.known if name in SHARP else self.known
+
+
+@dataclass(frozen=True)
+class Solved:
+    """`value` {parameter}; `covariance` of problem.parameters; `cost`: sum of squares in standard deviations, of `rows` residuals;
+    `settled` of each leg."""
+
+    problem: Problem
+    value: dict[str, float]
+    covariance: Reals
+    cost: float
+    rows: int
+    settled: list[Settled]
+
+    def error(self, name: str) -> float:
+        """Standard error of a parameter; 0 where it is fixed."""
+        names = self.problem.parameters
+        return float(np.sqrt(max(self.covariance[names.index(name), names.index(name)], 0))) if name in names else 0.0
+
+
+def start(problem: Problem, **begun: float) -> dict[str, float]:
+    """{parameter: 0, or as told}."""
+    return {name: begun.get(name, problem.fixed.get(name, 0.0)) for name in [*problem.fixed, *problem.parameters]}
+
+
+def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: int = ROUNDS) -> Solved:
+    """The Solved nearest to these values. ValueError where no rig moves so."""
+    names = problem.parameters
+    lowest, highest = problem.bounds()
+    reach = max(problem.blind, problem.step) / problem.scale["contact"]  # farther than this a touch's samples don't follow it
+    own = np.array([name.startswith("touch ") for name in names])
+    settled = [settle(problem, problem.values([value.get(name, 0.0) for name in names]), number)
+               for number in range(len(problem.legs))]
+    for _ in range(rounds):
+        chosen = np.clip([value.get(name, 0.0) for name in names], lowest, highest)
+        lower, upper = np.where(own, chosen - reach, lowest), np.where(own, chosen + reach, highest)
+        rows = [_rows(problem, one) for one in settled]
+        off = WITHIN_STEP * problem.step * _together(problem, settled)
+
+        def left(chosen, settled=settled, rows=rows, off=off):
+            then = problem.values(chosen)
+            return np.concatenate([*(_leg(problem, then, number, settled[number], rows[number], off)
+                                     for number in range(len(problem.legs))), _priors(problem, then)])
+
+        def slopes(chosen, left=left, rows=rows, upper=upper):
+            return _slopes(problem, left, chosen, upper, [*rows, len(problem.prior)])
+
+        answer = least_squares(left, chosen, slopes, bounds=(lower, upper), x_scale="jac", xtol=CLOSE, ftol=CLOSE, gtol=CLOSE,
+                               max_nfev=most)
+        value, before = problem.values(answer.x), settled
+        settled = [settle(problem, value, number) for number in range(len(problem.legs))]
+        if all(_stays(old, new, problem.step) for old, new in zip(before, settled)):
+            break
+    return Solved(problem, value, _covariance(answer.jac), 2 * float(answer.cost), int(sum(rows)), before)
+
+
+def coarse(problem: Problem) -> Problem:
+    """The same as if the noise were large, and without what lies near a touch: what is far from the motion pulls no more than that."""
+    return replace(problem, noise={name: max(noise, COARSE * problem.ranges[name]) for name, noise in problem.noise.items()
+                                   if name in problem.ranges}, blind=BLIND * problem.scale["contact"])
+
+
+def settle(problem: Problem, value: dict[str, float], number: int) -> Settled:
+    """The Settled of a leg with these parameters."""
+    samples, moved = problem.legs[number].samples, problem.motion(value, number)
+    time, touches = samples.time, moved.touches
+    used, contact = np.ones(len(time), dtype=bool), np.zeros(len(time), dtype=bool)
+    places = np.searchsorted(time, touches)
+    for touch, place in zip(touches, places):
+        near = [at for at in (place - 1, place) if 0 <= at < len(time)]
+        if near:
+            nearest = min(near, key=lambda at: abs(time[at] - touch))
+            used[nearest] = abs(time[nearest] - touch) > problem.step
+        used &= np.abs(time - touch) > max(problem.blind, problem.step * (problem.scale["contact"] > MANY * problem.step))
+    for begin, end in moved.contacts():
+        contact |= (time > begin) & (time < end)
+    until = problem.known_until(moved, number)
+    jumps = {} if problem.blind else _jumps(problem, value, number, moved, places)
+    return Settled(touches, places, used, time < until, samples.ends < until, contact, jumps)
+
+
+def _jumps(problem, value, number, moved, places):
+    name = next((name for name in SHARP if name in problem.names), None)
+    found: dict[int, float] = {}
+    if name is None:
+        return found
+    samples = problem.legs[number].samples
+    sign = problem.signs[name] * (1 if name == "force" else -1)
+    for at, (touch, place) in enumerate(zip(moved.touches, places)):
+        height = 2 * value["stop_ratio"] * np.sqrt(moved.rig.stiffness * moved.rig.mass) * moved.pieces[2 * at + 1].at(touch)[1]
+        height /= 1 if name == "force" else moved.rig.mass
+        near = slice(place - JUMP_REACH, place + JUMP_REACH)
+        time = samples.time[near] if place >= JUMP_REACH else samples.time[:0]
+        if len(time) < 2 * JUMP_REACH or np.ptp(time) > (2 * JUMP_REACH - 0.5) * problem.step or not height > JUMP_OVER_NOISE * problem.noise[name]:
+            continue
+        steps = np.diff(sign * samples.values[name][near])
+        largest = int(np.argmax(steps))
+        if steps[largest] > SHARP_JUMP * height:
+            found[at] = float(time[largest] + 0.5 * problem.step)
+    return found
+
+
+def _together(problem, settled):
+    """By how much more a jump's place is off where all impacts come the same number of samples apart: then each is sampled at the same
+    places, and many tell no more than one."""
+    touches = np.concatenate([one.touches for one in settled])
+    steps = np.rint(np.diff(touches) / problem.step)
+    return float(np.sqrt(len(touches))) if len(steps) > 2 and np.ptp(steps) == 0 else 1.0
+
+
+def levels(found: Solved) -> tuple[dict[str, float], dict[str, float]]:
+    """({signal: root mean square of what is left outside contact}, {signal: that in contact over it, at least 1})."""
+    noise, more = {}, {}
+    for name in found.problem.names:
+        outside, inside = [np.concatenate(parts) for parts in zip(*(
+            _parts(found, number, name) for number in range(len(found.problem.legs))))]
+        level = _level(outside if len(outside) >= FEWEST else inside)
+        noise[name] = max(level, LEAST_NOISE * found.problem.ranges[name])
+        more[name] = max(1.0, _level(inside) / noise[name]) if len(inside) >= FEWEST else 1.0
+    return noise, more
+
+
+def _parts(found, number, name):
+    """(what is left outside contact, each of a single sample's noise; what is left in contact) of a signal in a leg."""
+    settled, counts = found.settled[number], found.problem.legs[number].samples.counts
+    singles, means = found.problem.left(found.value, number, settled.places)
+    fine, known = settled.of(name), settled.known_means
+    return (np.concatenate([singles[name][fine & ~settled.contact], (means[name] * np.sqrt(counts))[known]]),
+            singles[name][fine & settled.contact])
+
+
+def _level(left):
+    return float(np.sqrt(np.mean(left**2))) if len(left) else 0.0
+
+
+def _stays(old, new, step):
+    return (len(old.touches) == len(new.touches) and np.all(np.abs(old.touches - new.touches) < STAYS * step)
+            and old.jumps == new.jumps and np.sum(old.known != new.known) + np.sum(old.known_means != new.known_means) <= 1)
+
+
+def _rows(problem, settled):
+    return int(sum(settled.of(name).sum() + settled.known_means.sum() for name in problem.names)) + len(settled.jumps)
+
+
+def _leg(problem, value, number, settled, rows, off):
+    try:
+        moved = problem.motion(value, number)
+        singles, means = problem.left(value, number, settled.places, moved)
+    except (ValueError, FloatingPointError, OverflowError):
+        return np.full(rows, NO_RIG)
+    counts, found = np.sqrt(problem.legs[number].samples.counts), []
+    for name in problem.names:
+        noise = problem.noise[name] * np.where(settled.contact, problem.extra_noise.get(name, 1.0), 1.0)
+        found += [(singles[name] / noise)[settled.of(name)], (means[name] * counts / problem.noise[name])[settled.known_means]]
+    touches = moved.touches
+    found.append(np.array([(touches[at] - middle) / off if at < len(touches) else NO_JUMP for at, middle in settled.jumps.items()]))
+    return np.clip(np.nan_to_num(np.concatenate(found), nan=NO_RIG), -NO_RIG, NO_RIG)
+
+
+def _slopes(problem, left, chosen, upper, rows):
+    """Of all residuals over the parameters, (residuals, parameters), by differences; parameters that legs have of their own are
+    moved in all legs at once."""
+    names, here = problem.parameters, left(chosen)
+    edges, found = np.concatenate([[0], np.cumsum(rows)]), np.zeros((len(here), len(names)))
+    for own in dict.fromkeys(name.split()[0] for name in names):
+        columns = [column for column, name in enumerate(names) if name.split()[0] == own]
+        moved = np.array(chosen)
+        steps = np.where(moved[columns] + STEP < upper[columns], STEP, -STEP)
+        moved[columns] += steps
+        change = left(moved) - here
+        for column, step in zip(columns, steps):
+            words = names[column].split()
+            inside = slice(None) if len(words) == 1 else slice(edges[int(words[1])], edges[int(words[1]) + 1])
+            found[inside, column] = change[inside] / step
+        if len(columns) > 1 or " " in names[columns[0]]:
+            for column, step in zip(columns, steps):  # priors are their own
+                found[edges[-2]:, column] = [1 / deviation if names[column] == name else 0.0
+                                             for name, (_, deviation) in problem.prior.items()]
+    return found
+
+
+def _priors(problem, value):
+    return np.array([(value[name] - mean) / deviation for name, (mean, deviation) in problem.prior.items()])
+
+
+def _covariance(jacobian):
+    size = np.sqrt(np.sum(jacobian**2, axis=0))
+    size[size == 0] = 1e-30
+    scaled = jacobian / size
+    return np.linalg.pinv(scaled.T @ scaled, rcond=1e-15, hermitian=True) / np.outer(size, size)

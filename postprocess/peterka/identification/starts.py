@@ -1,0 +1,205 @@
+"""From where least squares begin: the stop from impacts by themselves, springs and gap from the swings between them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .contact_pulse import identified, pulse
+from .first_guess import Guess
+from .problem import SHARP, SLOW, Leg, Problem
+from .recording import Recording
+from .samples import Samples, thinned
+from .solve import Solved, solved, start
+
+FIRST_RESTITUTION = 0.5
+SLICE = 1.5  # of a pulse's width: what an impact by itself is shown with before and after it
+AROUND, LEAST_AROUND = 3, 15  # widths of a pulse, and samples, that are kept before and after it
+SEEN = 4  # samples of a contact, from which on it tells a stop by itself
+SCANNED_RATIOS, SCANNED_LENGTHS, SCANNED_TOUCHES = (0.02, 0.1, 0.25, 0.5), np.linspace(0.6, 1.2, 7), 24
+MOST_ALONE = 8  # impacts that begin with a fit by themselves
+SWINGS = 400  # omegas tried for a swing that is seen
+FIRST_PUSH = 0.03  # standard deviation of the push by springs and cart during an impact, over what the stop does
+
+
+@dataclass(frozen=True)
+class Impact:
+    """A pulse of a Guess as an impact: touch [s] from the recording's begin, speed [m/s]."""
+
+    touch: float
+    speed: float
+    number: int
+
+
+@dataclass(frozen=True)
+class Begin:
+    """First guesses: ki [N/m], damping ratio of the stop, contact [s], and of all impacts; `alone`: the hardest one by itself, None where it
+    isn't seen well enough."""
+
+    stiffness: float
+    stop_ratio: float
+    contact: float
+    restitution: float
+    impacts: list[Impact]
+    alone: Solved | None
+
+
+def window(guess: Guess, number: int) -> tuple[int, int]:
+    """(first, after the last) of the samples around a pulse that are kept one by one."""
+    one = guess.pulses[number]
+    around = max(AROUND * max(one.last - one.first, guess.contact), LEAST_AROUND)
+    return one.first - around, one.last + around
+
+
+def samples_of(recording: Recording, guess: Guess) -> Samples:
+    """All of it, thinned between impacts."""
+    flights = np.diff([one.first for one in guess.pulses]) * recording.step
+    return thinned(recording, [window(guess, number) for number in range(len(guess.pulses))],
+                   float(flights.min()) if len(flights) else None)
+
+
+def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
+    """The Begin of a recording."""
+    hardest = guess.pulses[guess.hardest]
+    contact = max(guess.contact, 1.5) * recording.step
+    stiffness, damping = identified(mass, FIRST_RESTITUTION, contact)
+    ratio, touch = damping / (2 * np.sqrt(stiffness * mass)), recording.step * (hardest.first - 0.5)
+    speed, alone = _rough_speed(recording, guess, mass, stiffness), None
+    if guess.sharp and guess.contact >= SEEN:
+        stiffness, ratio, touch, speed = _scanned(recording, guess, mass)
+        contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))[1]
+    impacts = [Impact(touch + recording.step * (one.first - hardest.first), speed * one.height / hardest.height, number)
+               for number, one in enumerate(guess.pulses)]
+    if guess.sharp and guess.contact >= SEEN:
+        alone = _alone(recording, guess, mass, stiffness, ratio, contact, sorted(
+            sorted(impacts, key=lambda one: -one.speed)[:MOST_ALONE], key=lambda one: one.touch))
+    if alone is not None:
+        rig, legs = alone.problem.rig(alone.value), alone.problem.legs
+        stiffness, ratio = rig.stiffness, alone.value["stop_ratio"]
+        for number, leg in enumerate(legs):
+            at = next(at for at, one in enumerate(impacts) if one.touch == leg.touch)
+            impacts[at] = replace(impacts[at], touch=leg.touch + contact * alone.value[f"touch {number}"],
+                                  speed=float(leg.speed * np.exp(alone.value[f"speed {number}"])))
+    restitution, contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))
+    return Begin(stiffness, ratio, contact, restitution, impacts, alone)
+
+
+def impact_legs(recording: Recording, guess: Guess, impacts: Sequence[Impact]) -> list[Leg]:
+    """A Leg of each impact by itself."""
+    legs = []
+    for impact in impacts:
+        one = guess.pulses[impact.number]
+        around = int(SLICE * max(one.last - one.first, 4))
+        inside = one.first - around, one.last + around
+        part = thinned(recording, [inside], None).part(recording.step * (inside[0] - 0.5), recording.step * (inside[1] - 0.5))
+        legs.append(Leg(only_sharp(part).without_means(), impact.touch, impact.speed, 1))
+    return legs
+
+
+def only_sharp(samples: Samples) -> Samples:
+    """The same without displacements, which tell no single impact."""
+    return replace(samples, values={name: values for name, values in samples.values.items() if name in SHARP},
+                   means={name: values for name, values in samples.means.items() if name in SHARP})
+
+
+def alone_problem(recording: Recording, guess: Guess, mass: float, stiffness: float, contact: float, legs: Sequence[Leg],
+                  pushes: float) -> Problem:
+    """The Problem of impacts by themselves, with a push of their own by springs and cart."""
+    names = [name for name in SHARP if name in guess.signs]
+    push = max(leg.speed for leg in legs) * np.pi / contact
+    prior = {f"push_{part} {leg}": (0.0, pushes / (1 if part == "cos" else SLOW)) for leg in range(len(legs)) for part in ("cos", "sin")}
+    return Problem(mass, legs, {"stiffness": stiffness, "omega": 1e-3 / contact, "gap": 1.0, "contact": contact, "push": push},
+                   ["stiffness", "stop_ratio"], {"omega": 0.0, "damping_ratio": 0.0, "gap": 0.0, "mean_cos": 0.0, "mean_sin": 0.0}, guess.signs, guess.offsets,
+                   {name: guess.ranges[name] for name in names}, noise_levels(guess), recording.step, pushed=True, prior=prior)
+
+
+def noise_levels(guess: Guess) -> dict[str, float]:
+    """Of all signals, none of them 0."""
+    return {name: max(noise, 1e-6 * guess.ranges[name]) for name, noise in guess.noise.items()}
+
+
+def _alone(recording, guess, mass, stiffness, ratio, contact, impacts):
+    """The Solved of impacts by themselves, which have the stop in common; None where that led nowhere."""
+    problem = alone_problem(recording, guess, mass, stiffness, contact, impact_legs(recording, guess, impacts), FIRST_PUSH)
+    try:
+        return solved(problem, start(problem, stop_ratio=ratio))
+    except (ValueError, np.linalg.LinAlgError):
+        return None
+
+
+def _scanned(recording, guess, mass):
+    """(ki, damping ratio, touch [s], speed [m/s]) of the hardest impact, the nearest of many pulses of a free mass to it."""
+    one = guess.pulses[guess.hardest]
+    around, step = one.last - one.first, recording.step
+    first, last = max(0, one.first - around), one.last + around
+    time = step * np.arange(first, min(last, recording.count))
+    signal = -guess.signs[guess.sharp] * mass if guess.sharp == "acceleration" else guess.signs[guess.sharp]
+    force = np.nan_to_num(signal * (np.asarray(recording.signals[guess.sharp][first:last], dtype=float) - guess.offsets[guess.sharp]))
+    best = (np.inf, 0.0, 0.0, 0.0, 0.0)
+    for ratio in SCANNED_RATIOS:
+        for length in around * SCANNED_LENGTHS:
+            stiffness = mass * (pulse(mass, mass, 2 * ratio * mass)[1] / (length * step))**2
+            for begin in np.linspace(one.first - 1, one.top, SCANNED_TOUCHES):
+                shape = _free_pulse(time - step * begin, stiffness, ratio, mass)
+                speed = float(shape @ force / max(shape @ shape, 1e-300))
+                cost = float(np.sum((force - speed * shape)**2))
+                if speed > 0 and cost < best[0]:
+                    best = (cost, stiffness, ratio, step * begin, speed)
+    return best[1:]
+
+
+def _free_pulse(since, stiffness, ratio, mass):
+    """Force [N] of a free mass that touches at 0 with 1 m/s; ratio below 1."""
+    omega = np.sqrt(stiffness / mass)
+    swing = omega * np.sqrt(1 - ratio**2)
+    inside = np.clip(since, 0, np.pi / swing)
+    place = np.exp(-ratio * omega * inside) * np.sin(swing * inside) / swing
+    speed = np.exp(-ratio * omega * inside) * (np.cos(swing * inside) - ratio * omega / swing * np.sin(swing * inside))
+    return np.where(since >= 0, np.maximum(stiffness * place + 2 * ratio * np.sqrt(stiffness * mass) * speed, 0), 0)
+
+
+def _rough_speed(recording, guess, mass, stiffness):
+    """At which an impact is as strong as the recorded one; of a displacement its slope before it."""
+    hardest = guess.pulses[guess.hardest]
+    if guess.sharp:
+        return hardest.height * (1 / mass if guess.sharp == "force" else 1) / np.sqrt(stiffness / mass) * 1.3
+    values = recording.signals["displacement"]
+    before = np.asarray(values[max(0, hardest.first - 100):hardest.first], dtype=float)
+    slope = np.polyfit(np.arange(len(before)), before, 1)[0] if len(before) > 2 else guess.ranges["displacement"] / 100
+    return max(abs(float(slope)) / recording.step, 1e-9)
+
+
+def from_swings(samples: Samples, guess: Guess, begun: Begin, omega: float | None, gap: float | None) -> list[tuple[float, float]]:
+    """[(omega [rad/s], gap [m])] where swings are seen: of each stretch between impacts one of its own, all of one omega, by linear
+    least squares for each omega that is tried; what is given is kept."""
+    seen = next((name for name in ("displacement", "acceleration") if name in guess.signs), None)
+    if seen is None:
+        return []
+    time, values = 0.5 * (samples.begins + samples.ends), guess.signs[seen] * samples.means[seen]
+    weights = np.sqrt(samples.counts)
+    touches = np.array([one.touch for one in begun.impacts])
+    piece = np.searchsorted(touches, time)
+    kept = np.isin(piece, [number for number in np.unique(piece) if np.sum(piece == number) >= 12])
+    if kept.sum() < 12:
+        return []
+    time, values, weights, piece = time[kept], values[kept], weights[kept], piece[kept]
+    longest = max(np.ptp(time[piece == number]) for number in np.unique(piece))
+    shortest = np.median(np.diff(np.sort(time)))
+    omegas = np.array([omega]) if omega else np.geomspace(0.5 * np.pi / longest, min(np.pi / (4 * shortest), 400 * np.pi / longest), SWINGS)
+    costs, answers = [], []
+    for tried in omegas:
+        columns = [np.ones(len(time))]
+        for number in np.unique(piece):
+            columns += [np.where(piece == number, wave(tried * time), 0.0) for wave in (np.cos, np.sin)]
+        matrix = np.transpose(columns)
+        answer = np.linalg.lstsq(matrix * weights[:, None], values * weights, rcond=None)[0]
+        costs.append(float(np.sum((weights * (values - matrix @ answer))**2)))
+        answers.append(answer)
+    best = int(np.argmin(costs))
+    tried, answer, found = omegas[best], answers[best], []
+    for at, number in enumerate(np.unique(piece)):
+        for impact in (number - 1, number):
+            if 0 <= impact < len(touches):
+                swing = answer[1 + 2 * at] * np.cos(tried * touches[impact]) + answer[2 + 2 * at] * np.sin(tried * touches[impact])
+                found.append(swing if seen == "displacement" else -swing / tried**2)
+    return [(float(tried), float(np.median(found)) if gap is None else gap)] if found else []

@@ -1,0 +1,153 @@
+"""What shows and tells of files asks for no unit: over axes in Hz, m and m/s each program says and draws what it does over ratios."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jobs
+import launch
+from either_unit import FEATURES, RATIOS, SI, rig
+
+POSTPROCESS = Path(__file__).parents[2] / "postprocess"
+# without chaos, which rounding leads elsewhere
+DRAWN = {"basin": "basin", "sweep along the gap": "response", "curves": "curves_over_map,edge_distance_gap",
+         "map over a damper": "map,force_all", "map over starts": "map", "map over the amplitude": "map", "map": "force_1_1"}
+REGULAR = {
+    "plane": lambda unit: rig("map") + unit.axis("frequency", 1.6, 2.1, 11) + unit.axis("gap", 0.3, 0.9, 9),
+    "sweep": lambda unit: (rig("sweep") + unit.axis("frequency", 1.7, 2.0, 16) + '[sweep]\nsamples = 2\ndirection = "both"\n'
+                           + unit.line("gap", [1.5])),
+    "borders": lambda unit: (rig("curves") + unit.axis("frequency", 1.5, 2.2, 14) + unit.axis("gap", 1, 2, 14)
+                             + "[curves]\nmax_period = 1\n" + unit.line("gap", [1.5])),
+}
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    """The file of a job in a unit, of one name in both, computed when it is first asked for."""
+    folders = {unit: tmp_path_factory.mktemp("ratios" if unit is RATIOS else "si") for unit in (RATIOS, SI)}
+
+    def file(name, unit):
+        stem = re.sub(r"\W+", "_", name)
+        path = folders[unit] / f"{stem}.h5"
+        if not path.exists():
+            jobs.write(folders[unit], {**FEATURES, **REGULAR}[name](unit), f"{stem}.toml")
+            finished = launch.run("run", f"{stem}.toml", "--quiet", cwd=folders[unit])
+            assert finished.returncode == 0, finished.stderr
+        return path
+    return file
+
+
+def program(name, folder, *arguments):
+    done = subprocess.run([sys.executable, POSTPROCESS / f"{name}.py", *map(str, arguments)], cwd=folder, capture_output=True, text=True,
+                          check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def both(files, name, folder, program_name, *arguments):
+    """What a program says of the file in ratios and of that in SI units, in folders of their own, paths left out."""
+    told = []
+    for unit in (RATIOS, SI):
+        here = folder / ("ratios" if unit is RATIOS else "si")
+        here.mkdir(exist_ok=True)
+        path = files(name, unit)
+        told.append(program(program_name, here, path, *arguments).replace(str(path), path.name))
+    return told
+
+
+@pytest.mark.parametrize("units", ["both", "si"])
+@pytest.mark.parametrize("name", DRAWN)
+def test_pictures_are_the_same(files, tmp_path, name, units):
+    one, other = both(files, name, tmp_path, "draw", "--only", DRAWN[name], "--formats", "png", "--units", units)
+    assert one == other and one
+    for picture in one.split():
+        first, second = ((tmp_path / unit / picture).read_bytes() for unit in ("ratios", "si"))
+        assert first == second, picture
+
+
+def test_a_part_is_named_in_ratios_or_in_si_units(files, tmp_path):
+    """Of the same place, whatever the file's own axes."""
+    shown = []
+    for unit in (RATIOS, SI):
+        for place, units in (("1.7,1.9,0.4,0.7", "both"), ("7.65,8.55,0.356,0.623", "si")):
+            folder = tmp_path / f"{len(shown)}"
+            folder.mkdir()
+            program("draw", folder, files("plane", unit), "--only", "map", "--formats", "png", "--units", units, "--zoom", place)
+            shown.append((folder / "pictures" / "plane_map.png").read_bytes())
+    assert shown[0] == shown[2] and shown[1] == shown[3] and shown[0] != shown[1]
+
+
+def test_borders_are_drawn_over_a_sweep_in_any_mixture(files, tmp_path):
+    told = []
+    for sweep in (RATIOS, SI):
+        for curves in (RATIOS, SI):
+            text = program("draw", tmp_path, files("sweep", sweep), "--curves", files("borders", curves), "--only", "response",
+                           "--formats", "png")
+            told.append([line for line in text.splitlines() if "fold" in line or "grazing" in line])
+    assert told[0] and all(lines == told[0] for lines in told)
+
+
+def test_maps_in_either_unit_are_compared(files, tmp_path):
+    text = program("compare", tmp_path, files("plane", RATIOS), files("plane", SI))
+    assert "99 cells that both files hold" in text
+    assert re.search(r"same regime and z\s+99\s+100\.000 %", text)
+
+
+def test_maps_over_hz_of_different_rigs_are_compared_at_the_same_hz(files, tmp_path):
+    jobs.write(tmp_path, REGULAR["plane"](SI).replace("natural_frequency_hz = 4.5", "natural_frequency_hz = 4.6"))
+    assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
+    text = program("compare", tmp_path, files("plane", SI), tmp_path / "job.h5")
+    assert "99 cells that both files hold" in text and "frequency_hz" in text
+
+
+def test_the_page_shows_the_same_plane_and_rig(files, tmp_path, monkeypatch):
+    """Without its engine, which takes a minute to build: the numbers that it is given are here."""
+    monkeypatch.setattr(sys, "path", [str(POSTPROCESS), *sys.path])
+    from peterka.maps.map_file import PeterkaFile
+    from peterka.page import page
+    from peterka.page.engine import cell_numbers
+
+    for name in ("plane", "basin", "map"):
+        contents = []
+        for unit in (RATIOS, SI):
+            with PeterkaFile(files(name, unit)) as file:
+                contents.append((page._header(file, 1), cell_numbers(file)))
+        (first, numbers), (second, others) = contents
+        for side in ("rows", "columns"):
+            assert np.allclose(first[side].pop("values"), second[side].pop("values"), rtol=1e-14, atol=1e-15)
+        assert json.dumps(first["rows"]) == json.dumps(second["rows"]) and first["columns"] == second["columns"]
+        assert numbers.keys() == others.keys()
+        for key, value in numbers.items():
+            assert (value is None) == (others[key] is None), key
+            assert value is None or np.isclose(value, others[key], rtol=1e-14), key
+
+
+def test_cells_are_exported_with_the_same_names_and_numbers(files, tmp_path):
+    both(files, "plane", tmp_path, "export", "--as", "csv", "--output-dir", ".")
+    one, other = ((tmp_path / unit / "plane.csv").read_text().splitlines() for unit in ("ratios", "si"))
+    assert one[0] == other[0] and one[0].startswith("frequency_hz,frequency_ratio,gap_mm,gap_ratio,") and len(one) == len(other) == 100
+    for first, second in zip(one[1:], other[1:]):
+        assert np.allclose([float(cell) for cell in first.split(",")[:4]], [float(cell) for cell in second.split(",")[:4]], rtol=1e-12)
+
+
+def test_where_to_operate_is_the_same_place(files, tmp_path):
+    one, other = both(files, "plane", tmp_path, "operating_point", "--hz", 0.2, "--mm", 0.05, "--formats", "png")
+    assert one == other and "best: " in one
+    verified = both(files, "plane", tmp_path, "operating_point", "--hz", 0.2, "--mm", 0.05, "--formats", "png", "--verify",
+                    "--peterka", launch.BINARY)
+    assert all("the guarantee holds in all" in text or "falls short" in text for text in verified)
+    cells = [re.search(r"(\d+) cells of the finer box", text)[1] for text in verified]
+    assert cells[0] == cells[1]
+
+
+@pytest.mark.parametrize("name", ["plane", "sweep"])
+def test_measured_points_are_held_against_the_same_numbers(files, tmp_path, name):
+    points = tmp_path / "points.csv"
+    points.write_text("frequency_hz,gap_mm,force_n\n8.1,0.534,200\n8.5,1.335,210\n")
+    one, other = both(files, name, tmp_path, "draw", "--only", "map,response", "--formats", "png", "--measured", points)
+    assert one == other and "measured [N]" in one

@@ -1,0 +1,19 @@
+"""Memory that runs out at one allocation, in a small run of each kind: a slice of what tests/endurance/memory_faults.py tries."""
+
+import pytest
+
+import memory_faults
+
+
+@pytest.fixture(scope="module", params=["map with starts", "trace"])
+def kind(request, tmp_path_factory):
+    return memory_faults.Kind(request.param, tmp_path_factory.mktemp(request.param))
+
+
+def test_an_allocation_that_fails_leaves_the_right_file_or_says_so(kind):
+    """Of the program's own, the first ones, before main(), among them."""
+    places = [first for first, _ in kind.places("program")]
+    assert len(places) > 500  # a library that isn't loaded would count none
+    tried = [kind.fails("program", places[len(places) * part // 6]) for part in range(6)]
+    assert [problem for _, problem in tried if problem] == []
+    assert sum(ended == "said so" for ended, _ in tried) >= 4
