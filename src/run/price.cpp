@@ -161,7 +161,7 @@ std::string certificate_price(const job::Job& job) {
     if (rig.spring_dashpot() == nullptr) {
         return "#   proofs   none: there is no theorem for this law of the stop, and `certified` will say so\n";
     }
-    const double seconds_per_cell = rig.cubic == 0 ? 1e-4 : 9e-4;
+    const double seconds_per_cell = rig.cubic == 0 ? 1e-4 : 1.4e-3;
     return fmt::format("#   proofs   of {} cells: {} of one core, or less\n", readable_count(cells),
                        readable_duration(static_cast<double>(cells) * seconds_per_cell));
 }
