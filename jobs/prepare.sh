@@ -19,6 +19,12 @@ packages=(g++ cmake ninja-build git
 tests=OFF
 has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pip python3-pytest); }
 
+# Arb, with which tests compare, is part of FLINT from Debian 13 on.
+if ! has_option --program; then
+    release=$(. /etc/os-release 2>/dev/null && echo "${VERSION_ID:-}")
+    if [ "$release" = 12 ]; then packages+=(libflint-arb-dev); else packages+=(libflint-dev); fi
+fi
+
 missing=()
 for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")

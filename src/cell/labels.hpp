@@ -81,6 +81,22 @@ constexpr const char* name(Status status) {
     return nullptr;
 }
 
+// What is proved of a cell in interval arithmetic, or why it isn't (certificate/certify.hpp).
+enum class Certified : std::int8_t {
+    force_not_bounded = -8,  // within reasonable effort
+    not_surely_stable = -7,  // a multiplier is too close to the unit circle, or beyond it
+    near_grazing = -6,       // it can't be told from a motion with another contact, or one less
+    no_orbit_enclosed = -5,  // too close to where the orbit ends
+    other_label = -4,        // another p, or a smaller period
+    no_orbit_found = -3,     // the cell's state leads to no periodic orbit
+    other_stop = -2,         // no theorem for this law of the stop
+    cubic_spring = -1,       // the cubic term is too strong for the bounds that the proof rests on
+    not_tried = 0,
+    orbit = 1,  // exists, alone in its neighbourhood, with these contacts, p and smallest q, and is stable
+    start = 2,  // and [start] is proved to lead to it
+};
+inline constexpr std::int8_t first_certified = -8;
+
 constexpr const char* name(Engine engine) {
     switch (engine) {
         case Engine::exact:
@@ -95,24 +111,61 @@ constexpr const char* name(Engine engine) {
     return nullptr;
 }
 
+constexpr const char* name(Certified certified) {
+    switch (certified) {
+        case Certified::force_not_bounded:
+            return "force_not_bounded";
+        case Certified::not_surely_stable:
+            return "not_surely_stable";
+        case Certified::near_grazing:
+            return "near_grazing";
+        case Certified::no_orbit_enclosed:
+            return "no_orbit_enclosed";
+        case Certified::other_label:
+            return "other_label";
+        case Certified::no_orbit_found:
+            return "no_orbit_found";
+        case Certified::other_stop:
+            return "other_stop";
+        case Certified::cubic_spring:
+            return "cubic_spring";
+        case Certified::not_tried:
+            return "not_tried";
+        case Certified::orbit:
+            return "orbit";
+        case Certified::start:
+            return "start";
+    }
+    return nullptr;
+}
+
+// The smallest value of a label; the others follow one by one.
+template <class Label>
+inline constexpr int first_label = 0;
+template <>
+inline constexpr int first_label<Certified> = first_certified;
+
 template <class Label>
 constexpr std::size_t count_labels() {
     std::size_t count = 0;
-    while (name(static_cast<Label>(count)) != nullptr) ++count;
+    while (name(static_cast<Label>(first_label<Label> + static_cast<int>(count))) != nullptr) ++count;
     return count;
 }
 
-// Of 0, 1, 2, ...
+// In their order.
 template <class Label>
 constexpr auto all_names() {
     std::array<const char*, count_labels<Label>()> names{};
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = name(static_cast<Label>(i));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        names[i] = name(static_cast<Label>(first_label<Label> + static_cast<int>(i)));
+    }
     return names;
 }
 
 inline constexpr auto regime_names = all_names<Regime>();
 inline constexpr auto status_names = all_names<Status>();
 inline constexpr auto engine_names = all_names<Engine>();
+inline constexpr auto certified_names = all_names<Certified>();
 inline constexpr std::array<const char*, 2> chatter_names{"no_chatter", "chatter"};
 inline constexpr std::array<const char*, 2> computed_names{"filled", "computed"};
 inline constexpr std::array<const char*, 2> jump_names{"no_jump", "jump"};

@@ -74,7 +74,15 @@ enum class Filled {
     interpolated,  // where it is smooth
 };
 
-enum class Kept { always, in_refined_maps, in_sweeps, of_many_starts, of_rigid_stops, on_request };
+enum class Kept {
+    always,
+    in_refined_maps,
+    in_sweeps,
+    of_many_starts,
+    of_rigid_stops,
+    of_certificates,
+    on_request
+};
 
 // Who keeps a quantity; on request: which name asks for it.
 struct Keeping {
@@ -119,6 +127,7 @@ struct QuantityOf {
     InAttractorTable in_attractor_table = InAttractorTable::no;
     std::span<const char* const> names_of_values = {};  // of a label
     int since = 2;                                      // the first layout of files that has it
+    int first_value = 0;                                // that has a name
 
     [[nodiscard]] double load(const Computed& from) const { return member.computed.load(from); }
     [[nodiscard]] double load(const Stored& from) const { return member.stored.load(from); }
@@ -169,6 +178,7 @@ inline constexpr Keeping in_refined_maps{Kept::in_refined_maps};
 inline constexpr Keeping in_sweeps{Kept::in_sweeps};
 inline constexpr Keeping of_many_starts{Kept::of_many_starts};
 inline constexpr Keeping of_rigid_stops{Kept::of_rigid_stops};
+inline constexpr Keeping of_certificates{Kept::of_certificates};
 inline constexpr Keeping of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 
@@ -218,6 +228,10 @@ inline constexpr Quantity rows[] = {
     {"critical_kick_phase", member([](auto& cell) -> auto& { return cell.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", member([](auto& cell) -> auto& { return cell.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", member([](auto& cell) -> auto& { return cell.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
+    {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
+    {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
+    {"peak_force_upper_ratio", member([](auto& cell) -> auto& { return cell.force_upper; }), number, "proved upper bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
+    {"stability_margin", member([](auto& cell) -> auto& { return cell.stability_margin; }), number, "proved lower bound of min(1 - |det M|, 1 + det M - |tr M|), M being the orbit's monodromy matrix", of_certificates, never, usual, {}, {}, 3},
     {"attractors", member([](auto& cell) -> auto& { return cell.attractors; }), number, "attractors on which the starts of the cell end", of_many_starts},
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
 };

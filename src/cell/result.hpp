@@ -77,6 +77,12 @@ struct Result {
     std::int32_t followed_cycles = 0;
     std::int32_t forgot_after = 0;
     Kick kick = {};  // on request, of a job without [starts]: of the orbit on which this cell ends
+    // What is proved of it (certificate/certify.hpp); the numbers are those of the file in either kind of
+    // units, for a bound must not be rounded again.
+    Certified certified = Certified::not_tried;
+    double force_lower = unknown;  // of the largest F/(m g0)
+    double force_upper = unknown;
+    double stability_margin = unknown;  // lower bound of min(1 - |det M|, 1 + det M - |tr M|)
 };
 
 // One of the attractors on which the starts of a cell end; units are told for CellAttractor.

@@ -26,6 +26,14 @@ void count(std::array<std::int64_t, size>& counts, std::int8_t value) {
     if (index < size) ++counts[index];
 }
 
+ProvedForces proved_force(const quantities::StoredCell& cell) {
+    if (cell.certified <= cell::Certified::not_tried) return {};
+    const double below = cell.force_lower - cell.peak_force;
+    const double above = cell.peak_force - cell.force_upper;
+    const double outside = std::max({below, above, 0.0});
+    return {cell.force_lower, cell.force_upper, outside > 0 ? outside / cell.force_upper : 0};
+}
+
 void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::int64_t row,
               std::int64_t column) {
     Counts& counts = statistics.counts;
@@ -34,6 +42,9 @@ void add_cell(Statistics& statistics, const quantities::StoredCell& cell, std::i
     counts.cycles += cell.cycles;
     count(counts.by_regime, static_cast<std::int8_t>(cell.regime));
     count(counts.by_engine, static_cast<std::int8_t>(cell.engine));
+    count(counts.by_certificate,
+          static_cast<std::int8_t>(static_cast<int>(cell.certified) - cell::first_certified));
+    statistics.proved.take(proved_force(cell));
     if (cell.regime == Regime::unresolved)
         count(counts.unresolved_by_status, static_cast<std::int8_t>(cell.status));
     if (cell.status == regime::Status::chaotic_so_far && cell.computed)
@@ -78,6 +89,12 @@ void Extremes::take(const Extremes& other) {
     one_to_one.take(other.one_to_one);
 }
 
+void ProvedForces::take(const ProvedForces& other) {
+    lower = std::max(lower, other.lower);
+    upper = std::max(upper, other.upper);
+    furthest_outside = std::max(furthest_outside, other.furthest_outside);
+}
+
 void Observed::take(const Observed& other) {
     fewest = std::min(fewest, other.fewest);
     most = std::max(most, other.most);
@@ -95,6 +112,7 @@ void Counts::add(const Counts& other) {
     add_each(failed_by_status, other.failed_by_status);
     add_each(open_by_status, other.open_by_status);
     add_each(by_engine, other.by_engine);
+    add_each(by_certificate, other.by_certificate);
     cells += other.cells;
     filled += other.filled;
     cycles += other.cycles;

@@ -38,6 +38,7 @@ struct ImpactClass {
 
 struct Counts {
     std::array<std::int64_t, cell::regime_names.size()> by_regime{};
+    std::array<std::int64_t, cell::certified_names.size()> by_certificate{};  // in the order of their names
     std::array<std::int64_t, cell::status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, cell::status_names.size()> failed_by_status{};
     std::array<std::int64_t, cell::status_names.size()> open_by_status{};  // of what proofs leave open
@@ -75,8 +76,19 @@ struct LongestChaos {
     void take(const LongestChaos& other);
 };
 
+// Of the cells with a certificate: between which bounds the largest of their peak forces lies, and how far one
+// that was computed lies outside its own, relative; F/(m g0).
+struct ProvedForces {
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = -std::numeric_limits<double>::infinity();
+    double furthest_outside = 0;
+
+    void take(const ProvedForces& other);
+};
+
 struct Statistics {
     Counts counts;
+    ProvedForces proved;
     Observed chaos;
     LongestChaos longest;
     Extremes largest;

@@ -17,7 +17,8 @@ enum class Number { int8, int32, int64, uint64, float64, text };
 // Every text has the same room, reserved when the file is made; longer ones are cut [bytes].
 inline constexpr std::size_t text_capacity = 4096;
 
-// Names of the values 0, 1, 2, ... of a variable that tells classes apart; empty for a measured quantity.
+// Names of the values 0, 1, 2, ..., or from first_flag on, of a variable that tells classes apart; empty for a
+// measured quantity.
 using Flags = std::span<const char* const>;
 
 struct Variable {
@@ -27,6 +28,7 @@ struct Variable {
     const char* units;  // "" where a unit makes no sense
     const char* long_name;
     Flags flags = {};
+    int first_flag = 0;
 };
 
 [[nodiscard]] std::size_t bytes_of(Number number);

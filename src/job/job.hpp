@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -169,6 +170,14 @@ struct Audit {
     friend bool operator==(const Audit&, const Audit&) = default;
 };
 
+inline constexpr std::int64_t every_cell = std::numeric_limits<std::int64_t>::max();
+
+// What of a map, basin or sweep is proved in interval arithmetic.
+struct Certificate {
+    std::int64_t cells = 0;  // tried, drawn from all; every_cell: all
+    friend bool operator==(const Certificate&, const Certificate&) = default;
+};
+
 // Of a map: first every 2^levels-th cell, then, stride after stride, only cells that those around don't tell.
 struct Refine {
     std::int64_t levels = 0;  // 0: every cell is computed
@@ -273,13 +282,14 @@ struct Job {
     Solver solver;
     Output output;
     Audit audit;
-    Refine refine;   // map only
-    Starts starts;   // map only
-    Sweep sweep;     // sweep only
-    Study study;     // study only
-    Trace trace;     // trace only
-    CellOfMap cell;  // trace and basin
-    Curves curves;   // curves, and the borders of a map
+    Certificate certificate;  // map, basin and sweep
+    Refine refine;            // map only
+    Starts starts;            // map only
+    Sweep sweep;              // sweep only
+    Study study;              // study only
+    Trace trace;              // trace only
+    CellOfMap cell;           // trace and basin
+    Curves curves;            // curves, and the borders of a map
     Limits limits;
     int layout = cell::newest_layout;  // of the file that it is read from, or goes into
     [[nodiscard]] std::int64_t row_count() const {

@@ -60,6 +60,8 @@ void describe_curves(Walker& file, Job& job) {
     describe_starts(file, job);
     file.refuse("refine", "is for maps; curves are exact, whatever the cells; remove this table");
     file.refuse("audit", "is for maps; each point of a curve has its residual; remove this table");
+    file.refuse("certificate",
+                "is for maps, basins and sweeps; each point of a curve has its residual; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; curves compare nothing; remove this table");
     file.refuse("limits", "is for maps; cells that fail bear no curve; remove this table");
 }

@@ -51,6 +51,12 @@ void describe(Walker& table, Audit& audit) {
 }
 
 template <typename Walker>
+void describe(Walker& table, Certificate& certificate) {
+    table.count_or_all({"cells", "cells tried, drawn from all, or \"all\"; 0 for none"}, certificate.cells,
+                       from_to<std::int64_t>(0, every_cell, "it counts cells"));
+}
+
+template <typename Walker>
 void describe_solver(Walker& file, Job& job) {
     file.table({"solver", "engine and tolerances"}, [&](auto& table) {
         describe(table, job.solver);
@@ -106,6 +112,8 @@ void describe_settings(Walker& file, Job& job) {
         file.table({"audit", "an independent check of some cells, half of them where claims are weakest"},
                    [&](auto& table) { describe(table, job.audit); });
     }
+    file.table({"certificate", "proof of labels and forces in interval arithmetic"},
+               [&](auto& table) { describe(table, job.certificate); });
     file.table({.name = "limits", .meaning = "when a run counts as failed", .is_identity = false},
                [&](auto& table) {
                    table.integer(

@@ -91,6 +91,7 @@ void describe_study(Walker& file, Job& job) {
     file.refuse("starts", "is for maps; a study compares single starts; remove this table");
     file.refuse("refine", "is for maps; a study compares computed cells; remove this table");
     file.refuse("audit", "is for maps; a study is an audit itself; remove this table");
+    file.refuse("certificate", "is for maps, basins and sweeps; a study stores no orbits; remove this table");
     file.refuse("limits", "is for maps; a study tells failures as results; remove this table");
 }
 

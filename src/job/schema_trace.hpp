@@ -83,6 +83,8 @@ void refuse_other_tables_in_trace(Walker& file) {
     file.refuse("starts", "is for maps; a trace follows one start; remove this table");
     file.refuse("refine", "is for maps; a trace follows one cell; remove this table");
     file.refuse("audit", "is for maps; a trace follows one cell with one engine; remove this table");
+    file.refuse("certificate",
+                "is for maps, basins and sweeps; a trace shows one motion in time; remove this table");
     file.refuse("basin", "belongs to kind = \"basin\"; a trace has trace.map; remove this table");
     file.refuse("study", "belongs to kind = \"study\"; a trace compares nothing; remove this table");
     file.refuse("curves", "belongs to kind = \"curves\"; a trace follows one cell; remove this table");

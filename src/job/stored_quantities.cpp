@@ -15,6 +15,8 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             return job.starts.count > 0;
         case cell::Kept::of_rigid_stops:
             return is_rigid(job.contact);
+        case cell::Kept::of_certificates:
+            return job.certificate.cells > 0;
         case cell::Kept::on_request:
             break;
     }

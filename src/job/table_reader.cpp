@@ -54,6 +54,20 @@ void TableReader::read_integer(const Key& key, const Value& value, std::int64_t&
     check_range(key, value, number, range);
 }
 
+void TableReader::count_or_all(const Key& key, std::int64_t& value, const Range<std::int64_t>& range) {
+    const Value* given = ask(key);
+    if (given == nullptr) return;
+    const auto* text = given->as<std::string>();
+    const auto* word = given->as<BareWord>();
+    if ((text != nullptr && *text == "all") || (word != nullptr && word->text == "all")) {
+        value = every_cell;
+    } else if (given->as<std::int64_t>() == nullptr) {
+        wrong_type(key, *given, "an integer or \"all\"", "\"all\"");
+    } else {
+        read_integer(key, *given, value, range);
+    }
+}
+
 template <typename Number, typename ReadElement>
 void TableReader::read_list(const Key& key, std::vector<Number>& values, ReadElement read_element) {
     constexpr std::size_t most = 100;

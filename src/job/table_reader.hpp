@@ -28,6 +28,8 @@ class TableReader {
 
     void number(const Key& key, double& value, const Range<double>& range);
     void integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
+    // A number of things, or the word "all", which stands for the largest number there is.
+    void count_or_all(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
     // Lists of one number or more; one that is given replaces the default.
     void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
     void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);

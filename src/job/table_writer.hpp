@@ -33,6 +33,9 @@ class TableWriter {
     void integer(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
         line(key, toml_text(value));
     }
+    void count_or_all(const Key& key, std::int64_t value, const Range<std::int64_t>&) {
+        line(key, value == every_cell ? toml_text("all") : toml_text(value));
+    }
     void numbers(const Key& key, const std::vector<double>& values, const Range<double>&) { list(key, values); }
     void integers(const Key& key, const std::vector<std::int64_t>& values, const Range<std::int64_t>&) {
         list(key, values);

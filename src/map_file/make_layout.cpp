@@ -64,7 +64,7 @@ void describe(const hdf5::Checked& check, hid_t dataset, const hdf5::Variable& v
     if (*variable.units != '\0') hdf5::write_attribute(check, dataset, "units", variable.units);
     if (variable.flags.empty()) return;
     std::vector<std::int32_t> values(variable.flags.size());
-    std::iota(values.begin(), values.end(), 0);
+    std::iota(values.begin(), values.end(), variable.first_flag);
     std::string meanings;
     for (const char* name : variable.flags) meanings += (meanings.empty() ? "" : " ") + std::string(name);
     if (variable.number == hdf5::Number::int32) {

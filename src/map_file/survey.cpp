@@ -13,6 +13,7 @@ namespace {
 // The parts of Statistics that travel as plain bytes.
 struct Totals {
     findings::Counts counts;
+    findings::ProvedForces proved;
     findings::Observed chaos;
     findings::LongestChaos longest;
     findings::Extremes largest;
@@ -52,8 +53,8 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     parallel::together(communicator, [&] {
         mine = survey_share(tiles, parallel::share_of(tiles.tiling().count(), communicator));
     });
-    const Totals totals{mine.counts,     mine.chaos,         mine.longest,     mine.largest,
-                        mine.transients, mine.starts.counts, mine.tile_seconds};
+    const Totals totals{mine.counts,  mine.proved,     mine.chaos,         mine.longest,
+                        mine.largest, mine.transients, mine.starts.counts, mine.tile_seconds};
     std::vector<PairCount> pairs;
     for (const auto& [pair, cells] : mine.starts.pairs) pairs.push_back({pair, cells});
     std::vector<ClassCount> classes;
@@ -62,6 +63,7 @@ findings::Statistics survey(const TileStore& tiles, MPI_Comm communicator) {
     findings::Statistics all;
     for (const Totals& share : parallel::gather<Totals>(std::span(&totals, 1), communicator)) {
         all.counts.add(share.counts);
+        all.proved.take(share.proved);
         all.chaos.take(share.chaos);
         all.longest.take(share.longest);
         all.largest.take(share.largest);

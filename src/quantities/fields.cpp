@@ -48,7 +48,8 @@ FieldOf<Numbers> field_of(const cell::QuantityOf<Numbers>& quantity) {
              .fill = fill_of(quantity),
              .units = cell::unit_of(quantity.dimension),
              .long_name = quantity.words,
-             .flags = quantity.names_of_values},
+             .flags = quantity.names_of_values,
+             .first_flag = quantity.first_value},
             &quantity};
 }
 

@@ -12,6 +12,7 @@
 #include "regime/solve_cell.hpp"
 #include "report/audit_summary.hpp"
 #include "report/axis_words.hpp"
+#include "report/certificate_summary.hpp"
 #include "report/kicks_summary.hpp"
 #include "report/long_chaos.hpp"
 #include "report/regime_words.hpp"
@@ -156,7 +157,7 @@ std::string summary_text(const SummaryInput& input) {
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +
            transients_in_words(input.scene.job(), input.findings.statistics.transients) + forces(input) +
            sweep_text(input.scene, input.findings.sweep.branches, input.findings.sweep.beside) + effort(input) +
-           audit(input) + omitted(input) +
+           certificate_summary(input.scene, input.findings.statistics) + audit(input) + omitted(input) +
            fmt::format("\n{:<11}{}\n{:<11}postprocess/draw.py {}\n", kind, file, "Draw it", shell_word(file));
 }
 

@@ -15,6 +15,9 @@ namespace peterka {
 // Of a job of curves, which knows their number only once they are traced [bytes].
 [[nodiscard]] std::int64_t largest_curves_file(const job::Job& job);
 
+// What [certificate] costs in time, as a line of check; nothing where it isn't wanted.
+[[nodiscard]] std::string certificate_price(const job::Job& job);
+
 // What [starts] cost in time, as a line of check; nothing where there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 

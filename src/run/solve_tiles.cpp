@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "attractors/cell_crowd.hpp"
+#include "run/certify_cell.hpp"
+#include "support/stopwatch.hpp"
 
 namespace peterka {
 namespace {
@@ -15,7 +17,10 @@ class TilesInHand {
   public:
     TilesInHand(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                 parallel::TileSource& source)
-        : work_(work), source_(source), pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
+        : scene_(scene),
+          work_(work),
+          source_(source),
+          pool_(scene, known, [this](auto solved) { keep(std::move(solved)); }) {}
 
     void solve() {
         keep_solving(pool_, source_, [this] { return add_cell(); });
@@ -63,15 +68,19 @@ class TilesInHand {
     }
 
     void keep(attractors::CellCrowd::Solved cell) {
+        const Stopwatch certifying;
         Open& open = open_.at(cell.number / most_cells);
-        open.results[static_cast<std::size_t>(cell.number % most_cells)] = std::move(cell.cell);
-        open.seconds += cell.seconds;
+        const auto i = static_cast<std::size_t>(cell.number % most_cells);
+        open.results[i] = std::move(cell.cell);
+        certify_cell(scene_.job(), open.cells[i].row, open.cells[i].column, open.results[i].cell);
+        open.seconds += cell.seconds + certifying.seconds();
         if (++open.solved < open.cells.size()) return;
         solve(open, work_.go_on(open.tile, open.results, open.seconds));
     }
 
     static constexpr std::int64_t most_cells = 1 << 24;  // of a tile at a time
 
+    const scene::Scene& scene_;
     const TileWork& work_;
     parallel::TileSource& source_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile

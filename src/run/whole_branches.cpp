@@ -6,6 +6,7 @@
 
 #include "attractors/along_branch.hpp"
 #include "regime/branch.hpp"
+#include "run/certify_cell.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
@@ -42,6 +43,10 @@ std::function<void(const parallel::Tile& tile, const parallel::Look& look)> whol
         std::vector<BranchPoint> points;
         for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
             std::vector<BranchPoint> branch = regime::follow_branch(scene, row, look);
+            for (std::size_t column = 0; column < branch.size(); ++column) {
+                look();
+                certify_cell(scene.job(), row, static_cast<std::int64_t>(column), branch[column].cell);
+            }
             points.insert(points.end(), std::make_move_iterator(branch.begin()),
                           std::make_move_iterator(branch.end()));
         }

@@ -41,6 +41,7 @@ inline Job map() {
     job.solver = {.engine = EngineChoice::split, .tolerance = 2e-9, .omit_tolerance = 2e-3};
     job.output = {.fields = {OptionalField::multiplier, OptionalField::orbit}, .anonymous = true};
     job.audit = {.cells = 150};
+    job.certificate = {.cells = every_cell};
     job.refine = {.levels = 2};
     job.starts = {
         .count = 65, .displacement_ratio = {-4.5, 0.5}, .velocity_ratio = {-3.5, 3.0}, .attractors = 9};
@@ -88,6 +89,7 @@ inline Job study(StudyTopic topic) {
     job.solver = {};
     job.output = {};
     job.audit = {};
+    job.certificate = {};
     job.refine = {};
     job.starts = {};
     job.limits = {};
@@ -113,6 +115,7 @@ inline Job trace() {
     job.operating_point = {.frequency_ratio = 1.85, .gap_ratio = 1.65};
     job.output = {};
     job.audit = {};
+    job.certificate = {};
     job.refine = {};
     job.starts = {};
     job.limits = {};

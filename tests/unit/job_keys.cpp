@@ -52,6 +52,8 @@ fields = ["orbit", "multiplier"]
 anonymous = true
 [audit]
 cells = 150
+[certificate]
+cells = "all"
 [refine]
 levels = 2
 [starts]
@@ -99,6 +101,7 @@ const std::map<std::string, std::string> other_values{
     {"solver.omit_tolerance", "0.003"},
     {"output.fields", "[\"lyapunov\"]"},
     {"audit.cells", "151"},
+    {"certificate.cells", "12"},
     {"refine.levels", "3"},
     {"starts.count", "66"},
     {"starts.displacement_ratio", "[-4.5, 0.25]"},

@@ -1,0 +1,116 @@
+#include "certificate/certify.hpp"
+
+#include "certificate/leg_proof.hpp"
+#include "certificate/orbit_box.hpp"
+#include "certificate/peak_force.hpp"
+#include "certificate/stability.hpp"
+#include "certificate/steady_motion.hpp"
+
+namespace peterka::certificate {
+namespace {
+
+using cell::Certified;
+using Places = std::vector<Place<Interval>>;
+
+Certificate refused(Certified reason) {
+    return {.verdict = reason};
+}
+
+bool is_prime(std::int64_t n) {
+    for (std::int64_t d = 2; d * d <= n; ++d) {
+        if (n % d == 0) return false;
+    }
+    return n > 1;
+}
+
+// Whether the orbit surely differs from itself that many cycles later: a shorter period would map its events
+// onto one another, one after the other.
+bool differs_after(const EventChain& chain, const Places& places, std::int64_t parts) {
+    const std::size_t events = places.size();
+    if (events % static_cast<std::size_t>(parts) != 0) return true;
+    const std::size_t shift = events / static_cast<std::size_t>(parts);
+    for (std::size_t i = 0; i + shift < events; ++i) {
+        const std::size_t j = i + shift;
+        const bool other_cycle = chain.events[j].cycle - chain.events[i].cycle != chain.period / parts;
+        const bool differs = chain.events[i].kind != chain.events[j].kind ||
+                             places[i].along.apart(places[j].along) ||
+                             (!other_cycle && places[i].time.apart(places[j].time));
+        if (differs) return true;
+    }
+    return false;
+}
+
+bool has_no_smaller_period(const EventChain& chain, const Places& places) {
+    for (std::int64_t parts = 2; parts <= chain.period; ++parts) {
+        const bool may_be = chain.period % parts == 0 && is_prime(parts);
+        if (may_be && !differs_after(chain, places, parts)) return false;
+    }
+    return true;
+}
+
+// Whether the cubic term may turn a swing as far as the cart's, or the gap's, upside down within a cycle: the
+// bounds of what it changes would be none.
+bool is_too_bent(const Phase<Interval>& phase) {
+    const double u = phase.gap().size() + 1;
+    return !(phase.largest_cubic_slope(u) * size_of(Interval(2) * pi / phase.frequency()) < 1);
+}
+
+Certificate certify_orbit(const Rig& rig, const StroboscopicOrbit& orbit) {
+    if (orbit.period < 1) return refused(Certified::no_orbit_found);
+    const Springs<Interval> springs(rig);
+    if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
+    const Springs<double> approximate(middle(rig));
+    const std::optional<EventChain> chain = find_chain(approximate, orbit);
+    if (!chain) return refused(Certified::no_orbit_found);
+    if (chain->impacts() != orbit.impacts) return refused(Certified::other_label);
+    const std::optional<Places> places = orbit_box(springs, approximate, *chain);
+    if (!places) return refused(Certified::no_orbit_enclosed);
+    for (std::size_t i = 0; i < places->size(); ++i) {
+        if (!leg_is_free(springs, *chain, *places, i)) return refused(Certified::near_grazing);
+    }
+    if (!has_no_smaller_period(*chain, *places)) return refused(Certified::other_label);
+    const double margin = stability_margin(springs, *chain, *places);
+    if (!(margin > 0)) return refused(Certified::not_surely_stable);
+    const Interval force = peak_force(springs, *chain, *places);
+    if (!force.positive()) return refused(Certified::force_not_bounded);
+    return {.verdict = Certified::orbit, .force_ratio = force, .stability_margin = margin};
+}
+
+Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& start) {
+    const Springs<Interval> springs(rig);
+    if (is_too_bent(springs.flight)) return refused(Certified::cubic_spring);
+    const std::optional<SteadyMotion> motion = steady_motion(springs, presses);
+    if (!motion) return refused(Certified::near_grazing);
+    if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
+    // A start on the surface is told from one beside it where both numbers are exact.
+    const bool touches =
+        rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo && start.displacement.hi == rig.gap.hi;
+    const Vector<Interval> state{touches ? Interval(0) : start.displacement - rig.gap,
+                                 start.velocity - rig.frequency};
+    const bool from_start = keeps_to_phase(springs, presses, *motion, state);
+    return {.verdict = from_start ? Certified::start : Certified::orbit,
+            .force_ratio = motion->force,
+            .stability_margin = motion->margin};
+}
+
+bool has_theorem(cell::Regime regime) {
+    return regime == cell::Regime::no_impact || regime == cell::Regime::periodic ||
+           regime == cell::Regime::sustained_contact;
+}
+
+}  // namespace
+
+Certificate certify(const job::CellNumbers& numbers, const Claim& claim) {
+    if (!has_theorem(claim.regime)) return {};
+    const std::optional<Rig> rig = rig_of(numbers);
+    if (!rig) return refused(Certified::other_stop);
+    Certificate certificate =
+        claim.regime == cell::Regime::periodic
+            ? certify_orbit(*rig, claim.orbit)
+            : certify_steady(*rig, claim.regime == cell::Regime::sustained_contact, start_of(numbers));
+    if (certificate.force_ratio.hi > 0)
+        certificate.force_ratio = certificate.force_ratio * force_ratio(numbers);
+    return certificate;
+}
+
+}  // namespace peterka::certificate

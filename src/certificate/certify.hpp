@@ -1,0 +1,33 @@
+// The theorem about one cell.
+//
+// Of a periodic cell: near the orbit that the cell's state at forcing phase 0 tells there is exactly one
+// periodic orbit of the equation of motion; it repeats after q cycles and not before, touches the stop p times
+// in them, meets no event but those of its chain, is asymptotically stable, and its largest force lies between
+// two bounds. Of no impact and sustained contact: the steady motion keeps away from the stop, or against it,
+// and attracts.
+//
+// The statement is about the whole equation with the job's numbers and the cell's place, all exact doubles. Of
+// what was computed before, it takes the cell's label and state, as a guess.
+#pragma once
+
+#include "cell/labels.hpp"
+#include "certificate/find_chain.hpp"
+#include "job/cell_numbers.hpp"
+
+namespace peterka::certificate {
+
+struct Claim {
+    cell::Regime regime = cell::Regime::unresolved;
+    StroboscopicOrbit orbit;  // where it is periodic
+};
+
+struct Certificate {
+    cell::Certified verdict = cell::Certified::not_tried;
+    Interval force_ratio = nothing();  // the largest F/(m g0)
+    double stability_margin = 0;       // lower bound, see stability.hpp
+    [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
+};
+
+[[nodiscard]] Certificate certify(const job::CellNumbers& numbers, const Claim& claim);
+
+}  // namespace peterka::certificate

@@ -1,0 +1,86 @@
+#include "certificate/leg_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace peterka::certificate {
+namespace {
+
+constexpr int most_steps_of_a_leg = 100'000;
+
+// The largest h for which value + slope h + bend h^2/2 <= 0, about; 0 where there is none.
+double largest_step(double value, double slope, double bend) {
+    if (!(value <= 0)) return 0;
+    const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * value));
+    return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
+}
+
+// Before the end, at which the signal comes to 0 from below: a time for which it surely was below.
+double surely_before(const Springs<Interval>& springs, const Phase<Interval>& phase, Signal signal,
+                     const Moment<Interval>& end) {
+    const Watched watched = watch(springs, phase, signal, end);
+    if (!watched.slope.positive()) return 0;
+    const double cap = short_time(phase);
+    const double bend = bend_of(springs, signal, bends(phase, end, cap, Within::both_ways));
+    const double time = std::min(cap, 1.9 * watched.slope.lo / bend);
+    return (Interval(bend) * time / Interval(2)).hi < watched.slope.lo ? time : 0;
+}
+
+Signal signal_of(EventKind kind) {
+    switch (kind) {
+        case EventKind::touch:
+            return Signal::penetration;
+        case EventKind::release:
+            return Signal::pull;
+        case EventKind::resume:
+            break;
+    }
+    return Signal::force;
+}
+
+}  // namespace
+
+bool March::step(double until, bool on_surface) {
+    const Moment<Interval> now = offset_ == 0 ? leg_->start() : leg_->at(Interval(offset_));
+    const bool is_below = now.state.position.negative() && !on_surface;
+    const Signal signal = presses_ ? Signal::pull : is_below ? Signal::penetration : Signal::force;
+    Watched watched = watch(*springs_, leg_->phase(), signal, now);
+    if (on_surface) watched.value = 0;
+    const Bends near = bends(leg_->phase(), now, cap_, Within::later);
+    const double bend = bend_of(*springs_, signal, near);
+    const double wanted = 0.95 * largest_step(watched.value.hi, watched.slope.hi, bend);
+    const double end = offset_ + std::min({0.999 * cap_, wanted, until - offset_});
+    const double time = (Interval(end) - Interval(offset_)).hi;
+    if (!(end > offset_) || !(time <= cap_)) return false;
+    const Interval by_slope = watched.slope * time + Interval(bend) * square(time) / Interval(2);
+    const bool begins_below = on_surface ? watched.slope.negative() : watched.value.negative();
+    // Convex in the step: below 0 at both ends, it is so in between.
+    if (!begins_below || !(watched.value + by_slope).negative()) return false;
+    offset_ = end;
+    return true;
+}
+
+bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
+                 const std::vector<Place<Interval>>& places, std::size_t i) {
+    const bool presses = chain.presses(i);
+    const EventKind from = chain.events[i].kind;
+    const EventKind to = chain.events[chain.next(i)].kind;
+    if (presses != (to == EventKind::release)) return false;
+    const auto [leg, length] = leg_of(springs, chain, places, i);
+    if (!length.positive()) return false;
+    const Moment<Interval> end = leg.moment(end_of_leg(springs, chain, places, i), places[chain.next(i)].time);
+    if (to == EventKind::resume && !end.state.position.positive()) return false;
+    const Phase<Interval>& phase = leg.phase();
+    const double before = surely_before(springs, phase, signal_of(to), end);
+    if (!(before > 0)) return false;
+    const double until = (Interval(length.hi) - Interval(before)).hi;
+    const bool presses_at_once = from == EventKind::touch && springs.rig.damping.positive();
+    March march(springs, leg, presses);
+    if (until > 0 && !march.step(until, !presses_at_once)) return false;
+    for (int steps = 0; march.offset() < until; ++steps) {
+        if (steps == most_steps_of_a_leg || !march.step(until)) return false;
+    }
+    return true;
+}
+
+}  // namespace peterka::certificate

@@ -1,0 +1,41 @@
+// The nondimensional numbers of one cell, enclosed: what follows exactly from the doubles of the job's resolved
+// text and of the file's coordinates (scene/oscillator.hpp has their meaning and the equation).
+#pragma once
+
+#include <optional>
+
+#include "certificate/interval.hpp"
+#include "job/cell_numbers.hpp"
+
+namespace peterka::certificate {
+
+template <class Number>
+struct RigOf {
+    Number damping_ratio = 0;  // zeta
+    Number stiffness = 0;      // kappa = ki/k
+    Number damping = 0;        // chi = ci/(m omega)
+    Number frequency = 0;      // eta
+    Number gap = 0;            // g, in A0
+    Number period = 0;         // 2 pi/eta
+    Number cubic = 0;          // gamma = k3 A0^2/k
+    bool absolute = false;     // of x^3 - y^3, not of u^3
+};
+using Rig = RigOf<Interval>;
+
+// Some numbers within: those of a search that proves nothing.
+[[nodiscard]] RigOf<double> middle(const Rig& rig);
+
+// Of a spring-dashpot stop; nothing of another law.
+[[nodiscard]] std::optional<Rig> rig_of(const job::CellNumbers& numbers);
+
+// Where the hammer starts, x(0)/A0 and x'(0)/(A0 omega), absolute.
+struct EnclosedStart {
+    Interval displacement;
+    Interval velocity;
+};
+[[nodiscard]] EnclosedStart start_of(const job::CellNumbers& numbers);
+
+// F/(m g0) of F/(k A0): omega^2 A0/g0.
+[[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);
+
+}  // namespace peterka::certificate

@@ -1,0 +1,66 @@
+"""Proofs of a map's cells: what the file holds of them, that each force lies within its bounds, and that bytes don't depend
+on ranks."""
+
+import h5py
+import numpy as np
+import pytest
+
+import jobs
+import launch
+
+ORBIT, START, NOT_TRIED = 1, 2, 0
+POINTS = 24
+
+
+def text(cells):
+    return (jobs.RIG.format(kind="map", title="proofs") + jobs.axis("frequency_ratio", 0.5, 4.5, POINTS)
+            + jobs.axis("gap_ratio", 0.0, 5.0, POINTS) + f"[certificate]\ncells = {cells}\n")
+
+
+@pytest.fixture(scope="module")
+def all_cells(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("proofs")
+    jobs.write(folder, text('"all"'))
+    finished = launch.run("run", "job.toml", cwd=folder)
+    assert finished.returncode == 0, finished.stderr
+    return folder / "job.h5", finished.stdout
+
+
+def read(path):
+    with h5py.File(path) as file:
+        return {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
+
+
+def test_nearly_all_settled_cells_are_proved_and_their_forces_within_the_bounds(all_cells):
+    cells = read(all_cells[0])
+    settled = np.isin(cells["regime"], (0, 1, 3))
+    proved = cells["certified"] > NOT_TRIED
+    assert np.all(cells["certified"][~settled] == NOT_TRIED)
+    assert np.count_nonzero(proved) > 0.97 * np.count_nonzero(settled)
+    assert np.all((cells["certified"] == START) <= (cells["regime"] == 0))
+    force = cells["peak_force_ratio"][proved]
+    assert np.all(force >= cells["peak_force_lower_ratio"][proved] * (1 - 1e-3))
+    assert np.all(force < cells["peak_force_upper_ratio"][proved] * (1 + 1e-3) + 1e-12)
+    assert np.all(cells["stability_margin"][proved] > 0)
+    assert np.all(np.isnan(cells["stability_margin"][~proved]))
+
+
+def test_the_summary_counts_them(all_cells):
+    path, words = all_cells
+    certified = read(path)["certified"]
+    assert f"proved              {np.count_nonzero(certified > NOT_TRIED)} (" in words
+
+
+def test_a_number_of_cells_is_drawn(tmp_path):
+    jobs.write(tmp_path, text(30))
+    assert launch.run("run", "job.toml", cwd=tmp_path).returncode == 0
+    cells = read(tmp_path / "job.h5")
+    tried = np.count_nonzero(cells["certified"] != NOT_TRIED)
+    assert 20 < tried <= 30
+
+
+def test_two_ranks_give_the_same_bytes(all_cells, tmp_path):
+    jobs.write(tmp_path, text('"all"'))
+    assert launch.run("run", "job.toml", cwd=tmp_path, ranks=2).returncode == 0
+    one, two = read(all_cells[0]), read(tmp_path / "job.h5")
+    assert all(one[name].tobytes() == two[name].tobytes() for name in one)
