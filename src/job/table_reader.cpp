@@ -138,8 +138,8 @@ void TableReader::either_list(const ListAlternative& first, const ListAlternativ
                               std::string_view why) {
     const bool is_second = table_.find(second.key.name) != nullptr;
     const auto read = [&](const ListAlternative& list) {
-        const Key key{list.key.name, list.key.meaning};  // none of the two is missing by itself
-        numbers(key, list.values, list.range);
+        const bool is_given = table_.find(list.key.name) != nullptr;  // none of the two is missing by itself
+        numbers(is_given ? list.key : Key{list.key.name, list.key.meaning}, list.values, list.range);
     };
     read(first);
     read(second);

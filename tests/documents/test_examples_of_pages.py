@@ -31,6 +31,8 @@ def whole_job(piece):
     if "[sweep]" in piece:
         return f'schema = 1\nkind = "sweep"\n{RIG}{piece}'
     kind = "curves" if "[curves]" in piece else "map"
+    if "[axes.frequency_hz]" in piece:
+        return f'schema = 1\nkind = "{kind}"\n{RIG}{piece}'
     return f'schema = 1\nkind = "{kind}"\n{RIG}{FREQUENCIES}{GAPS}{piece}'
 
 

@@ -1,5 +1,5 @@
-"""Pictures over axes that a job gives in metres have them in mm, --zoom too, and a sweep along the gap says so; measured
-points lie over axes in Hz and metres as over ratios."""
+"""Pictures of files whose axes are in Hz and metres are those over ratios: ratios below and at the left, Hz and mm above and at
+the right, or either alone; --zoom is in what the axes show, a sweep along the gap says so, and measured points lie at their place."""
 
 import subprocess
 import sys
@@ -13,10 +13,13 @@ from any_axes import axis, map_over
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
+from peterka.files.checked_hdf5 import NotDrawable  # noqa: E402
 from peterka.measurements.points import read_measurements  # noqa: E402
 from peterka.pictures import open_file, pictures_of  # noqa: E402
 from peterka.program.picture_options import zoomed  # noqa: E402
 
+HERTZ, MILLIMETRES = 4.5, 0.89  # what ratios of 1 are, of jobs.RIG
+FREQUENCY, GAP = "excitation frequency (Hz)", "gap (mm)"
 MAP = map_over(axis("frequency_hz", 6.0, 12.0, 7), axis("gap_m", 0.0, 2e-3, 9))
 SWEEP = (jobs.RIG.format(kind="sweep", title="gaps") + '[sweep]\ndirection = "both"\n[operating_point]\nfrequency_hz = 9.0\n'
          + axis("gap_m", 0.0, 2e-3, 9))
@@ -31,19 +34,44 @@ def files(tmp_path_factory):
     return folder
 
 
-@pytest.mark.parametrize("units", ["both", "si", "ratio"])
-def test_a_gap_in_metres_is_shown_in_mm(files, units):
+def scales(ax):
+    """{label: second scale} of a picture, once it is drawn."""
+    ax.figure.canvas.draw()
+    return {child.get_xlabel() or child.get_ylabel(): child for child in ax.child_axes}
+
+
+@pytest.mark.parametrize("units, ratios, places", [("both", True, {FREQUENCY: "top", GAP: "right"}),
+                                                   ("si", False, {FREQUENCY: "bottom", GAP: "left"}), ("ratio", True, {})])
+def test_a_map_over_hz_and_metres_has_ratios_and_beside_them_hz_and_mm(files, units, ratios, places):
     with open_file(files / "map.h5") as file:
         ax = pictures_of(file)["map"](file, units=units)
-        scale, = (child for child in ax.child_axes if child.get_ylabel() == "gap (mm)")
-        ax.figure.canvas.draw()
-        assert not ax.yaxis.get_visible()
-        assert np.allclose(scale.get_ylim(), 1e3 * file.rows.edges[[0, -1]])
+        beside = scales(ax)
+    assert (ax.xaxis.get_visible(), ax.yaxis.get_visible()) == (ratios, ratios)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\Omega/\omega$", r"$\mathrm{gap}/A_0$")
+    assert (ax.xaxis.get_label_position(), ax.yaxis.get_label_position()) == ("bottom", "left")
+    assert np.allclose(ax.get_xlim(), np.divide([5.5, 12.5], HERTZ)) and np.allclose(ax.get_ylim(), np.divide([-0.125, 2.125], MILLIMETRES))
+    assert {label: (scale.xaxis if label == FREQUENCY else scale.yaxis).get_label_position() for label, scale in beside.items()} == places
+    if places:
+        assert np.allclose(beside[FREQUENCY].get_xlim(), [5.5, 12.5]) and np.allclose(beside[GAP].get_ylim(), [-0.125, 2.125])
 
 
-def test_a_zoom_is_in_the_units_of_the_picture(files):
-    with open_file(files / "map.h5") as file, zoomed(file, (7.0, 11.0, 0.5, 1.5), in_si=False) as part:
-        assert np.allclose(part.rows.values[[0, -1]], [0.5e-3, 1.5e-3]) and np.allclose(part.columns.values[[0, -1]], [7, 11])
+IN_SI, AS_RATIOS = (7.0, 11.0, 0.5, 1.5), (7 / HERTZ, 11 / HERTZ, 0.5 / MILLIMETRES, 1.5 / MILLIMETRES)
+
+
+@pytest.mark.parametrize("zoom, in_si", [(IN_SI, True), (AS_RATIOS, False)])
+def test_a_zoom_is_in_the_units_of_the_main_axes(files, zoom, in_si):
+    with open_file(files / "map.h5") as file, zoomed(file, zoom, in_si=in_si) as part:
+        assert part.shape == (5, 5)
+        assert np.allclose(part.columns.values, np.divide([7, 8, 9, 10, 11], HERTZ))
+        assert np.allclose(part.rows.values, np.divide([0.5, 0.75, 1.0, 1.25, 1.5], MILLIMETRES))
+        ax = pictures_of(part)["map"](part, units="si")
+        assert np.allclose(scales(ax)[FREQUENCY].get_xlim(), [6.5, 11.5]) and np.allclose(scales(ax)[GAP].get_ylim(), [0.375, 1.625])
+
+
+@pytest.mark.parametrize("zoom, in_si", [(IN_SI, False), (AS_RATIOS, True)])
+def test_a_zoom_is_in_no_other_units(files, zoom, in_si):
+    with open_file(files / "map.h5") as file, pytest.raises(NotDrawable, match="has 0 points of frequency_ratio"):
+        zoomed(file, zoom, in_si=in_si)
 
 
 @pytest.mark.parametrize("name", ["response", "bifurcation"])
@@ -55,7 +83,10 @@ def test_a_sweep_along_the_gap_says_so(files, name):
         words = [text.get_text() for legend in figure.legends + [one.get_legend() for one in figure.axes if one.get_legend()]
                  for text in legend.get_texts()]
         assert {"gap rising", "gap falling"} <= set(words)
-        assert any(child.get_xlabel() == "gap (mm)" for one in figure.axes for child in one.child_axes)
+        assert r"$\mathrm{gap}/A_0$" in {one.get_xlabel() for one in figure.axes}
+        figure.canvas.draw()
+        scale, = (child for one in figure.axes for child in one.child_axes if child.get_xlabel() == GAP)
+        assert np.allclose(scale.get_xlim(), [0, 2])
 
 
 POINTS = ("frequency_hz;gap_mm;force_n;force_error_n;frequency_error_hz;series\n8,0;0,3;100,5;2,5;0,1;first\n"
@@ -84,8 +115,23 @@ def test_measured_points_lie_over_axes_in_hz_and_metres(files, tmp_path):
     assert len(over_map) == 4 and over_map == residuals(tmp_path, "ratios.h5", "--only", "map")
     over_sweep = residuals(tmp_path, "along_hertz.h5", "--only", "response")
     assert len(over_sweep) == 3 and over_sweep == residuals(tmp_path, "along_ratios.h5", "--only", "response")
-    with open_file(files / "map.h5") as file:
-        measured = read_measurements(tmp_path / "points.csv", file)
+    for path in (files / "map.h5", tmp_path / "ratios.h5"):
+        with open_file(path) as file:
+            measured = read_measurements(tmp_path / "points.csv", file)
         places = [(point.frequency, point.gap) for point in measured.points]
-        assert np.allclose(places, [(8, 0.3e-3), (9, 0.3e-3), (10, 1.25e-3)])
-        assert measured.points[0].errors["frequency"] == pytest.approx(0.1)
+        assert np.allclose(places, [(8 / HERTZ, 0.3 / MILLIMETRES), (9 / HERTZ, 0.3 / MILLIMETRES), (10 / HERTZ, 1.25 / MILLIMETRES)])
+        assert measured.points[0].errors["frequency"] == pytest.approx(0.1 / HERTZ)
+
+
+@pytest.mark.parametrize("units", ["both", "si"])
+def test_marks_stand_at_their_hz_and_mm(files, tmp_path, units):
+    (tmp_path / "points.csv").write_text(POINTS)
+    with open_file(files / "map.h5") as file:
+        ax = pictures_of(file, measured=read_measurements(tmp_path / "points.csv", file))["map"](file, units=units)
+        beside = scales(ax)
+    for shape, hertz, millimetres in (("D", [8, 9], [0.3, 0.3]), ("o", [10], [1.25])):
+        mark, = (line for line in ax.lines if line.get_marker() == shape)
+        x, y = ax.transData.transform(np.column_stack([mark.get_xdata(), mark.get_ydata()])).T
+        across = beside[FREQUENCY].transData.transform([(one, 0.5) for one in hertz])[:, 0]
+        up = beside[GAP].transData.transform([(0.5, one) for one in millimetres])[:, 1]
+        assert np.allclose(x, across, atol=0.01) and np.allclose(y, up, atol=0.01)

@@ -114,7 +114,7 @@ def test_check_prints_branches_and_the_files_size(tmp_path, small_sweep_file):
     checked = launch.run("check", "job.toml", cwd=tmp_path)
     assert checked.returncode == 0
     assert "cells    246: 41 of frequency_ratio by 6 of branch" in checked.stdout
-    assert "3    gap/A0 1.5, down" in checked.stdout
+    assert "3    gap/A0 1.5 (1.335 mm), down" in checked.stdout
     foretold = float(checked.stdout.split("job.h5, ")[1].split(" kB")[0]) * 1000
     assert 0 <= foretold + 100 - small_sweep_file.stat().st_size < 20_000
     assert sorted(path.name for path in tmp_path.iterdir()) == ["job.toml"]

@@ -24,6 +24,12 @@ AXES = {
     "map": {"frequency_ratio": (0.5, 3.5), "gap_ratio": (0.0, 4.5)},
     "basin": {"displacement_ratio": (-3.0, 0.0), "velocity_ratio": (-0.8, 2.2)},
 }
+# The same axes in the other unit: their name, its unit, and the factor to it.
+TWINS = {
+    "map": {"frequency_hz": ("frequency_ratio", "Hz", 4.5), "gap_m": ("gap_ratio", "m", 0.89e-3)},
+    "basin": {"displacement_m": ("displacement_ratio", "m", 0.89e-3),
+              "velocity_m_per_s": ("velocity_ratio", "m/s", 0.89e-3 * 2 * numpy.pi * 4.5)},
+}
 REGIMES = "no_impact periodic chaotic sustained_contact unresolved failed"
 STATUSES = ("verified budget conservative too_many_events not_finite solver_failed rounding imprecise"
             " chaotic_so_far")
@@ -49,9 +55,16 @@ def dataset(path, request):
 
 def test_xarray_names_axes_and_fields(dataset, kind):
     assert set(dataset.coords) == set(AXES[kind])
-    assert {name: str(variable.dtype) for name, variable in dataset.data_vars.items()} == FIELDS[kind]
+    fields = dataset.drop_vars(list(TWINS[kind])).data_vars
+    assert {name: str(variable.dtype) for name, variable in fields.items()} == FIELDS[kind]
     columns, rows = AXES[kind]
-    assert all(variable.dims == (rows, columns) for variable in dataset.data_vars.values())
+    assert all(variable.dims == (rows, columns) for variable in fields.values())
+
+
+def test_xarray_has_each_axis_in_two_units(dataset, kind):
+    for name, (axis, units, factor) in TWINS[kind].items():
+        assert dataset[name].dims == (axis,) and dataset[name].attrs["units"] == units
+        numpy.testing.assert_allclose(dataset[name], factor * dataset[axis].values, rtol=1e-14)
 
 
 def test_xarray_coordinates_are_linspace(dataset, kind):
@@ -60,8 +73,8 @@ def test_xarray_coordinates_are_linspace(dataset, kind):
         assert dataset[name].attrs["units"] == "1"
 
 
-def test_xarray_units_and_names_of_fields(dataset):
-    for name, variable in dataset.variables.items():
+def test_xarray_units_and_names_of_fields(dataset, kind):
+    for name, variable in dataset.drop_vars(list(TWINS[kind])).variables.items():
         assert variable.attrs["long_name"]
         assert variable.attrs.get("units") == (None if name in ("regime", "status", "engine") else "1")
     assert dataset.peak_force_ratio.attrs["long_name"] == "peak impact force over hammer weight, F/(m g0)"
@@ -186,7 +199,7 @@ def test_xarray_opens_a_sweep(sweep_file, engine):
     numpy.testing.assert_array_equal(sweep.frequency_ratio, numpy.linspace(0.5, 3.5, 4))
     sampled = {f"{where}_{what}" for where in ("stroboscopic", "impact") for what in ("displacement", "velocity")}
     cells = set(ALWAYS) | {"jump"}
-    assert set(sweep.data_vars) == cells | sampled | {"gap_ratio", "direction"}
+    assert set(sweep.data_vars) == cells | sampled | {"gap_ratio", "gap_m", "frequency_hz", "direction"}
     assert all(sweep[name].dims == ("branch", "frequency_ratio") for name in cells)
     assert all(sweep[name].dims == ("branch", "frequency_ratio", "sample") for name in sampled)
     assert all(variable.attrs["long_name"] for variable in sweep.variables.values())

@@ -65,7 +65,10 @@ TEST(BatchMeeting, IsTheFirstOfThreeInOneStep) {
     EXPECT_LE(c.grazes, 40);
     EXPECT_GT(c.impacts, 2 * c.cycles * 9 / 10);  // the short one, and that after it
     EXPECT_LT(c.state, state_tolerance);
-    EXPECT_LT(c.peak_force, 1e-9);
+    // The touch is as slow as jerk apart^2/6, and accelerated by jerk apart: a height that is known to some
+    // 1e-14 moves its speed by 4e-13/(jerk apart^3) of it, which is 1e-5 at worst here, before the division by
+    // the growth.
+    EXPECT_LT(c.peak_force, 1e-5);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ const std::map<std::string, std::string> other_values{
     {"operating_point.frequency_ratio", "1.95"},
     {"operating_point.gap_ratio", "1.75"},
     {"operating_point.frequency_hz", "8.25"},
-    {"operating_point.gap_m", "0.0015"},
+    {"operating_point.gap_m", "0.00125"},
     {"start.displacement_ratio", "-1.35"},
     {"start.velocity_ratio", "1.85"},
     {"start.displacement_m", "-0.00135"},

@@ -44,6 +44,7 @@ job::Job with_every_field() {
     job.contact = job::Restitution{0.6};
     job.refine.levels = 1;
     job.starts.count = 4;
+    job.certificate.cells = job::every_cell;
     for (const auto& field : job::Names<OptionalField>::all) job.output.fields.push_back(field.value);
     return job;
 }

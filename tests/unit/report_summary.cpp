@@ -130,14 +130,15 @@ TEST(Summary, ForcesInWeightsNewtonsHertzAndMillimetres) {
 
 TEST(Summary, ABasinNamesItsPointAndItsStarts) {
     const std::string text = summary(statistics_of_a_hundred_cells(), job::Kind::basin);
-    EXPECT_TRUE(contains(text, "Omega/omega 1.8, gap/A0 1.6")) << text;
+    EXPECT_TRUE(contains(text, "Omega/omega 1.8 (8.1 Hz), gap/A0 1.6 (1.42 mm)")) << text;
 }
 
 TEST(Summary, InABasinAnOrbitHasOneForceAndChaosOneForEachStart) {
     findings::Statistics statistics = statistics_of_a_hundred_cells();
     statistics.largest.periodic = statistics.largest.one_to_one;
     const std::string text = summary(statistics, job::Kind::basin);
-    EXPECT_TRUE(contains(line_with(text, "of all"), "without a period, from x/A0 2.5, x'/(A0 omega) 1"))
+    EXPECT_TRUE(contains(line_with(text, "of all"),
+                         "without a period, from x/A0 2.5 (2.225 mm), x'/(A0 omega) 1 (0.02516 m/s)"))
         << text;
     EXPECT_TRUE(contains(line_with(text, "of z = 1/1"), "on an orbit: the same from every start")) << text;
     EXPECT_FALSE(contains(line_with(text, "of z = 1/1"), "x/A0")) << text;

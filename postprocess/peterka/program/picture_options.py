@@ -3,6 +3,8 @@
 import argparse
 from collections.abc import Callable
 
+import numpy as np
+
 from ..files.checked_hdf5 import CheckedFile
 from ..files.opened import OpenedFile
 from ..look.axes import si_scale
@@ -12,6 +14,7 @@ from ..pictures import open_file
 
 WIDTHS = (40, 500)  # mm
 DPIS = (50, 2400)
+ROUNDING = 1e-6  # of a step of an axis: 1.9 in ratios and 8.55 Hz have other last bits
 
 
 def add_style_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,7 +28,7 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey tells classes apart by lightness and hatching")
     parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
-                        help="part of the axes, in their units: ratios, or Hz and mm with --units si")
+                        help="part of the axes, with its ends, whichever unit the job has: in ratios, or in Hz and mm with --units si")
 
 
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:
@@ -85,12 +88,19 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
     data = dataset_of(file.data)
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
         scale = si_scale(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
-        factor = (scale[1] if scale else 1.0) / axis.unit
-        data = data.sel({axis.stored: slice(low / factor, high / factor)})
+        inside = _inside(axis.values * (scale[1] if scale else 1.0), low, high)
+        data = data.isel({axis.stored: inside})
         left = data.sizes[axis.stored]
         if left < 2:
             raise file.refusal(f"has {left} points of {axis.name} from {low:g} to {high:g}; --zoom has to leave 2")
     return open_file(data)
+
+
+def _inside(values, low, high):
+    """The slice of rising numbers from `low` to `high`, those included that are at an end but for rounding."""
+    rounding = ROUNDING * (np.gradient(values) if len(values) > 1 else 0.0)
+    first = np.count_nonzero(values < low - rounding)
+    return slice(first, max(first, np.count_nonzero(values <= high + rounding)))
 
 
 def _axes(file):
