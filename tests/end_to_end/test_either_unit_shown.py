@@ -157,7 +157,8 @@ def test_where_to_operate_is_the_same_place(files, tmp_path):
     assert one == other and "best: " in one
     verified = both(files, "plane", tmp_path, "operating_point", "--hz", 0.2, "--mm", 0.05, "--formats", "png", "--verify",
                     "--peterka", launch.BINARY)
-    found = [re.search(r"^it holds in all (\d+) cells of the finer box: the worst has ([\d.]+) N \(", text, re.MULTILINE) for text in verified]
+    said = re.compile(r"^it holds in all (\d+) cells of the finer box: the worst has ([\d.]+) N \(", re.MULTILINE)
+    found = [said.search(text) for text in verified]
     assert all(found), verified
     (cells, worst), (others, other_worst) = (match.groups() for match in found)
     assert cells == others == "289" and float(worst) == pytest.approx(float(other_worst), rel=1e-3)

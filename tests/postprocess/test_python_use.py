@@ -158,7 +158,7 @@ def test_an_interrupted_run_goes_on_from_its_file(ranks, tmp_path):
     large = {"axes": {"frequency_ratio": {"points": 512}, "gap_ratio": {"points": 512}}}
 
     def interrupt(share):
-        if share > 0:  # with a tile done
+        if share > 0.05:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
