@@ -41,7 +41,7 @@ def launch(command: Sequence[str], environment: Mapping[str, str], progress: Pro
         try:
             return _listen(process, ours, _Bar(progress))
         except BaseException:
-            process.send_signal(signal.SIGINT)
+            process.send_signal(signal.SIGUSR1)  # mpirun passes it on at once, and SIGINT after two seconds
             raise
         finally:
             process.wait()
