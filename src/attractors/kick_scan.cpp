@@ -113,8 +113,10 @@ void KickScan::choose_stage(double before) {
 
 std::vector<KickTried> KickScan::growing() {
     const double most = largest_ * std::ldexp(1.0, level_ + 1 - levels);
+    const int count = kicks_of_a_level * std::min(period_, most_cycles);
     std::vector<KickTried> kicks;
-    for (int n = 0; n < kicks_of_a_level * std::min(period_, most_cycles); ++n) {
+    kicks.reserve(static_cast<std::size_t>(count));
+    for (int n = 0; n < count; ++n) {
         kicks.push_back(spread(level_ == 0 ? 0 : most / 2, most));
     }
     return kicks;

@@ -95,7 +95,7 @@ enum class Certified : std::int8_t {
     orbit = 1,  // exists, alone in its neighbourhood, with these contacts, p and smallest q, and is stable
     start = 2,  // and [start] is proved to lead to it
 };
-inline constexpr std::int8_t first_certified = -8;
+inline constexpr int first_certified = -8;
 
 constexpr const char* name(Engine engine) {
     switch (engine) {

@@ -93,10 +93,10 @@ template <class Number>
 ChainLeg<Number> leg_of(const Springs<Number>& springs, const EventChain& chain,
                         const std::vector<Place<Number>>& places, std::size_t i) {
     const Place<Number>& from = places[i];
-    const Number cycles(static_cast<double>(chain.cycles_of_leg(i)));
+    const auto cycles = static_cast<double>(chain.cycles_of_leg(i));
     return {Leg<Number>(springs.phase(chain.presses(i)), from.time,
                         scaled(springs.surface(chain.events[i].kind), from.along)),
-            places[chain.next(i)].time - from.time + cycles * springs.rig.period};
+            places[chain.next(i)].time - from.time + Number(cycles) * springs.rig.period};
 }
 
 // Its equations, and what they depend on.

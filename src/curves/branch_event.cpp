@@ -20,8 +20,8 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
                                                  const OrbitPoint& to, int sign) {
     const double before = bifurcation_of(stepper, from, sign);
     const double after = bifurcation_of(stepper, to, sign);
-    const auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
-                             stepper.conditions_and(Condition::at_multiplier(sign)));
+    auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
+                       stepper.conditions_and(Condition::at_multiplier(sign)));
     if (!found) return std::nullopt;
     // another one, behind the step or beyond it, may lie as close to the guess
     constexpr double rounding = 0.01;  // of the step, which bends

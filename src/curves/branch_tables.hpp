@@ -11,7 +11,7 @@
 namespace peterka::curves {
 
 // None without any.
-[[nodiscard]] std::vector<map_file::Table> branch_tables(const Rig& rig, const AxesOfFile& axes,
+[[nodiscard]] std::vector<map_file::Table> branch_tables(const Rig& rig, const AxesOfFile& of_file,
                                                          const std::vector<UnstableBranch>& branches);
 
 }  // namespace peterka::curves

@@ -75,8 +75,8 @@ bool halves_meet(const Stepper& stepper, const OrbitPoint& from, const OrbitPoin
 }
 
 std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
-    const auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), from), stepper.window(),
-                             stepper.conditions_and(Condition::at_multiplier(-1)));
+    auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), from), stepper.window(),
+                       stepper.conditions_and(Condition::at_multiplier(-1)));
     if (!found) return std::nullopt;
     // it lies on the way that was stepped over, whose halves may be the other way round at its end
     const double step = way_between(stepper.rig(), from, to, stepper.window()).norm();

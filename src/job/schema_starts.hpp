@@ -33,12 +33,12 @@ void describe(Walker& table, Starts& starts) {
     table.integer(
         {"attractors", "kept for each cell, those with the largest shares"}, starts.attractors,
         from_to<std::int64_t>(1, 64, "each takes room in every cell, and few cells have more than four"));
-    for (const auto& [name, interval] : {std::pair(displacement_ratio.name, &starts.displacement_ratio),
-                                         std::pair(displacement_m.name, &starts.displacement_m),
-                                         std::pair(velocity_ratio.name, &starts.velocity_ratio),
-                                         std::pair(velocity_m_per_s.name, &starts.velocity_m_per_s)}) {
-        if (interval->empty()) continue;  // in the other unit
-        table.rule({name}, [&] { return rule_of_interval(name, *interval); });
+    for (const auto& side : {std::pair(displacement_ratio.name, &starts.displacement_ratio),
+                             std::pair(displacement_m.name, &starts.displacement_m),
+                             std::pair(velocity_ratio.name, &starts.velocity_ratio),
+                             std::pair(velocity_m_per_s.name, &starts.velocity_m_per_s)}) {
+        if (side.second->empty()) continue;  // in the other unit
+        table.rule({side.first}, [&] { return rule_of_interval(side.first, *side.second); });
     }
 }
 

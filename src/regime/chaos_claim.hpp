@@ -35,7 +35,7 @@ class ChaosClaim {
     }
     // Where so much is lost in a cycle, whatever else is known of the oscillator.
     [[nodiscard]] static double most_cycles(const job::SteadyState& budget, double dissipation) {
-        double most = static_cast<double>(budget.chaos_cycles);
+        auto most = static_cast<double>(budget.chaos_cycles);
         for (const bool may_settle : {true, false}) {
             ChaosClaim claim(budget, may_settle);
             if (!may_settle && !(dissipation > forgets_at_once)) claim.wait_beside_an_orbit();
