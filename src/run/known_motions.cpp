@@ -131,6 +131,7 @@ class Rows {
 
     std::vector<KnownMotions::Known> keep(const std::vector<KnownMotions::Found>& found) {
         std::vector<KnownMotions::Known> news;
+        news.reserve(found.size());
         for (const auto& [cell, result] : found) news.push_back({cell, KnownMotions::motion_of(result)});
         found_.insert(found_.end(), found.begin(), found.end());
         return news;
@@ -178,7 +179,7 @@ class Rows {
 
 void add_known_motions(const parallel::Session& session, const scene::Scene& scene, MapFile& file) {
     if (!has_slots(scene.job())) return;
-    MPI_Comm const all = session.communicator();
+    MPI_Comm all = session.communicator();
     file.settle();
     Rows rows(scene, file, all);
     std::vector<KnownMotions::Known> news;
