@@ -27,7 +27,7 @@ MORE_RANKS_THAN_CORES = {
     "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
     "OMPI_MCA_reachable": "weighted",
 }
-RIG = re.compile(r"^[ \t]*rig[ \t]*=.*$", re.MULTILINE)
+RIG = re.compile(r"""^[ \t]*(?:rig|"rig"|'rig')[ \t]*=.*$""", re.MULTILINE)
 PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
 
 

@@ -252,7 +252,8 @@ std::vector<Begin> CellSearch::begin_kicks() {
     stage_ = Stage::kicks;
     const Interval velocities = velocities_of(setting_.of_starts.starts, cell_.scales);
     const double largest = std::max(std::abs(velocities.from), std::abs(velocities.to));
-    kicks_.emplace(cell_.oscillator, kept_, largest, [this](const auto& start) { return search_from(start); });
+    kicks_.emplace(cell_.oscillator, kept_, largest, table_,
+                   [this](const auto& start) { return search_from(start); });
     return next({});
 }
 

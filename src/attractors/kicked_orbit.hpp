@@ -26,6 +26,8 @@ class KickedOrbit {
 
     // The state at the next forcing phase 0; nothing where the engine can't carry it there.
     [[nodiscard]] std::optional<scene::State<double>> after(const KickTried& kick);
+    // The same at the end of the orbit's period, where it passes its first point.
+    [[nodiscard]] std::optional<scene::State<double>> round(const KickTried& kick);
 
   private:
     std::optional<scene::State<double>> carry(const scene::State<double>& from, double begin, double end);

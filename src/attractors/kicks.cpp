@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "attractors/safe_kicks.hpp"
 #include "regime/same_attractor.hpp"
 
 namespace peterka::attractors {
@@ -22,14 +23,14 @@ KickScan::Way way_of(const regime::CellResult& settled, const regime::CellResult
 }  // namespace
 
 Kicks::Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
-             SearchFrom search_from)
-    : search_from_(std::move(search_from)) {
+             const regime::AttractorTable& known, SearchFrom search_from)
+    : cell_(cell), known_(known), search_from_(std::move(search_from)) {
     for (std::size_t slot = 0; slot < attractors.size(); ++slot) {
         const Tally::Entry& entry = attractors[slot];
         if (!entry.orbit) continue;
         KickedOrbit orbit(cell, *entry.orbit);
         const KickScan scan(orbit.period(), largest);
-        kicked_.push_back({slot, entry.result, std::move(orbit), scan});
+        kicked_.push_back({slot, entry.result, *entry.orbit, std::move(orbit), scan});
     }
 }
 
@@ -70,11 +71,13 @@ std::vector<KickScan::Way> Kicks::take(const Kicked& kicked, std::span<const End
     return ways;
 }
 
-cell::Kick Kicks::smallest(std::size_t slot) const {
+cell::Kick Kicks::smallest(std::size_t slot) {
     cell::Kick kick;
-    for (const Kicked& kicked : kicked_) {
+    for (Kicked& kicked : kicked_) {
         if (kicked.slot != slot) continue;
         kick.tried = kicked.scan.tried();
+        const auto safe = largest_safe_kick(kicked.orbit, known_, cell_, kicked.found, kick.tried);
+        if (safe) kick.lower = *safe;
         if (!kicked.scan.found()) break;
         const KickTried& smallest = kicked.scan.smallest();
         kick.size = smallest.size();

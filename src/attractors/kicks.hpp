@@ -20,19 +20,21 @@ class Kicks {
     using SearchFrom = std::function<Begin(const scene::State<double>& start)>;
 
     // largest: of the kicks tried, in A0 omega.
+    // known: neighbourhoods of the orbits, which outlive this.
     Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
-          SearchFrom search_from);
+          const regime::AttractorTable& known, SearchFrom search_from);
 
     // As that of CellSearch.
     [[nodiscard]] std::vector<Begin> next(std::span<const Ended> ended);
 
     // Of the attractor in this slot; nothing was tried where it is not periodic.
-    [[nodiscard]] cell::Kick smallest(std::size_t slot) const;
+    [[nodiscard]] cell::Kick smallest(std::size_t slot);
 
   private:
     struct Kicked {
         std::size_t slot;
         regime::CellResult result;
+        regime::FoundAttractor found;
         KickedOrbit orbit;
         KickScan scan;
         std::vector<bool> carried = {};  // of the last kicks: the others have no search
@@ -41,6 +43,8 @@ class Kicks {
     bool kick(Kicked& kicked, std::span<const Ended>& ended, std::vector<Begin>& searches);
     [[nodiscard]] static std::vector<KickScan::Way> take(const Kicked& kicked, std::span<const Ended>& ended);
 
+    scene::Oscillator<double> cell_;
+    const regime::AttractorTable& known_;
     SearchFrom search_from_;
     std::vector<Kicked> kicked_;
 };

@@ -193,6 +193,8 @@ inline constexpr const char* kick_phase_words =
     "when the critical kick acts, in forcing cycles after phase 0 of the orbit's first point, 0 to q";
 inline constexpr const char* kick_tried_words =
     "up to which size kicks were tried at all phases: without a critical kick none was found up to this";
+inline constexpr const char* kick_lower_words =
+    "a verified lower bound of the critical kick: up to this size they lead back; NaN where none is known";
 inline constexpr const char* kick_direction_words =
     "whether the critical kick is towards the stop (1) or away from it (-1); 0 where there is none";
 
@@ -227,6 +229,7 @@ inline constexpr Quantity rows[] = {
     {"critical_kick", member([](auto& cell) -> auto& { return cell.kick.size; }), speed, kick_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_phase", member([](auto& cell) -> auto& { return cell.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", member([](auto& cell) -> auto& { return cell.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_lower", member([](auto& cell) -> auto& { return cell.kick.lower; }), speed, kick_lower_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", member([](auto& cell) -> auto& { return cell.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
     {"certified", member([](auto& cell) -> auto& { return cell.certified; }), label, "what of the cell is proved in interval arithmetic, or why nothing is (negative)", of_certificates, never, usual, {}, certified_names, 3, first_certified},
     {"peak_force_lower_ratio", member([](auto& cell) -> auto& { return cell.force_lower; }), number, "proved lower bound of the peak impact force over hammer weight, F/(m g0)", of_certificates, never, usual, {}, {}, 3},
@@ -249,6 +252,7 @@ inline constexpr AttractorQuantity attractor_rows[] = {
     {"critical_kick", of_attractor([](auto& attractor) -> auto& { return attractor.kick.size; }), speed, kick_words, of_kicks},
     {"critical_kick_phase", of_attractor([](auto& attractor) -> auto& { return attractor.kick.phase; }), number, kick_phase_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_tried", of_attractor([](auto& attractor) -> auto& { return attractor.kick.tried; }), speed, kick_tried_words, of_kicks, never, usual, {}, {}, 3},
+    {"critical_kick_lower", of_attractor([](auto& attractor) -> auto& { return attractor.kick.lower; }), speed, kick_lower_words, of_kicks, never, usual, {}, {}, 3},
     {"critical_kick_direction", of_attractor([](auto& attractor) -> auto& { return attractor.kick.direction; }), label, kick_direction_words, of_kicks, never, usual, {}, {}, 3},
     {"attractor_orbit_displacement", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_displacement; }), number, "its orbit's first point at forcing phase 0, (x - y)/A0", always, never, usual, {}, {}, 3},
     {"attractor_orbit_velocity", of_attractor([](auto& attractor) -> auto& { return attractor.orbit_velocity; }), number, "its orbit's first point at forcing phase 0, (x' - y')/(A0 omega)", always, never, usual, {}, {}, 3},

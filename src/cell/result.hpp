@@ -26,6 +26,7 @@ struct Kick {
     double phase = unknown;     // when it acts: forcing cycles after phase 0 of the orbit's first point, 0 to q
     double tried = unknown;     // up to which size kicks were tried at all phases, in A0 omega
     std::int8_t direction = 0;  // 1 up, towards the stop; -1 down; 0 none
+    double lower = unknown;     // kicks up to this size were verified to lead back, in A0 omega
 };
 
 // Units are told for CellResult.

@@ -20,7 +20,9 @@ void add_one(KickCounts& counts, const cell::Kick& kick, bool is_alone) {
                 .alone = !is_thrown && is_alone ? 1 : 0,
                 .smallest = is_thrown ? kick.size : 0,
                 .phase = is_thrown ? kick.phase : 0,
-                .least_tried = is_thrown ? 0 : kick.tried});
+                .least_tried = is_thrown ? 0 : kick.tried,
+                .bounded = std::isnan(kick.lower) ? 0 : 1,
+                .least_bound = std::isnan(kick.lower) ? 0 : kick.lower});
 }
 
 }  // namespace
@@ -29,6 +31,8 @@ void KickCounts::add(const KickCounts& other) {
     kicked += other.kicked;
     thrown += other.thrown;
     alone += other.alone;
+    bounded += other.bounded;
+    if (is_smaller(other.least_bound, least_bound)) least_bound = other.least_bound;
     if (is_smaller(other.least_tried, least_tried)) least_tried = other.least_tried;
     if (other.smallest == smallest) phase = std::min(phase, other.phase);
     if (!is_smaller(other.smallest, smallest)) return;

@@ -11,11 +11,13 @@ namespace peterka::findings {
 struct KickCounts {
     std::int64_t kicked =
         0;  // cells with an orbit that was kicked: the one with the largest share, or the cell's
-    std::int64_t thrown = 0;  // of these, with a kick after which it ends elsewhere
-    std::int64_t alone = 0;   // with none, and no other motion is known
-    double smallest = 0;      // kick of those that are thrown [m/s]; 0 where there are none
-    double phase = 0;         // of it, in forcing cycles
-    double least_tried = 0;   // of those without one [m/s]; 0 where there are none
+    std::int64_t thrown = 0;   // of these, with a kick after which it ends elsewhere
+    std::int64_t alone = 0;    // with none, and no other motion is known
+    double smallest = 0;       // kick of those that are thrown [m/s]; 0 where there are none
+    double phase = 0;          // of it, in forcing cycles
+    double least_tried = 0;    // of those without one [m/s]; 0 where there are none
+    std::int64_t bounded = 0;  // with a verified lower bound
+    double least_bound = 0;    // of these [m/s]; 0 where there are none
 
     void add(const KickCounts& other);
 };

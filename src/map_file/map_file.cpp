@@ -145,6 +145,10 @@ std::vector<quantities::StoredAttractor> MapFile::read_attractors(std::int64_t i
     return tiles_.read_attractors(tiling().tile(index));
 }
 
+std::vector<findings::Attractor> MapFile::basin_attractors() const {
+    return read_attractor_table(open_map());
+}
+
 std::optional<AuditReport> MapFile::audit_report() {
     if (audit_rows_ == 0) return std::nullopt;
     settle();

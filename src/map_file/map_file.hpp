@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "attractors/along_branch.hpp"
+#include "findings/attractors.hpp"
 #include "findings/statistics.hpp"
 #include "hdf5/checked.hpp"
 #include "hdf5/disk_file.hpp"
@@ -89,6 +90,8 @@ class MapFile {
     [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(std::int64_t index) const;
+    // Of a finished basin.
+    [[nodiscard]] std::vector<findings::Attractor> basin_attractors() const;
     [[nodiscard]] AuditTable audit() const { return {open_map(), job_.starts.count > 0}; }
 
     // Collective. What the audit says, on every rank; nothing where the job wants none.

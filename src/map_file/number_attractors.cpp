@@ -100,6 +100,10 @@ void write_column(const hdf5::OpenMap& map, const std::string& path, hdf5::Numbe
     hdf5::Stored(map, path, number).write(hdf5::Block(0, static_cast<std::int64_t>(count)), values);
 }
 
+std::string path_of(const quantities::Field& column) {
+    return std::string("/attractors/") + column.variable.name;
+}
+
 void write_table(const hdf5::OpenMap& map, std::span<const findings::Attractor> table) {
     std::vector<quantities::StoredCell> cells;
     std::vector<std::int64_t> counts;
@@ -109,8 +113,7 @@ void write_table(const hdf5::OpenMap& map, std::span<const findings::Attractor> 
     }
     for (const quantities::Field& field : quantities::attractor_fields()) {
         const std::vector<std::byte> column = encode(std::span(&field, 1), cells);
-        write_column(map, std::string("/attractors/") + field.variable.name, field.variable.number,
-                     column.data(), table.size());
+        write_column(map, path_of(field), field.variable.number, column.data(), table.size());
     }
     write_column(map, path::attractor_cells, hdf5::Number::int64, counts.data(), table.size());
     hdf5::put_number(map, path::attractor_count, hdf5::Number::int32, static_cast<double>(table.size()));
@@ -132,6 +135,29 @@ std::int64_t number_attractors(const hdf5::OpenMap& map, const TileStore& tiles,
     for (findings::Attractor& attractor : table) attractor.cells = sum(attractor.cells, communicator);
     parallel::on_first_rank(communicator, [&] { write_table(map, table); });
     return sum(left_over, communicator);
+}
+
+std::vector<findings::Attractor> read_attractor_table(const hdf5::OpenMap& map) {
+    const auto rows =
+        static_cast<std::int64_t>(hdf5::get_number(map, path::attractor_count, hdf5::Number::int32));
+    if (rows < 1) return {};
+    const hdf5::Block all(0, rows);
+    std::vector<std::byte> columns;
+    const std::vector<quantities::Field> fields = quantities::attractor_fields();
+    for (const quantities::Field& field : fields) {
+        const hdf5::Stored column(map, path_of(field), field.variable.number);
+        const std::size_t before = columns.size();
+        columns.resize(before + column.bytes(all));
+        column.read(all, columns.data() + before);
+    }
+    std::vector<findings::Attractor> table;
+    for (const quantities::StoredCell& cell : decode(fields, columns, static_cast<std::size_t>(rows))) {
+        table.push_back({cell, 0});
+    }
+    std::vector<std::int64_t> counts(table.size());
+    hdf5::Stored(map, path::attractor_cells, hdf5::Number::int64).read(all, counts.data());
+    for (std::size_t row = 0; row < table.size(); ++row) table[row].cells = counts[row];
+    return table;
 }
 
 }  // namespace peterka::map_file

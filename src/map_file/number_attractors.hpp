@@ -8,7 +8,9 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <vector>
 
+#include "findings/attractors.hpp"
 #include "hdf5/stored.hpp"
 #include "map_file/tile_store.hpp"
 
@@ -17,5 +19,8 @@ namespace peterka::map_file {
 // Writes the dataset /attractor and the group /attractors. Returns how many cells have an attractor for which
 // the table had no row left.
 std::int64_t number_attractors(const hdf5::OpenMap& map, const TileStore& tiles, MPI_Comm communicator);
+
+// The table of a basin whose cells have been numbered. Independent.
+[[nodiscard]] std::vector<findings::Attractor> read_attractor_table(const hdf5::OpenMap& map);
 
 }  // namespace peterka::map_file

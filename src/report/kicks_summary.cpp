@@ -29,7 +29,10 @@ std::string kicks_summary(const job::Job& job, const findings::KickCounts& count
                 fmt::format("none found up to {}", readable_amount(counts.least_tried, "m/s", 3))) +
            line(counts.alone, counts.kicked,
                 fmt::format("one motion alone is known, and none found up to {}",
-                            readable_amount(counts.least_tried, "m/s", 3)));
+                            readable_amount(counts.least_tried, "m/s", 3))) +
+           line(counts.bounded, counts.kicked,
+                fmt::format("small kicks are verified to lead back, up to {} in each",
+                            readable_amount(counts.least_bound, "m/s", 3)));
 }
 
 }  // namespace peterka

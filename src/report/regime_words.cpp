@@ -104,6 +104,24 @@ std::string most_frequent_classes(const Statistics& statistics) {
 
 }  // namespace
 
+std::string name_of(const MotionClass& motion) {
+    switch (motion.regime) {
+        case Regime::no_impact:
+            return "no impact";
+        case Regime::periodic:
+            return fmt::format("{}/{}", motion.z.impacts, motion.z.period);
+        case Regime::sustained_contact:
+            return "sustained contact";
+        case Regime::chaotic:
+            return "chaotic";
+        case Regime::unresolved:
+            return "unresolved";
+        case Regime::failed:
+            break;
+    }
+    return "failed";
+}
+
 std::string regimes_in_words(const Statistics& statistics) {
     return "\nWhat the hammer settles into\n" +
            regime_line(statistics, Regime::no_impact, "no impact", "it swings without reaching the stop") +

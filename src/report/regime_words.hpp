@@ -4,10 +4,14 @@
 #include <string>
 
 #include "findings/statistics.hpp"
+#include "findings/sweep_findings.hpp"
 #include "findings/transients.hpp"
 #include "job/job.hpp"
 
 namespace peterka {
+
+// As in "1/1" or "no impact".
+[[nodiscard]] std::string name_of(const MotionClass& motion);
 
 [[nodiscard]] std::string regimes_in_words(const findings::Statistics& statistics);
 

@@ -12,6 +12,7 @@
 #include "regime/solve_cell.hpp"
 #include "report/audit_summary.hpp"
 #include "report/axis_words.hpp"
+#include "report/basin_summary.hpp"
 #include "report/certificate_summary.hpp"
 #include "report/kicks_summary.hpp"
 #include "report/long_chaos.hpp"
@@ -68,11 +69,20 @@ std::string border(const job::Job& job, const LargestForce& force) {
     return fmt::format(", on the {}'s border ({})", job::name(job.kind), borders);
 }
 
+// Some cells keep a spring that others leave out.
+std::string but_for_cubic(const SummaryInput& input) {
+    const auto& cells = input.findings.statistics.counts.by_engine;
+    const auto of = [&](regime::Engine engine) { return cells[static_cast<std::size_t>(engine)]; };
+    if (of(regime::Engine::exact) == 0 || of(regime::Engine::split) == 0) return "";
+    return fmt::format(", to {:g} of it where the cubic spring is left out",
+                       input.scene.job().solver.omit_tolerance);
+}
+
 // An orbit has one force, whatever start leads to it.
 std::string place_in_basin(const SummaryInput& input, const LargestForce& force) {
     const findings::Extremes& largest = input.findings.statistics.largest;
     const bool is_orbit = force.peak_force_ratio == largest.periodic.peak_force_ratio;
-    if (is_orbit) return "on an orbit: the same from every start that leads to it";
+    if (is_orbit) return "on an orbit: the same from every start that leads to it" + but_for_cubic(input);
     return "without a period, from " + start_in_words(input.scene, force.row, force.column);
 }
 
@@ -152,6 +162,7 @@ std::string summary_text(const SummaryInput& input) {
     const std::string file = input.file.string();
     const char* kind = input.scene.job().kind == job::Kind::sweep ? "Sweep file" : "Map file";
     return heading(input) + starts(input) + regimes_in_words(input.findings.statistics) +
+           basin_summary(input.scene, input.findings.basin) +
            long_chaos_in_words(input.scene, input.findings.statistics) +
            starts_summary(input.scene, input.findings.statistics.starts) +
            kicks_summary(input.scene.job(), input.findings.statistics.starts.counts.kicks) +

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "findings/attractors.hpp"
 #include "findings/statistics.hpp"
 #include "findings/sweep_attractors.hpp"
 #include "findings/sweep_findings.hpp"
@@ -32,6 +33,7 @@ struct Findings {
     std::optional<map_file::AuditReport> audit;
     std::span<const std::string> omitted;  // sentences: what was left out, and why
     SweepFindings sweep = {};
+    std::vector<findings::Attractor> basin = {};
 };
 
 struct SummaryInput {

@@ -13,6 +13,7 @@
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "report/axis_words.hpp"
+#include "report/regime_words.hpp"
 #include "support/readable.hpp"
 
 namespace peterka {
@@ -22,24 +23,6 @@ using quantities::StoredCell;
 
 const std::string next_line = "\n" + std::string(32, ' ');
 constexpr std::size_t most_listed = 5;  // jumps, bands and classes of a branch
-
-std::string name(const MotionClass& motion) {
-    switch (motion.regime) {
-        case regime::Regime::no_impact:
-            return "no impact";
-        case regime::Regime::periodic:
-            return fmt::format("{}/{}", motion.z.impacts, motion.z.period);
-        case regime::Regime::sustained_contact:
-            return "sustained contact";
-        case regime::Regime::chaotic:
-            return "chaotic";
-        case regime::Regime::unresolved:
-            return "unresolved";
-        case regime::Regime::failed:
-            break;
-    }
-    return "failed";
-}
 
 class Words {
   public:
@@ -81,8 +64,8 @@ class Words {
 
     // With their forces where both have the same name: these differ by more than a percent then.
     static std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b) {
-        const std::string first = name(motion_class(a));
-        const std::string second = name(motion_class(b));
+        const std::string first = name_of(motion_class(a));
+        const std::string second = name_of(motion_class(b));
         if (first != second) return {first, second};
         const auto with_force = [&](const StoredCell& cell) {
             return fmt::format("{} ({:.4g} weights)", first, cell.peak_force);
@@ -107,7 +90,7 @@ class Words {
             const Unvisited& each = found.unvisited[i];
             text += fmt::format(
                 "{}{} at {} from {} to {}, up to {:.3g} % of the starts", i == 0 ? " " : "," + next_line,
-                (each.beside_its_like ? "another " : "") + name(each.motion), each.points,
+                (each.beside_its_like ? "another " : "") + name_of(each.motion), each.points,
                 at_axis(value(each.first)), at_axis(value(each.last)), 100 * each.largest_share);
         }
         if (found.unvisited.size() > most_listed)
@@ -158,7 +141,7 @@ class Words {
         const StoredCell& cell = at(found, *found.largest);
         const bool at_end = found.largest == 0 || *found.largest + 1 == std::ssize(found.cells);
         return fmt::format("{} at {} {}, {}{}", force(found, *found.largest), label_,
-                           at_axis(value(*found.largest)), name(motion_class(cell)),
+                           at_axis(value(*found.largest)), name_of(motion_class(cell)),
                            at_end ? ", at the end of the sweep: it may be larger beyond" : "");
     }
 
@@ -187,8 +170,8 @@ class Words {
         const StoredCell& before = at(found, jump.from);
         const StoredCell& after = at(found, jump.to);
         return fmt::format("{} from {} ({:.3g} weights) to {} ({:.3g} weights)",
-                           at_axis((value(jump.from) + value(jump.to)) / 2), name(motion_class(before)),
-                           before.peak_force, name(motion_class(after)), after.peak_force);
+                           at_axis((value(jump.from) + value(jump.to)) / 2), name_of(motion_class(before)),
+                           before.peak_force, name_of(motion_class(after)), after.peak_force);
     }
 
     static const StoredCell& at(const BranchFindings& found, std::int64_t column) {
@@ -203,7 +186,7 @@ class Words {
         std::ranges::sort(widest, {}, &Band::first);
         std::string text;
         for (const Band& band : widest) {
-            text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", name(band.motion),
+            text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", name_of(band.motion),
                                 at_axis(value(band.first)), at_axis(value(band.last)));
         }
         if (found.bands.size() > widest.size()) {
@@ -217,7 +200,7 @@ class Words {
         std::string text;
         for (std::size_t i = 0; i < std::min(found.points.size(), most_listed); ++i) {
             const auto& [motion, points] = found.points[i];
-            text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name(motion),
+            text += fmt::format("{}{} {}", i == 0 ? "" : ", ", name_of(motion),
                                 readable_share(points, std::ssize(found.cells)));
         }
         if (found.points.size() > most_listed)

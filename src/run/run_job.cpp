@@ -63,6 +63,13 @@ SweepFindings find_in_sweep(const Session& session, const RunPlan& plan, const M
     return found;
 }
 
+// Rank 0 alone, once the attractors are numbered.
+std::vector<findings::Attractor> find_in_basin(const Session& session, const RunPlan& plan,
+                                               const MapFile& file) {
+    if (plan.job.kind != job::Kind::basin || plan.quiet || !session.is_root()) return {};
+    return file.basin_attractors();
+}
+
 // A finished map is shown as it is, so it must be what was computed.
 void refuse_damage(const RunPlan& plan, const map_file::RemainingTiles& remaining) {
     if (remaining.tiles.empty()) return;
@@ -130,9 +137,10 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
             const findings::Statistics statistics = file.statistics();
             const std::vector<std::string> omitted = omitted_in_words(plan.job, statistics);
             if (!complete) file.finish(statistics, omitted, facts());
-            words =
-                summary(session, plan, scene,
-                        {statistics, file.audit_report(), omitted, find_in_sweep(session, plan, file)}, wall);
+            words = summary(session, plan, scene,
+                            {statistics, file.audit_report(), omitted, find_in_sweep(session, plan, file),
+                             find_in_basin(session, plan, file)},
+                            wall);
             const std::string borders = map_borders(session, plan, stop);
             if (!words.empty()) words += borders;
             code = judge(session, plan, statistics);

@@ -103,6 +103,7 @@ def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count
         told = {name: float(kicks[name][0, 0]) for name in kicks if name.startswith("critical")}
         orbit = np.array([kicks["orbit_displacement"][0, 0], kicks["orbit_velocity"][0, 0]])
     assert 0.01 < told["critical_kick"] / speed < 4 and told["critical_kick_tried"] >= told["critical_kick"]
+    assert 0 < told["critical_kick_lower"] <= told["critical_kick"] / 2
     phase = told["critical_kick_phase"]
     assert 0 <= phase <= 2 and told["critical_kick_direction"] in (-1, 1)
 
@@ -114,7 +115,8 @@ def test_a_critical_kick_ends_elsewhere_and_a_hair_less_does_not(tmp_path, count
         single = many_starts.compute(tmp_path, cells + start, name="single")
         return tuple(int(number) for number in labels_of(single)[0, 0])
 
-    assert end(0.5) == end(0.997) == (1, 1, 2)
+    lower = told["critical_kick_lower"] / told["critical_kick"]
+    assert end(lower) == end(0.5) == end(0.997) == (1, 1, 2)
     assert end(1.0) == (0, 0, 1)
 
 

@@ -180,8 +180,9 @@ bool is_on_chaos(const regime::CellResult& ended) {
     return ended.regime == chaotic || (ended.regime == unresolved && chaotic_cycles(ended) > 0);
 }
 
-Leave attack(const scene::Scene& scene, const CellAttractor& attractor, std::int64_t kicks, Random& random) {
-    const double most = most_of(attractor);
+// Kicks up to `most` [A0 omega], at random.
+Leave attack(const scene::Scene& scene, const CellAttractor& attractor, double most, std::int64_t kicks,
+             Random& random) {
     const regime::CellResult settled = as_result(attractor);
     std::vector<KickAt> tried;
     Leave found;
@@ -243,6 +244,8 @@ int main(int argc, char** argv) {
     std::int64_t without = 0;
     std::int64_t broken = 0;
     std::int64_t by_a_tenth = 0;
+    std::int64_t broken_bounds = 0;
+    std::vector<double> bounds;  // over the kicks told
     std::int64_t cycles = 0;
     double seconds = 0;
     const auto now = [] { return std::chrono::steady_clock::now(); };
@@ -262,13 +265,18 @@ int main(int argc, char** argv) {
             ++attractors;
             const bool none = std::isnan(attractor.kick.size);
             without += none ? 1 : 0;
-            const Leave found = attack(scene, attractor, kicks, random);
+            const Leave found = attack(scene, attractor, most_of(attractor), kicks, random);
             broken += found.count > 0 ? 1 : 0;
             by_a_tenth += found.smallest < 0.9 ? 1 : 0;
-            fmt::print("rig {} slot {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g}", rig,
-                       &attractor - solved.attractors.data(), attractor.impacts, attractor.period,
+            if (!std::isnan(attractor.kick.lower)) {
+                const Leave below = attack(scene, attractor, attractor.kick.lower, kicks, random);
+                broken_bounds += below.count > 0 ? 1 : 0;
+                bounds.push_back(attractor.kick.lower / most_of(attractor));
+            }
+            fmt::print("rig {} slot {} {}/{} kick {:.4g} phase {:.4f} direction {} tried {:.4g} lower {:.4g}",
+                       rig, &attractor - solved.attractors.data(), attractor.impacts, attractor.period,
                        attractor.kick.size, attractor.kick.phase, static_cast<int>(attractor.kick.direction),
-                       attractor.kick.tried);
+                       attractor.kick.tried, attractor.kick.lower);
             if (found.count > 0) {
                 fmt::print("  BROKEN by {} of {}, least {:.4f} of it at phase {:.4f}", found.count, kicks,
                            found.smallest, found.phase);
@@ -277,6 +285,11 @@ int main(int argc, char** argv) {
             std::fflush(stdout);
         }
     }
+    std::ranges::sort(bounds);
+    fmt::print(
+        "{} have a lower bound, median {:.3g} of their kick; {} of these have a smaller kick that leads "
+        "elsewhere\n",
+        bounds.size(), bounds.empty() ? 0.0 : bounds[bounds.size() / 2], broken_bounds);
     fmt::print(
         "{} attractors, {} of them without a critical kick; {} kicks each: {} have a smaller one, {} by more "
         "than a tenth\n{:.3g} cycles an attractor for the kicks, {:.3g} ms with all that goes with it\n",

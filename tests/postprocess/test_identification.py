@@ -189,3 +189,11 @@ def test_what_never_ends_is_no_recording():
         done = subprocess.run([sys.executable, "-c", code, *option, "/dev/zero", "--mass-kg", "0.298"], cwd=POSTPROCESS,
                               env=os.environ | {"OPENBLAS_NUM_THREADS": "1"}, capture_output=True, text=True, check=False)
         assert done.returncode == 2 and "too large" in done.stderr, done.stderr
+
+
+def test_empty_lines_without_end_are_no_recording():
+    with subprocess.Popen(["yes", ""], stdout=subprocess.PIPE) as lines:
+        done = subprocess.run([sys.executable, "identify.py", "/dev/stdin", "--mass-kg", "0.298"], cwd=POSTPROCESS, stdin=lines.stdout,
+                              capture_output=True, text=True, check=False, timeout=120)
+        lines.kill()
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr

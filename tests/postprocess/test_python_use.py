@@ -168,7 +168,8 @@ def test_an_interrupted_run_goes_on_from_its_file(ranks, tmp_path):
     assert seen[0] > 0 and not (whole.regime == -128).any()
 
 
-@pytest.mark.parametrize("line", ['rig = "stop.toml"', "rig = 'stop.toml'", '  rig="stop.toml"  # of the workshop', 'rig = "\\u0073top.toml"'])
+@pytest.mark.parametrize("line", ['rig = "stop.toml"', "rig = 'stop.toml'", '  rig="stop.toml"  # of the workshop', 'rig = "\\u0073top.toml"',
+                                  '"rig" = "stop.toml"', "'rig' = 'stop.toml'"])
 @pytest.mark.parametrize("name", ["plain", 'quo"ted', "back\\slash", "emoji \U0001f528"])
 def test_a_rig_is_looked_for_from_here_whatever_this_folder_is_called(line, name, tmp_path, monkeypatch):
     folder = tmp_path / name

@@ -48,8 +48,9 @@ CellResult elsewhere() {
 
 TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
     const Kicked kicked = two_orbits();
+    const regime::AttractorTable known;
     std::vector<scene::State<double>> starts;
-    Kicks kicks(kicked.oscillator, kicked.entries, 4, [&](const scene::State<double>& start) {
+    Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
         starts.push_back(start);
         return Begin{};
     });
@@ -91,8 +92,9 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     KickedOrbit undisturbed(kicked.oscillator, *kicked.entries[1].orbit);
     const auto at_phase_0 = undisturbed.after({1.0, 0});
     ASSERT_TRUE(at_phase_0.has_value());
+    const regime::AttractorTable known;
     std::vector<scene::State<double>> starts;
-    Kicks kicks(kicked.oscillator, kicked.entries, 4, [&](const scene::State<double>& start) {
+    Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
         starts.push_back(start);
         return Begin{};
     });
@@ -114,6 +116,7 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     const auto smaller = undisturbed.after({smallest.phase, 0.998 * smallest.direction * smallest.size});
     ASSERT_TRUE(smaller.has_value());
     EXPECT_GT((*smaller)[1], (*at_phase_0)[1] - 0.5);
+    EXPECT_TRUE(std::isnan(smallest.lower));  // no neighbourhood is known
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ job::Job job_with_kicks(std::int64_t starts) {
     return job;
 }
 
-const cell::Kick thrown{0.33, 0.25, 0.33, -1};
-const cell::Kick harder{0.5, 1.75, 0.5, 1};
+const cell::Kick thrown{0.33, 0.25, 0.33, -1, 0.021};
+const cell::Kick harder{0.5, 1.75, 0.5, 1, 0.012};
 const cell::Kick none{.tried = 4.5};
 const cell::Kick not_tried;
 
@@ -60,6 +60,8 @@ TEST(KickCounts, AreOfTheOrbitWithTheLargestShareInAnyGrouping) {
     EXPECT_EQ(grouped.smallest, 0.33);
     EXPECT_EQ(grouped.phase, 0.25);
     EXPECT_EQ(grouped.least_tried, 4.5);
+    EXPECT_EQ(grouped.bounded, 2);
+    EXPECT_EQ(grouped.least_bound, 0.012);
 }
 
 TEST(KicksSummary, TellsApartWhatThrowsWhatDoesNotAndOneMotionAlone) {
@@ -71,6 +73,9 @@ TEST(KicksSummary, TellsApartWhatThrowsWhatDoesNotAndOneMotionAlone) {
         std::string::npos)
         << text;
     EXPECT_NE(text.find("25.0 % of these cells: none found up to 4.5 m/s"), std::string::npos) << text;
+    EXPECT_NE(text.find("50.0 % of these cells: small kicks are verified to lead back, up to 12 mm/s in each"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("25.0 % of these cells: one motion alone is known, and none found up to 4.5 m/s"),
               std::string::npos)
         << text;
@@ -87,6 +92,7 @@ TEST(KicksSummary, OfACellsOwnMotionSaysNothingOfOthers) {
     EXPECT_NE(text.find("in 1 cells\n"), std::string::npos) << text;
     EXPECT_NE(text.find("none found up to 4.5 m/s"), std::string::npos) << text;
     EXPECT_EQ(text.find("alone"), std::string::npos) << text;
+    EXPECT_EQ(text.find("verified"), std::string::npos) << text;
     EXPECT_EQ(kicks_summary({}, counts), "");
 }
 

@@ -8,6 +8,7 @@ import csv
 import math
 from collections.abc import Collection
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 from .checked_hdf5 import NotDrawable
@@ -15,6 +16,7 @@ from .harmless import harmless
 
 SEPARATORS = (";", "\t", ",")
 LONGEST_LINE = 10_000
+LONGEST_HEAD = 1_000  # lines, before the one with names
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,8 @@ def column_names(path: Path) -> list[str]:
     """Those that the file's first line has, whatever they mean."""
     try:
         with open(path, encoding="utf-8-sig", errors="replace") as file:
-            lines = iter(lambda: file.readline(LONGEST_LINE), "")  # what never ends may have no line either
+            # What never ends may have no line either, or nothing but empty ones.
+            lines = islice(iter(lambda: file.readline(LONGEST_LINE), ""), LONGEST_HEAD)
             first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     except OSError as error:
         raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error

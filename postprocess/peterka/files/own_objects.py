@@ -15,7 +15,7 @@ import numpy as np
 
 # Planes of cells, one for each attractor that a cell may have; any other dataset has a cell's values side by side.
 STACKED = {"attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share",
-           "critical_kick", "critical_kick_phase", "critical_kick_tried", "critical_kick_direction", "attractor_status",
+           "critical_kick", "critical_kick_phase", "critical_kick_tried", "critical_kick_direction", "critical_kick_lower", "attractor_status",
            "attractor_orbit_displacement", "attractor_orbit_velocity", "mean_life_s", "mean_life_error_s"}
 SPARE = 2**28  # bytes that reading small things may take besides the file's own length
 

@@ -1,0 +1,68 @@
+#include "attractors/safe_kicks.hpp"
+
+#include <cmath>
+
+#include "regime/same_orbit.hpp"
+#include "regime/stroboscopic_map.hpp"
+
+namespace peterka::attractors {
+
+namespace {
+
+constexpr int phases_of_a_cycle = 48;
+constexpr int longest_orbit = 8;  // of an orbit: a neighbourhood of one of its points is seldom worth more
+constexpr int halvings = 10;
+constexpr int smaller_sizes = 6;
+constexpr double of_what_was_tried = 0.5;
+
+class Home {
+  public:
+    Home(KickedOrbit& orbit, const regime::AttractorTable::OfOneMap& known, const regime::StroboscopicMap& map,
+         const regime::CellResult& attractor)
+        : orbit_(orbit), known_(known), map_(map), attractor_(attractor) {}
+
+    // Whether kicks of this size lead there, at all phases, up and down.
+    [[nodiscard]] bool takes(double size) const {
+        const int phases = phases_of_a_cycle * orbit_.period();
+        for (int n = 0; n < phases; ++n) {
+            const double phase = static_cast<double>(n) / phases_of_a_cycle;
+            if (!takes(KickTried{phase, size}) || !takes(KickTried{phase, -size})) return false;
+        }
+        return true;
+    }
+
+  private:
+    [[nodiscard]] bool takes(const KickTried& kick) const {
+        const auto state = orbit_.round(kick);
+        if (!state) return false;
+        const regime::CellResult* reached = known_.reached_from(map_.scaled(*state));
+        return reached != nullptr && regime::same_orbit(*reached, attractor_);
+    }
+
+    KickedOrbit& orbit_;
+    const regime::AttractorTable::OfOneMap& known_;
+    const regime::StroboscopicMap& map_;
+    const regime::CellResult& attractor_;
+};
+
+}  // namespace
+
+std::optional<double> largest_safe_kick(KickedOrbit& orbit, const regime::AttractorTable& known,
+                                        scene::Oscillator<double> oscillator,
+                                        const regime::FoundAttractor& found, double most) {
+    oscillator.cubic = found.cubic;
+    const regime::AttractorTable::OfOneMap* places = known.of(oscillator, found.settings);
+    if (places == nullptr || orbit.period() > longest_orbit) return std::nullopt;
+    regime::CycleDesk desk;
+    const regime::StroboscopicMap map(oscillator, found.settings, desk);
+    const Home home(orbit, *places, map, found.result);
+    double size = most;
+    for (int halved = 0; halved <= halvings; ++halved, size /= 2) {
+        bool all = true;
+        for (int n = smaller_sizes; n > 0 && all; --n) all = home.takes(size * n / smaller_sizes);
+        if (all) return of_what_was_tried * size;
+    }
+    return std::nullopt;
+}
+
+}  // namespace peterka::attractors
