@@ -21,7 +21,7 @@ kind = "{kind}"
 [hammer]
 mass_kg = 0.298
 natural_frequency_hz = 4.5
-damping_ratio = {zeta!r}
+damping_ratio = {float(zeta)!r}
 [cart]
 amplitude_m = 0.89e-3
 [contact]
@@ -69,10 +69,10 @@ def drag(folder, rig, place, side, to, state, steps):
     other = SIDES[1 - SIDES.index(side)]
     low, high = sorted([place[side], to])
     direction = f'direction = "{"up" if to > place[side] else "down"}"\n'
-    rest = (f"[sweep]\ngap_ratio = [{place[other]!r}]\n{direction}" if other == "gap_ratio" else
-            f"[operating_point]\nfrequency_ratio = {place[other]!r}\n[sweep]\n{direction}")
-    text = (RIG.format(kind="sweep", **rig) + jobs.axis(side, repr(low), repr(high), steps + 1) + rest
-            + f"[start]\ndisplacement_ratio = {state[0]!r}\nvelocity_ratio = {state[1] + place['frequency_ratio']!r}\n"
+    rest = (f"[sweep]\ngap_ratio = [{float(place[other])!r}]\n{direction}" if other == "gap_ratio" else
+            f"[operating_point]\nfrequency_ratio = {float(place[other])!r}\n[sweep]\n{direction}")
+    text = (RIG.format(kind="sweep", **rig) + jobs.axis(side, repr(float(low)), repr(float(high)), steps + 1) + rest
+            + f"[start]\ndisplacement_ratio = {float(state[0])!r}\nvelocity_ratio = {float(state[1] + place['frequency_ratio'])!r}\n"
             + "[steady_state]\nmax_cycles = 20000\n")
     onwards = slice(None, None, 1 if to > place[side] else -1)
     with run(folder, text) as file:
@@ -141,7 +141,7 @@ BORDER = re.compile(r"([\d.e+-]+) (fold|period doubling|grazing)")
 def borders_told(folder, rig, gap):
     """(impacts, period, Omega/omega) of each border that the summary tells at a gap; no impact is 0, 1."""
     axes = "".join(jobs.axis(name, *map(repr, window_of(rig)[name]), POINTS) for name in SIDES)
-    jobs.write(folder, RIG.format(kind="curves", **rig) + axes + f"[curves]\ngap_ratio = [{gap!r}]\n")
+    jobs.write(folder, RIG.format(kind="curves", **rig) + axes + f"[curves]\ngap_ratio = [{float(gap)!r}]\n")
     finished = launch.run("run", "job.toml", "--fresh", cwd=folder)
     assert finished.returncode == 0, finished.stderr
     for line in finished.stdout.split("Borders at gap/A0")[1].splitlines()[1:]:
@@ -155,8 +155,8 @@ def borders_told(folder, rig, gap):
 
 def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
     """Of each frequency: places (displacement, velocity) of the motions of a label that so many starts find."""
-    text = (RIG.format(kind="map", **rig) + jobs.axis("frequency_ratio", repr(frequencies[0]), repr(frequencies[-1]), len(frequencies))
-            + jobs.axis("gap_ratio", repr(gap), repr(gap), 1)
+    text = (RIG.format(kind="map", **rig) + jobs.axis("frequency_ratio", repr(float(frequencies[0])), repr(float(frequencies[-1])), len(frequencies))
+            + jobs.axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1)
             + f"[starts]\ncount = {starts}\nattractors = 16\ndisplacement_ratio = [-6.0, 2.0]\nvelocity_ratio = [-6.0, 6.0]\n")
     with run(folder, text) as file:
         is_one = ((file["attractor_regime"][:, 0] == (PERIODIC if impacts else 0)) & (file["attractor_impacts"][:, 0] == impacts)

@@ -36,7 +36,7 @@ class Unit:
         return f"{self.key(name)} = {value!r}\n"
 
     def axis(self, name, first, last, points, table=""):
-        return jobs.axis(table + self.key(name), repr(self.number(name, first)), repr(self.number(name, last)), points)
+        return jobs.axis(table + self.key(name), repr(float(self.number(name, first))), repr(float(self.number(name, last))), points)
 
 
 RATIOS = Unit()

@@ -21,23 +21,23 @@ kind = "map"
 [hammer]
 mass_kg = 0.298
 natural_frequency_hz = 4.5
-damping_ratio = {zeta!r}
-cubic_stiffness_n_per_m3 = {cubic!r}
+damping_ratio = {float(zeta)!r}
+cubic_stiffness_n_per_m3 = {float(cubic)!r}
 [cart]
 amplitude_m = 0.89e-3
 [contact]
 {stop}
 [axes.frequency_ratio]
-from = {eta!r}
-to = {eta_to!r}
+from = {float(eta)!r}
+to = {float(eta_to)!r}
 points = {points}
 [axes.gap_ratio]
-from = {gap!r}
-to = {gap_to!r}
+from = {float(gap)!r}
+to = {float(gap_to)!r}
 points = {points}
 [start]
-displacement_ratio = {x!r}
-velocity_ratio = {v!r}
+displacement_ratio = {float(x)!r}
+velocity_ratio = {float(v)!r}
 [output]
 fields = ["sensitivity", "multiplier", "orbit"]
 """
@@ -45,7 +45,7 @@ PAPER = {"zeta": 0.00356, "cubic": 238.23, "ki": 5.5e6, "ci": 1200.0}
 
 
 def spring(ki, ci):
-    return f'law = "kelvin_voigt"\nstiffness_n_per_m = {ki!r}\ndamping_ns_per_m = {ci!r}'
+    return f'law = "kelvin_voigt"\nstiffness_n_per_m = {float(ki)!r}\ndamping_ns_per_m = {float(ci)!r}'
 
 
 def solve(folder, rig, *extra):

@@ -22,7 +22,7 @@ kind = "map"
 [hammer]
 mass_kg = 0.298
 natural_frequency_hz = 4.5
-damping_ratio = {zeta!r}
+damping_ratio = {float(zeta)!r}
 [cart]
 amplitude_m = 0.89e-3
 [contact]
@@ -57,11 +57,11 @@ def ends_of(folder, rig, place, drift, chance, tries, grid=(15, 14)):
     for _ in range(tries):
         eta = (place[0] + INSIDE * drift[0] * chance.uniform(-1, 1)) / NATURAL_HZ
         gap = (place[1] + INSIDE * drift[1] * chance.uniform(-1, 1)) / AMPLITUDE_MM
-        text = rig + f"[operating_point]\nfrequency_ratio = {eta!r}\ngap_ratio = {gap!r}\n"
+        text = rig + f"[operating_point]\nfrequency_ratio = {float(eta)!r}\ngap_ratio = {float(gap)!r}\n"
         for (name, (low, high)), points in zip(RECTANGLE.items(), grid):
             step = ((min(high, gap) if name == "displacement" else high) - low) / points
             first = low + step * chance.random()
-            text += jobs.axis(f"start.{name}_ratio", repr(first), repr(first + (points - 1) * step), points)
+            text += jobs.axis(f"start.{name}_ratio", repr(float(first)), repr(float(first + (points - 1) * step)), points)
         jobs.write(folder, text, name="starts.toml")
         finished = launch.run("run", "starts.toml", "--quiet", "--fresh", cwd=folder)
         assert finished.returncode == 0, finished.stderr

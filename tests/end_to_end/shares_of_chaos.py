@@ -38,12 +38,12 @@ def chaotic_cells(folder, rig, window, points=40):
 def shares(folder, rig, place):
     """{regime: (share of the starts of the cell, share of as many on a grid, each in a run of its own)}."""
     eta, gap = place
-    cell = solve(folder, rig + jobs.axis("frequency_ratio", repr(eta), repr(eta), 1) + jobs.axis("gap_ratio", repr(gap), repr(gap), 1)
+    cell = solve(folder, rig + jobs.axis("frequency_ratio", repr(float(eta)), repr(float(eta)), 1) + jobs.axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1)
                  + starts_table(COUNT), "cell")
-    text = rig + f"[operating_point]\nfrequency_ratio = {eta!r}\ngap_ratio = {gap!r}\n"
+    text = rig + f"[operating_point]\nfrequency_ratio = {float(eta)!r}\ngap_ratio = {float(gap)!r}\n"
     for name, (low, high) in RECTANGLE.items():
         step = ((min(high, gap) if name == "displacement" else high) - low) / SIDE
-        text += jobs.axis(f"start.{name}_ratio", repr(low + step / 2), repr(low + step / 2 + (SIDE - 1) * step), SIDE)
+        text += jobs.axis(f"start.{name}_ratio", repr(float(low + step / 2)), repr(float(low + step / 2 + (SIDE - 1) * step)), SIDE)
     grid = solve(folder, text, "grid")
     regimes, share = cell["attractor_regime"][:, 0, 0], cell["basin_share"][:, 0, 0]
     return {regime: (float(share[regimes == regime].sum()), float((grid["regime"] == regime).mean()))

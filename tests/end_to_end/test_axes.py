@@ -63,15 +63,15 @@ def job_of_cell(text, values):
             continue
         numbers[{"amplitude_m": "amplitude", "mass_kg": "mass"}.get(key, key)] = value
         if (table, key) == ("hammer", "stiffness_n_per_m"):
-            plain = re.sub(r"natural_frequency_hz = .*", f"stiffness_n_per_m = {value!r}", plain)
+            plain = re.sub(r"natural_frequency_hz = .*", f"stiffness_n_per_m = {float(value)!r}", plain)
             numbers["stiffness"] = value
         else:
             head, tail = plain.split(f"[{table}]")
-            plain = f"{head}[{table}]" + re.sub(rf"\b{key} = .*", f"{key} = {value!r}", tail, count=1)
+            plain = f"{head}[{table}]" + re.sub(rf"\b{key} = .*", f"{key} = {float(value)!r}", tail, count=1)
     natural = (numbers["stiffness"] / numbers["mass"])**0.5 / (2 * np.pi) if numbers["stiffness"] else numbers["natural"]
     frequency = numbers.get("frequency_ratio") or numbers["frequency_hz"] / natural
     gap = numbers["gap_ratio"] if "gap_ratio" in numbers else numbers["gap_m"] / numbers["amplitude"]
-    start = f"[start]\nvelocity_ratio = {numbers.get('velocity_ratio', 0.0)!r}\n"
+    start = f"[start]\nvelocity_ratio = {float(numbers.get('velocity_ratio', 0.0))!r}\n"
     return (plain + start + axis("frequency_ratio", repr(float(frequency)), repr(float(frequency)), 1)
             + axis("gap_ratio", repr(float(gap)), repr(float(gap)), 1))
 

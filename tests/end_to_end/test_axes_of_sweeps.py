@@ -57,7 +57,7 @@ def units_at(place, key, value):
 
 def settles_in(folder, text, key, value, start, speed):
     text = re.sub(r"\[sweep\]\n.*\n.*\n", "", text).replace('kind = "sweep"', 'kind = "map"')
-    text = text.replace("velocity_ratio = 2.5", f"velocity_ratio = {speed!r}\ndisplacement_ratio = {start!r}")
+    text = text.replace("velocity_ratio = 2.5", f"velocity_ratio = {float(speed)!r}\ndisplacement_ratio = {float(start)!r}")
     text = re.sub(r"\[axes[^\[]*", axis(key, repr(float(value)), repr(float(value)), 1), text)
     other = "[axes.hammer.damping_ns_per_m]\nfrom = 0.06\nto = 0.06\npoints = 1\n"
     jobs.write(folder, text + other, "point.toml")

@@ -35,7 +35,7 @@ PLANES = {
 
 def place(name, limits):
     gap, _, _, more, _ = PLANES[name]
-    return more.format(repr(limits[gap]))
+    return more.format(repr(float(limits[gap])))
 
 
 def job_over(name, limits):

@@ -52,10 +52,10 @@ def sweep_to(side, place, change, state):
     other = "gap_ratio" if side == "frequency_ratio" else "frequency_ratio"
     low, high = sorted([place[side], place[side] + change * (1 + HAIR)])
     direction = "up" if change > 0 else "down"
-    rest = (f"[sweep]\ngap_ratio = [{place[other]!r}]\ndirection = \"{direction}\"\n" if other == "gap_ratio" else
-            f"[operating_point]\nfrequency_ratio = {place[other]!r}\n[sweep]\ndirection = \"{direction}\"\n")
-    return (jobs.RIG.format(kind="sweep", title="dragged") + jobs.axis(side, repr(low), repr(high), STEPS) + rest
-            + f"[start]\ndisplacement_ratio = {state[0]!r}\nvelocity_ratio = {state[1] + place['frequency_ratio']!r}\n"
+    rest = (f"[sweep]\ngap_ratio = [{float(place[other])!r}]\ndirection = \"{direction}\"\n" if other == "gap_ratio" else
+            f"[operating_point]\nfrequency_ratio = {float(place[other])!r}\n[sweep]\ndirection = \"{direction}\"\n")
+    return (jobs.RIG.format(kind="sweep", title="dragged") + jobs.axis(side, repr(float(low)), repr(float(high)), STEPS) + rest
+            + f"[start]\ndisplacement_ratio = {float(state[0])!r}\nvelocity_ratio = {float(state[1] + place['frequency_ratio'])!r}\n"
             + "[steady_state]\nmax_cycles = 20000\n")
 
 

@@ -72,8 +72,8 @@ def test_the_orbits_of_neighbours_exist(tmp_path, known_file):
         eta, gap = cells["frequency_ratio"][column], cells["gap_ratio"][row]
         one = (jobs.RIG.format(kind="map", title="one") + jobs.axis("frequency_ratio", eta, eta + 1, 1)
                + jobs.axis("gap_ratio", gap, gap + 1, 1)
-               + f"[start]\ndisplacement_ratio = {cells['attractor_orbit_displacement'][at]!r}\n"
-               f"velocity_ratio = {cells['attractor_orbit_velocity'][at] + eta!r}\n"
+               + f"[start]\ndisplacement_ratio = {float(cells['attractor_orbit_displacement'][at])!r}\n"
+               f"velocity_ratio = {float(cells['attractor_orbit_velocity'][at] + eta)!r}\n"
                "[solver]\nengine = \"cvode\"\ntolerance = 1e-10\n")
         alone = many_starts.compute(tmp_path, one.replace("np.float64(", "").replace(")", ""), name="one")
         for name in ("regime", "impacts", "period"):

@@ -58,7 +58,7 @@ def test_the_mean_life_is_that_of_runs_that_are_followed_to_their_end(tmp_path):
     assert 0.05 < error / life < 0.2
 
     longest = 40_000
-    basin = (DYING_RIG.format(kind="basin") + f"[operating_point]\nfrequency_ratio = {eta!r}\ngap_ratio = {gap!r}\n"
+    basin = (DYING_RIG.format(kind="basin") + f"[operating_point]\nfrequency_ratio = {float(eta)!r}\ngap_ratio = {float(gap)!r}\n"
              + jobs.axis("displacement_ratio", -3.9, 0.9, 14) + jobs.axis("velocity_ratio", -3.9, 3.9, 14)
              + f'[steady_state]\nchaos_cycles = {longest}\nmax_cycles = {longest}\n[output]\nfields = ["last_impact"]\n')
     jobs.write(tmp_path, basin, name="basin.toml")

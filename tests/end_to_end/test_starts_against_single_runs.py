@@ -45,7 +45,7 @@ def test_each_start_ends_where_a_run_of_its_own_does(tmp_path, rig, seed):
     open_ends = Counter()
     for x, v in many_starts.starts(COUNT, **RECTANGLE):
         single = many_starts.compute(
-            tmp_path, job + f"[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n"
+            tmp_path, job + f"[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v)!r}\n"
             '[solver]\nengine = "cvode"\n[output]\nfields = ["sensitivity"]\n', name="single", ranks=2)
         for place in expected:
             expected[place][tuple(int(number) for number in labels_of(single)[place])] += 1
@@ -130,7 +130,7 @@ def test_chaos_beside_no_impact_has_the_share_of_runs_of_their_own(tmp_path):
     cycles, chaotic = np.zeros(3), np.zeros(3)
     for x, v in many_starts.starts(count, (-4.0, 1.0), (-4.0, 4.0)):
         single = many_starts.compute(
-            tmp_path, cells + f"[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n", name="single")
+            tmp_path, cells + f"[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v)!r}\n", name="single")
         cycles += single["cycles"][0]
         chaotic += single["regime"][0] == 2
     found = count * np.where(many["attractor_regime"] == 2, many["basin_share"], 0).sum(axis=0)[0]

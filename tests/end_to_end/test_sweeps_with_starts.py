@@ -111,7 +111,7 @@ def test_starts_end_where_another_engine_leads_them(tmp_path, sweep_file):
         single = many_starts.compute(
             tmp_path, jobs.RIG.format(kind="map", title="single")
             + jobs.axis("frequency_ratio", frequencies[0], frequencies[-1], len(columns))
-            + jobs.axis("gap_ratio", GAPS[1], GAPS[1], 1) + f"[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n"
+            + jobs.axis("gap_ratio", GAPS[1], GAPS[1], 1) + f"[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v)!r}\n"
             '[solver]\nengine = "cvode"\n[output]\nfields = ["sensitivity"]\n', name="single", ranks=2)
         for n in range(len(columns)):
             label = tuple(int(single[name][0, n]) for name in ("regime", "impacts", "period"))
@@ -158,7 +158,7 @@ def test_samples_lie_on_their_attractors(tmp_path, sweep_file):
             single = many_starts.compute(
                 tmp_path, jobs.RIG.format(kind="map", title="from a sample")
                 + jobs.axis("frequency_ratio", frequency, frequency, 1) + jobs.axis("gap_ratio", GAPS[1], GAPS[1], 1)
-                + f'[start]\ndisplacement_ratio = {x!r}\nvelocity_ratio = {v!r}\n[solver]\nengine = "cvode"\n', name="sample")
+                + f'[start]\ndisplacement_ratio = {float(x)!r}\nvelocity_ratio = {float(v)!r}\n[solver]\nengine = "cvode"\n', name="sample")
             found = [int(single[name][0, 0]) for name in ("regime", "impacts", "period")]
             assert found == [int(array[slot, 2, column]) for array in (regime, impacts, period)], column
             assert single["peak_force_ratio"][0, 0] == pytest.approx(
