@@ -95,7 +95,8 @@ def show_classes(ax: Axes, reduced: Image, colours: Sequence[str | Fill], not_co
     over a hatch."""
     hatch_background(ax)
     fills = [fill(colour) for colour in colours]
-    shown, rows, columns = np.ma.masked_equal(reduced.image, not_computed), reduced.row_edges, reduced.column_edges
+    shown = np.ma.masked_where(reduced.image == not_computed, reduced.image)  # which may be no number of its type
+    rows, columns = reduced.row_edges, reduced.column_edges
     colours = [one.colour for one in fills]
     if any(one.hatch for one in fills):
         shown, rows, columns, colours = textured(shown, rows, columns, fills, reduced.log)
