@@ -33,6 +33,11 @@ for engine in cvode arkode; do
 done
 checked 0 "$PETERKA_BINARY" run jobs/basin_150mm_coexisting.toml --set axes.displacement_ratio.points=12 \
     --set axes.velocity_ratio.points=12 --quiet --output "$folder/basin.h5"
+checked 0 "$PETERKA_BINARY" run jobs/smoke.toml "${fewer[@]}" --output "$folder/starts.h5" --set starts.count=16 \
+    --set 'output.fields=["critical_kick"]'
+checked 0 "$PETERKA_BINARY" run jobs/rigid_170mm.toml "${fewer[@]}" --output "$folder/rigid.h5" --set starts.count=8
+checked 0 "$PETERKA_BINARY" run jobs/design_stop.toml --quiet --output "$folder/rigs.h5"
+checked 0 "$PETERKA_BINARY" run jobs/curves_170mm.toml "${fewer[@]}" --output "$folder/curves.h5"
 checked 2 "$PETERKA_BINARY" run jobs/smoke.toml --set hammer.mass_kg=-1
 tests=$(dirname "$PETERKA_BINARY")/tests/mpi_tests
 of_tests="the MPI tests not tried: they were not built"
@@ -41,6 +46,6 @@ if [ -x "$tests" ]; then
     of_tests="the MPI tests"
 fi
 
-echo "valgrind on 2 ranks: every engine, resume, refinement, audit, basin, a bad job; $of_tests | $runs | \
+echo "valgrind on 2 ranks: every engine, resume, refinement, audit, basin, starts with kicks, a rigid stop, rigs of their own, curves, a bad job; $of_tests | $runs | \
 $((runs - wrong)) without any error" >>"$ENDURANCE_ROWS"
 [ $wrong = 0 ]
