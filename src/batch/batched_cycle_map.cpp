@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "batch/cycle_kernel.hpp"
-#include "batch/own_rigs_kernel.hpp"
 #include "support/expect.hpp"
 #include "trajectory/exact_cycle_map.hpp"
 #include "trajectory/split_cycle_map.hpp"
@@ -40,6 +39,12 @@ constexpr std::size_t stride(std::size_t slots) {
     return (rounded_up(slots) / line | 1U) * line;
 }
 
+Law law_of(bool rigid, Springs springs) {
+    PETERKA_EXPECT(!rigid || springs == Springs::linear);
+    if (rigid) return Law::rigid;
+    return springs == Springs::split ? Law::kicks : Law::spring_dashpot;
+}
+
 }  // namespace
 
 Grid::Grid(int steps_per_cycle) : steps(steps_per_cycle) {
@@ -52,18 +57,21 @@ Grid::Grid(int steps_per_cycle) : steps(steps_per_cycle) {
 
 BatchedCycleMap::BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity,
                                  int steps_per_cycle, Springs springs)
-    : springs_(springs),
+    : law_(law_of(scene::is_rigid(rig.contact), springs)),
       oscillator_(springs == Springs::split ? rig : without_cubic(rig)),
       rig_(oscillator_),
-      fields_(fields),
+      fields_(is_rigid() ? fields_of_rigid_stops : fields),
       grid_(steps_per_cycle),
       slab_(nullptr, deallocate),
       forcings_(frequencies_kept) {
     make_room(capacity);
 }
 
-BatchedCycleMap::BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs)
-    : springs_(springs), fields_(fields_with_rigs), grid_(steps_per_cycle), slab_(nullptr, deallocate) {
+BatchedCycleMap::BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs, Stop stop)
+    : law_(law_of(stop == Stop::rigid, springs)),
+      fields_(is_rigid() ? fields_of_rigid_stops : fields_with_rigs),
+      grid_(steps_per_cycle),
+      slab_(nullptr, deallocate) {
     make_room(capacity);
 }
 
@@ -80,6 +88,8 @@ void BatchedCycleMap::make_room(std::size_t capacity) {
     queues_.make_room(rounded_up(capacity));
     pattern_.resize(rounded_up(capacity));
     lanes_.pattern = pattern_.data();
+    chain_pattern_.resize(rounded_up(capacity));
+    lanes_.chain_pattern = chain_pattern_.data();
     outcome_.resize(rounded_up(capacity));
     twin_only_.resize(capacity);
     twins_.resize(capacity);
@@ -118,14 +128,19 @@ void BatchedCycleMap::add(double frequency, double gap, const scene::State<doubl
 }
 
 void BatchedCycleMap::add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state) {
-    PETERKA_EXPECT(!rig_ && oscillator.spring_dashpot() != nullptr);
+    PETERKA_EXPECT(!rig_ &&
+                   (is_rigid() ? scene::is_rigid(oscillator.contact) : oscillator.spring_dashpot() != nullptr));
     const std::size_t slot = size_;
-    const scene::Oscillator<double> own = springs_ == Springs::split ? oscillator : without_cubic(oscillator);
+    const scene::Oscillator<double> own = law_ == Law::kicks ? oscillator : without_cubic(oscillator);
     add(forcing_of(own), own.cubic, own.gap, state);
     lanes_[Field::damping_ratio][slot] = own.damping_ratio;
     lanes_[Field::cubic][slot] = own.cubic;
-    lanes_[Field::stiffness][slot] = own.kelvin_voigt().stiffness;
-    lanes_[Field::damping][slot] = own.kelvin_voigt().damping;
+    if (is_rigid()) {
+        lanes_[Field::restitution][slot] = own.restitution().coefficient;
+    } else {
+        lanes_[Field::stiffness][slot] = own.kelvin_voigt().stiffness;
+        lanes_[Field::damping][slot] = own.kelvin_voigt().damping;
+    }
     oscillators_[slot] = own;
 }
 
@@ -142,6 +157,13 @@ void BatchedCycleMap::add(const Forcing& f, double cubic, double gap, const scen
     lanes_[Field::forced_delta_constant][slot] = -below_stop + f[Field::e00] * below_stop;
     lanes_[Field::forced_velocity_constant][slot] = f[Field::e10] * below_stop;
     lanes_[Field::next][slot] = f.fit ? grid_.steps : never;
+    if (is_rigid()) {
+        const double drive = f.frequency * f.frequency;
+        const trajectory::RigidStop<double> stop(0, 0, f.frequency, {.constant = -gap, .linear = drive});
+        lanes_[Field::press_from][slot] =
+            stop.always_presses() ? 0 : std::min(stop.ahead_to_pressing(0), never);
+        lanes_[Field::press_to][slot] = std::min(stop.ahead_to_release(0), never);
+    }
     twin_only_[slot] = !f.fit;
     twins_[slot] = nullptr;
     if (!f.fit) ++twin_only_count_;
@@ -152,6 +174,7 @@ void BatchedCycleMap::copy_slot(std::size_t slot, std::size_t to) {
     if (!rig_) oscillators_[to] = oscillators_[slot];
     twin_only_[to] = twin_only_[slot];
     pattern_[to] = pattern_[slot];
+    chain_pattern_[to] = chain_pattern_[slot];
     outcome_[to] = outcome_[slot];
 }
 
@@ -172,7 +195,8 @@ void BatchedCycleMap::remove(std::size_t slot) {
 BatchedCycleMap::Twin BatchedCycleMap::twin_of(std::size_t slot) const {
     const auto oscillator =
         rig_ ? oscillator_of(lanes_[Field::frequency][slot], lanes_[Field::gap][slot]) : oscillators_[slot];
-    if (springs_ == Springs::split) return trajectory::SplitCycleMap<double>(oscillator, grid_.steps);
+    if (is_rigid()) return trajectory::RigidExactMap<double>(oscillator);
+    if (law_ == Law::kicks) return trajectory::SplitCycleMap<double>(oscillator, grid_.steps);
     return trajectory::ExactCycleMap<double>(oscillator);
 }
 
@@ -180,7 +204,7 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     ++left_to_twin_;
     if (!twin_only_[slot]) lanes_[Field::next][slot] = grid_.steps;
     if (!twins_[slot]) twins_[slot] = twin_of(slot);
-    trajectory::Recorder<double> recorder;
+    trajectory::Recorder<double> recorder(is_rigid() ? trajectory::Detail::impacts : trajectory::Detail::force);
     const auto cycle = twins_[slot]({lanes_[Field::start_delta][slot], lanes_[Field::start_velocity][slot]},
                                     wanted.measure ? &recorder : nullptr);
     outcome_[slot] = cycle.outcome;
@@ -188,6 +212,14 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     lanes_[Field::impacts][slot] = cycle.impacts;
     lanes_[Field::touched][slot] = cycle.touched ? 1 : 0;
     lanes_[Field::separated][slot] = cycle.separated ? 1 : 0;
+    if (is_rigid()) {
+        lanes_[Field::swallowed][slot] = static_cast<double>(cycle.impacts - recorder.totals().impacts);
+        lanes_[Field::chatter][slot] = recorder.totals().chatter ? 1 : 0;
+        lanes_[Field::impact_speed][slot] = recorder.totals().impact_speed;
+        lanes_[Field::impulse][slot] = recorder.totals().impulse;
+        lanes_[Field::contact_time][slot] = recorder.totals().contact_time;
+        lanes_[Field::contact_work][slot] = recorder.totals().contact_work;
+    }
     lanes_[Field::peak_force][slot] = recorder.totals().largest_force;
     lanes_[Field::largest_displacement][slot] = recorder.totals().displacement_bound;
     for (std::size_t n = 0; n < 4; ++n) {
@@ -212,15 +244,21 @@ void BatchedCycleMap::expect_sound_queues([[maybe_unused]] Wanted wanted) {
 #endif
 }
 
+void BatchedCycleMap::run_kernel(Wanted wanted) {
+    const bool kicks = law_ == Law::kicks && (!rig_ || rig_->cubic != 0);
+    if (rig_) {
+        const auto run = is_rigid() ? run_rigid_cycle : kicks ? run_split_cycle : run_linear_cycle;
+        return run(*rig_, grid_, lanes_, queues_, wanted);
+    }
+    const auto run = is_rigid() ? run_own_rigs_rigid_cycle
+                     : kicks    ? run_own_rigs_split_cycle
+                                : run_own_rigs_cycle;
+    run(grid_, lanes_, queues_, wanted);
+}
+
 void BatchedCycleMap::advance(Wanted wanted) {
     using Outcome = trajectory::Cycle<double>::Outcome;
-    if (rig_) {
-        run_cycle(*rig_, grid_, lanes_, queues_, wanted);
-    } else if (springs_ == Springs::split) {
-        run_own_rigs_split_cycle(grid_, lanes_, queues_, wanted);
-    } else {
-        run_own_rigs_cycle(grid_, lanes_, queues_, wanted);
-    }
+    run_kernel(wanted);
     expect_sound_queues(wanted);
     last_ = wanted;
     std::fill_n(outcome_.begin(), size_, Outcome::done);
@@ -234,6 +272,23 @@ void BatchedCycleMap::advance(Wanted wanted) {
         lanes_[Field::start_velocity][slot] = lanes_[Field::velocity][slot];
         run_twin(slot, wanted);
     }
+}
+
+trajectory::Totals<double> BatchedCycleMap::totals(std::size_t slot) const {
+    PETERKA_EXPECT(slot < size_ && is_at_end(slot) && last_.measure);
+    trajectory::Totals<double> totals;
+    totals.impacts = static_cast<std::int64_t>(lanes_[Field::impacts][slot]);
+    totals.largest_force = peak_force(slot);
+    totals.displacement_bound = displacement_bound(slot);
+    if (!is_rigid()) return totals;
+    totals.struck_rigid_stop = totals.impacts > 0;
+    totals.impacts -= static_cast<std::int64_t>(lanes_[Field::swallowed][slot]);
+    totals.chatter = lanes_[Field::chatter][slot] != 0;
+    totals.impact_speed = lanes_[Field::impact_speed][slot];
+    totals.impulse = lanes_[Field::impulse][slot];
+    totals.contact_time = lanes_[Field::contact_time][slot];
+    totals.contact_work = lanes_[Field::contact_work][slot];
+    return totals;
 }
 
 trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {

@@ -1,14 +1,14 @@
 // The stroboscopic map of many cells at once: the fast twin of trajectory/exact_cycle_map.hpp.
 //
 // Cells sit side by side in slots 0 to size() - 1; each has its own forcing and gap, and all share springs'
-// damping and stop (the rig), or each has its own of these, too. One call carries all of them through one
-// forcing cycle, or, which is faster, on for about one: then each comes to the end of its cycle when it does.
-// What the kernel can't do surely (resonance, stops that don't oscillate, grazing) the scalar
-// twin does; `left_to_twin` counts it. A cell's result depends on the cell and its state alone, not on its slot
-// or its neighbours.
+// damping and stop (the rig), or each has its own of these, too; the law of the stop is that of all. One call
+// carries all of them through one forcing cycle, or, which is faster, on for about one: then each comes to the
+// end of its cycle when it does. What the kernel can't do surely (resonance, stops that don't oscillate,
+// grazing) the scalar twin does; `left_to_twin` counts it. A cell's result depends on the cell and its state
+// alone, not on its slot or its neighbours.
 //
 // With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point. The
-// absolute form of the cubic is left to the twin.
+// absolute form of the cubic is left to the twin. A rigid stop has linear springs here.
 #pragma once
 
 #include <array>
@@ -29,6 +29,7 @@ enum class Springs : std::uint8_t {
     linear,  // without the cubic part
     split,   // with it, split off as kicks
 };
+enum class Stop : std::uint8_t { spring_dashpot, rigid };
 
 class BatchedCycleMap {
   public:
@@ -38,7 +39,8 @@ class BatchedCycleMap {
     BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
                     Springs springs = Springs::linear);
     // Of cells with rigs of their own. Jacobians are always there.
-    BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs);
+    BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs,
+                    Stop stop = Stop::spring_dashpot);
 
     // Grid steps per cycle that cells of a frequency ratio need: a step is at most pi/4 of the hammer's own
     // phase.
@@ -72,6 +74,9 @@ class BatchedCycleMap {
     [[nodiscard]] double displacement_bound(std::size_t slot) const {
         return lanes_[Field::largest_displacement][slot];
     }
+    // Where wanted: all that a recorder gathers at the level `force`, of a rigid stop at the level `impacts`,
+    // where no chatter goes on across the cycle's ends.
+    [[nodiscard]] trajectory::Totals<double> totals(std::size_t slot) const;
     [[nodiscard]] scene::State<double> state(std::size_t slot) const {
         return {lanes_[Field::delta][slot], lanes_[Field::velocity][slot]};
     }
@@ -104,7 +109,10 @@ class BatchedCycleMap {
     void run_twin(std::size_t slot, Wanted wanted);
     void expect_sound_queues(Wanted wanted);
 
-    Springs springs_;
+    [[nodiscard]] bool is_rigid() const { return law_ == Law::rigid; }
+    void run_kernel(Wanted wanted);
+
+    Law law_;
     scene::Oscillator<double> oscillator_;  // where all share the rig: of any place
     std::optional<Rig> rig_;                // none: each cell has its own
     std::size_t fields_;                    // arrays in use
@@ -115,6 +123,7 @@ class BatchedCycleMap {
     Queues queues_;
     Wanted last_;
     std::vector<std::uint64_t> pattern_;
+    std::vector<std::uint64_t> chain_pattern_;
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;
     std::vector<bool> twin_only_;  // the kernel can't do the cell
     std::vector<Twin> twins_;

@@ -12,9 +12,9 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // How far the flights of a vector of lanes swing, and the margin that their bound keeps.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, V delta, V velocity,
-                                                                 Mask which) const {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_INLINE V Kernel<measure, jacobian, law, own>::begin_flight(std::size_t i, V delta, V velocity,
+                                                               Mask which) const {
     const auto& rig = rig_at(i);
     const V gap = load(lanes_[Field::gap] + i);
     const V eta = load(lanes_[Field::frequency] + i);
@@ -33,8 +33,8 @@ HWY_INLINE V Kernel<measure, jacobian, cubic, own>::begin_flight(std::size_t i, 
 }
 
 // All lanes at forcing phase 0, sorted by phase.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
     const V zero = all(0);
     queues_.twin.size = 0;
     real_ = every();
@@ -53,12 +53,15 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
         const auto& rig = rig_at(i);
         const V force = mul_add(all(rig.stiffness), delta, all(rig.damping) * velocity);
         const Mask at_stop = delta == zero;
-        const Mask flight = (delta < zero) | (at_stop & (velocity <= zero));
-        const Mask contact = ~flight & ((force > zero) | at_stop);
-        const Mask unloaded = ~(flight | contact);
+        const Mask rests = at_stop & (velocity == zero);  // where rigid
+        const Mask flight = (delta < zero) | (at_stop & (rigid ? velocity < zero : velocity <= zero));
+        const Mask contact = rigid ? rests & presses(load(lanes_[Field::press_from] + i),
+                                                     load(lanes_[Field::press_to] + i), zero)
+                                   : ~flight & ((force > zero) | at_stop);
+        const Mask unloaded = rigid ? none() : ~(flight | contact);
         const V amplitude = begin_flight(i, delta, velocity, ended);
-        // numbers that are none
-        const Mask finite = abs(amplitude) < all(1e100);
+        // numbers that are none; on a rigid stop, starts that strike it at once, fall from it or lie in it
+        const Mask finite = (abs(amplitude) < all(1e100)) & (flight | contact | unloaded);
         push(index, ended & ~finite, queues_.twin);
         set(ended, choose(flight & finite, zero, all(never)), lanes_[Field::next] + i);
 
@@ -72,6 +75,21 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
         if constexpr (measure) {
             set(ended, zero, lanes_[Field::peak_force] + i);
             set(ended, zero, lanes_[Field::largest_displacement] + i);
+        }
+        if constexpr (rigid) {
+            const V press_to = load(lanes_[Field::press_to] + i);
+            const Mask pressed = presses(load(lanes_[Field::press_from] + i), press_to, zero);
+            set(ended, choose(pressed & ~contact, press_to, zero), lanes_[Field::chain_until] + i);
+            set(ended, zero, lanes_[Field::chain_impacts] + i);
+            set(ended, zero, lanes_[Field::swallowed] + i);
+            set(ended, zero, lanes_[Field::chatter] + i);
+            if constexpr (measure) {
+                for (const Field field : {Field::chain_impulse, Field::impact_speed, Field::impulse,
+                                          Field::contact_time, Field::contact_work}) {
+                    set(ended, zero, lanes_[field] + i);
+                }
+            }
+            store(choose(ended, phase, load(lanes_.chain_pattern + i)), lanes_.chain_pattern + i);
         }
         if constexpr (Gathered::bounds_legs) {
             const V u = delta + load(lanes_[Field::gap] + i);
@@ -97,8 +115,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::begin() {
 }
 
 // Closes the last leg of each lane.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::finish() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::finish() {
     const V zero = all(0);
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V next = load(lanes_[Field::next] + i);

@@ -33,14 +33,16 @@ BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(const scene::Oscillator<dou
     const double frequency = oscillator.frequency;
     const auto cubic = trajectory::cubic_about_stop(oscillator);
     const motion::LinearMotion<double> flight(cubic(motion::flight_equation(oscillator)));
-    const motion::LinearMotion<double> contact(cubic(motion::contact_equation(oscillator)));
+    const auto* stop = oscillator.spring_dashpot();  // nullptr: rigid
+    const motion::LinearMotion<double> contact(stop != nullptr ? cubic(motion::contact_equation(oscillator))
+                                                               : flight.equation());
     Forcing f;
     f.frequency = frequency;
     f.gap = oscillator.gap;
     const double step = oscillator.period() / grid_.steps;
     const double fastest = std::max({1.0, frequency, flight.natural_frequency()});
     const bool relative = oscillator.cubic == 0 || oscillator.cubic_form == job::CubicForm::relative;
-    const bool can_press = rig_ ? rig_->fit : oscillator.kelvin_voigt().stiffness > 0;
+    const bool can_press = rig_ ? rig_->fit : stop == nullptr || stop->stiffness > 0;
     f.fit =
         can_press && is_regular(flight) && is_regular(contact) && relative && step * fastest <= longest_step;
     const double square = flight.equation().stiffness;

@@ -7,13 +7,12 @@
 //
 #include "batch/cycle_kernel.hpp"
 #include "batch/kernel-inl.hpp"
-#include "batch/split_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-HWY_ATTR void run(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_kernel<false>(rig, grid, lanes, queues, wanted);
+HWY_ATTR void run_linear(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    run_kernel<Law::spring_dashpot>(rig, grid, lanes, queues, wanted);
 }
 
 const char* arithmetic_name() {
@@ -30,12 +29,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace peterka::batch {
 
-HWY_EXPORT(run);
+HWY_EXPORT(run_linear);
 HWY_EXPORT(arithmetic_name);
 
-void run_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    if (rig.cubic != 0) return run_split_cycle(rig, grid, lanes, queues, wanted);
-    HWY_DYNAMIC_DISPATCH(run)(rig, grid, lanes, queues, wanted);
+void run_linear_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    HWY_DYNAMIC_DISPATCH(run_linear)(rig, grid, lanes, queues, wanted);
 }
 
 std::string_view arithmetic() {

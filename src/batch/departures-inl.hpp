@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release_all() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::release_all() {
     const Waiting w = take(queues_.releases);
     const Cells cells = cells_of(w.lanes);
     Gathered track(lanes_, w.lanes);
@@ -21,9 +21,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release_all() {
 }
 
 // The stop doesn't press, and the hammer is on its way out: it leaves, and flies on to a grid point.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells, V time, const Moments& m,
-                                                             V until, Mask which, Gathered& track) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V time, const Moments& m,
+                                                           V until, Mask which, Gathered& track) {
     const V zero = all(0);
     const Flight flight(cells, m);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
@@ -32,9 +32,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
     // With an upper bound of delta'' the parabola says when it is surely out, and that it still goes down then;
     // so does the force, whose slope is kappa delta' + chi delta''. A hammer that nothing bends is out after
     // delta/speed; in half as much time again the parabola delta - speed t + most t^2/2 is below zero where
-    // most delta < 4/9 speed^2.
+    // most delta < 4/9 speed^2. A rigid stop is at delta = 0.
     const V speed = -m.velocity;
-    const V leaving = all(1.5) * m.delta / speed;
+    const V leaving = rigid ? zero : all(1.5) * m.delta / speed;
     const V bend = mul_add(leaving * all(0.5), fourth, d.third);
     const V most = max(zero, max(d.second, mul_add(leaving, bend, d.second)));
     const Mask out = (m.delta >= zero) & (most * m.delta <= all(0.44) * speed * speed);
@@ -42,14 +42,11 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
     const Mask soon = leaving <= all(4) * cells.step;  // stretches of flight are six steps at most
     const Mask sure =
         out & soon & (speed > zero) & (most * all(cells.rig.damping) < all(cells.rig.stiffness) * speed_out);
-    if constexpr (measure && !cubic) {
-        const V u = m.delta + cells.gap;
-        track.leg_amplitude = choose(which, flight.amplitude(), track.leg_amplitude);
-        track.leg_energy = choose(which, sqrt(mul_add(u, u, speed * speed)), track.leg_energy);
+    begin_leg(cells, time, m, which, track);
+    if constexpr (!rigid) {
+        push(cells.index, until, time, m, real_ & ~sure & which, queues_.turns);
+        which = which & sure;
     }
-    if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
-    push(cells.index, until, time, m, real_ & ~sure & which, queues_.turns);
-    which = which & sure;
 
     // to the first grid point after it is out
     const V grid_point = cubic ? until : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
@@ -77,14 +74,16 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::release(const Cells& cells,
     if (any(flies & (separated == zero))) put(all(1), lanes_[Field::separated], cells.index, flies);
 
     const Mask may_rise = ~free & which;
-    if (any(may_rise))
-        push(cells.index, grid_point, time + leaving, flight.at(leaving), real_ & may_rise, queues_.hops);
+    if (any(may_rise)) {
+        push(cells.index, grid_point, time + leaving, rigid ? m : flight.at(leaving), real_ & may_rise,
+             queues_.hops);
+    }
 }
 
 // The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the
 // stop it can't get from below without a force, so where the force rises next tells whether it had left.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::turn() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
     const Waiting w = take(queues_.turns);
     const Cells cells = cells_of(w.lanes);
     const Flight flight(cells, w.moment);

@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::strike() {
     const Waiting w = take(queues_.crossings);
     const Cells cells = cells_of(w.lanes);
     const Found found =
@@ -27,18 +27,19 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::strike() {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain(std::size_t fill) {
-    const auto is_ripe = [&](const Queue& queue) {
-        return queue.size >= fill || (queue.size > 0 && queue.passes >= longest_wait);
-    };
-    // each round carries its lanes on in time; what goes on for longer is left to the twin
-    for (int round = 0; round < 100'000; ++round) {
-        if (is_ripe(queues_.crossings)) {
-            strike();
-        } else if (is_ripe(queues_.hops)) {
-            hop();
+// What happens at the stop. False where nothing waits for that in numbers that pay.
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR bool Kernel<measure, jacobian, law, own>::drain_stop(auto is_ripe) {
+    if constexpr (rigid) {
+        if (is_ripe(queues_.turns)) {
+            bounce();
         } else if (is_ripe(queues_.contacts)) {
+            rest();
+        } else {
+            return false;
+        }
+    } else {
+        if (is_ripe(queues_.contacts)) {
             stay();
         } else if (is_ripe(queues_.releases)) {
             release_all();
@@ -49,6 +50,24 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain(std::size_t fill) {
         } else if (cubic && is_ripe(queues_.held_releases)) {
             kick_held(queues_.held_releases, queues_.releases, false);
         } else {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::drain(std::size_t fill) {
+    const auto is_ripe = [&](const Queue& queue) {
+        return queue.size >= fill || (queue.size > 0 && queue.passes >= longest_wait);
+    };
+    // each round carries its lanes on in time; what goes on for longer is left to the twin
+    for (int round = 0; round < 100'000; ++round) {
+        if (is_ripe(queues_.crossings)) {
+            strike();
+        } else if (is_ripe(queues_.hops)) {
+            hop();
+        } else if (!drain_stop(is_ripe)) {
             return;
         }
     }
@@ -60,8 +79,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::drain(std::size_t fill) {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::hop() {
     const Waiting w = take(queues_.hops);
     const Cells cells = cells_of(w.lanes);
     const V length = mul_sub(w.end, cells.step, w.time);
@@ -89,9 +108,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hop() {
     }
 }
 
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, V delta, V velocity,
-                                                            V grid_point, V fourth_derivative, Mask which) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::arrive(const Cells& cells, V delta, V velocity, V grid_point,
+                                                          V fourth_derivative, Mask which) {
     put(delta, lanes_[Field::delta], cells.index, which);
     put(velocity, lanes_[Field::velocity], cells.index, which);
     put(grid_point, lanes_[Field::next], cells.index, which);
@@ -99,16 +118,26 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::arrive(const Cells& cells, 
 }
 
 // The hammer meets the stop.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V time, const Moments& m,
-                                                           V until, Mask which, Gathered& track) {
-    const V drive = cells.drive;
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::touch(const Cells& cells, V time, const Moments& m, V until,
+                                                         Mask which, Gathered& track) {
     // a touch so slow that rounding decides about it
-    const V scale = drive + abs(cells.gap) + all(1);
+    const V scale = cells.drive + abs(cells.gap) + all(1);
     const Mask slow = m.velocity * m.velocity <= all(1e-10) * scale * scale;
     leave_to_twin(cells, which & slow);
     which = ~slow & which;
+    if constexpr (rigid) {
+        end_leg(cells, time - track.leg_start, flown(cells, time - track.leg_start), which, track);
+        rebound(cells, time, m, which, track);
+    } else {
+        press(cells, time, m, until, which, track);
+    }
+}
 
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::press(const Cells& cells, V time, const Moments& m, V until,
+                                                         Mask which, Gathered& track) {
+    const V drive = cells.drive;
     track.impacts = choose(which, track.impacts + all(1), track.impacts);
     track.pattern = choose(which, append(track.pattern, trajectory::Phase::contact), track.pattern);
     if constexpr (measure && !cubic) {
@@ -129,9 +158,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::touch(const Cells& cells, V
 
 // Those of the touches that are over soon, or but for the next kick would be, and what follows. Long in one
 // piece: each part of it would be handed the contact, its release and what the others narrowed the lanes to.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
-                                                                   V until, Mask which, Gathered& track) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
+                                                                 V until, Mask which, Gathered& track) {
     const V drive = cells.drive;
     const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
@@ -194,8 +223,8 @@ HWY_ATTR Mask Kernel<measure, jacobian, cubic, own>::touch_shortly(const Cells& 
 }
 
 // A contact of any length, from its beginning or from the cycle's.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::stay() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::stay() {
     const Waiting w = take(queues_.contacts);
     const Cells cells = cells_of(w.lanes);
     const Contact contact(lanes_, cells, w.moment);

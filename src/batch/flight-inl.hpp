@@ -46,10 +46,12 @@ struct OwnRigs {
           contact_decay(mul_add(damping, all(0.5), damping_ratio)),
           contact_square(stiffness + all(1)),
           contact_frequency(sqrt(contact_square)),
-          contact_rate(fetch(Field::contact_rate)) {}
+          contact_rate(fetch(Field::contact_rate)),
+          restitution(fetch(Field::restitution)) {}
 
     V damping_ratio, flight_rate, cubic, stiffness, damping, lag;
     V contact_decay, contact_square, contact_frequency, contact_rate;
+    V restitution;
     static constexpr bool weakly_damped = false;
 };
 

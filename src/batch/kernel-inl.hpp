@@ -19,6 +19,14 @@
 // are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick
 // (kick_held), as a contact of any length. The linear equations are each lane's own.
 //
+// With a rigid stop (`rigid`; rigid-inl.hpp) a touch is an impact, and no contact follows but rest:
+//
+//   touch       an impact                       -> turns, rest, a grid point, or hops
+//   bounce      turns: soon back, impact after  -> rest, a grid point, or hops
+//               impact
+//   rest        at rest until the stop presses  -> grid point after it, hops, or the cycle's end
+//               no longer
+//
 // Each decision is proved (no event is taken for the first, or for absent, on the strength of samples); where a
 // proof fails the lane is left to the scalar twin (trajectory/exact_cycle_map.hpp or split_cycle_map.hpp),
 // which repeats its cycle from the start. A lane's numbers never depend on other lanes: loops run on until all
@@ -60,11 +68,19 @@ struct Flags {
     std::uint64_t hops = 0;
 };
 
+// Whether a rigid stop presses a hammer at rest on it, at phases from 0 to a full turn.
+HWY_INLINE Mask presses(V from, V to, V theta) {
+    const Mask wraps = to < from;
+    const Mask after = theta >= from;
+    const Mask before = theta <= to;
+    return (wraps & (after | before)) | (~wraps & after & before);
+}
+
 // The forcing's phase at a step's start.
 using Forced = SineCosine;
 
 // own: each lane has a rig of its own.
-template <bool measure, bool jacobian, bool cubic, bool own>
+template <bool measure, bool jacobian, Law law, bool own>
 class Kernel {
   public:
     Kernel(const Grid& grid, const Lanes& lanes, Queues& queues) requires own : rig_(),
@@ -97,7 +113,9 @@ class Kernel {
     }
 
   private:
-    using Gathered = Track<measure, jacobian, cubic>;
+    static constexpr bool cubic = law == Law::kicks;
+    static constexpr bool rigid = law == Law::rigid;
+    using Gathered = Track<measure, jacobian, law>;
     static constexpr bool keeps_legs = Gathered::keeps_legs;
     // How many lanes an event must have to be worth its vectors: one in so many of the batch, and in a large
     // one so many; and for how many rounds of the march fewer wait where cycles needn't be whole.
@@ -118,13 +136,22 @@ class Kernel {
     HWY_ATTR void enqueue(std::size_t first_lane, int n, Flags flags);
     HWY_ATTR void strike();
     HWY_ATTR void drain(std::size_t fill);
+    HWY_ATTR bool drain_stop(auto is_ripe);
     HWY_ATTR void hop();
     HWY_ATTR void stay();
     HWY_ATTR void release_all();
     HWY_ATTR void turn();
     HWY_ATTR void touch(const Cells& cells, V time, const Moments& m, V until, Mask which, Gathered& track);
+    HWY_ATTR void press(const Cells& cells, V time, const Moments& m, V until, Mask which, Gathered& track);
     HWY_ATTR Mask touch_shortly(const Cells& cells, V time, const Moments& m, V until, Mask which,
                                 Gathered& track);
+    struct Struck;
+    HWY_ATTR Struck strike_rigid(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR void rebound(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR void bounce();
+    HWY_ATTR void depart(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
+    HWY_ATTR void rest();
+    HWY_ATTR void fall(const Cells& cells, V time, const Moments& m, Mask which, Gathered& track);
     HWY_ATTR void release(const Cells& cells, V time, const Moments& m, V until, Mask which, Gathered& track);
     HWY_ATTR void finish();
     HWY_ATTR void kick_held(Queue& held, Queue& ready, bool pressed);
@@ -162,6 +189,25 @@ class Kernel {
     HWY_INLINE static Moments end_of(const Flight<Cells>& flight, V length) {
         return cubic ? flight.soon(length) : flight.at(length);
     }
+    // A flight begins at a time, or ended so long after; its flow.
+    HWY_INLINE static void begin_leg(const Cells& cells, V time, const Moments& m, Mask which,
+                                     Gathered& track) {
+        if constexpr (Gathered::bounds_legs) {
+            const V u = m.delta + cells.gap;
+            track.leg_amplitude = choose(which, Flight(cells, m).amplitude(), track.leg_amplitude);
+            track.leg_energy = choose(which, sqrt(mul_add(u, u, m.velocity * m.velocity)), track.leg_energy);
+        }
+        if constexpr (keeps_legs) track.leg_start = choose(which, time, track.leg_start);
+    }
+    HWY_INLINE static void end_leg(const Cells& cells, V duration, const Matrix2& flow, Mask which,
+                                   Gathered& track) {
+        if constexpr (Gathered::bounds_legs) {
+            track.raise_displacement(
+                min(track.swing + track.leg_amplitude, mul_add(cells.drive, duration, track.leg_energy)),
+                which);
+        }
+        if constexpr (jacobian) track.carry(flow, which);
+    }
     // An elastic stop lets go at delta = 0, give or take a rounding error.
     HWY_ATTR static Moments let_go(const Moments& m) {
         return {max(m.delta, all(0)), m.velocity, m.sine, m.cosine};
@@ -187,22 +233,22 @@ class Kernel {
     Mask real_ = every();  // of the vector of lanes in hand: not padding
 };
 
-template <bool cubic>
+template <Law law>
 HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     constexpr bool own = false;
     if (wanted.measure && wanted.jacobian)
-        return Kernel<true, true, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
-    if (wanted.measure) return Kernel<true, false, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
-    if (wanted.jacobian) return Kernel<false, true, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
-    return Kernel<false, false, cubic, own>(rig, grid, lanes, queues).run(wanted.whole);
+        return Kernel<true, true, law, own>(rig, grid, lanes, queues).run(wanted.whole);
+    if (wanted.measure) return Kernel<true, false, law, own>(rig, grid, lanes, queues).run(wanted.whole);
+    if (wanted.jacobian) return Kernel<false, true, law, own>(rig, grid, lanes, queues).run(wanted.whole);
+    return Kernel<false, false, law, own>(rig, grid, lanes, queues).run(wanted.whole);
 }
 
 // Of lanes with rigs of their own, the Jacobian always: who wants only states has one rig.
-template <bool cubic>
+template <Law law>
 HWY_ATTR void run_own_kernel(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     constexpr bool own = true;
-    if (wanted.measure) return Kernel<true, true, cubic, own>(grid, lanes, queues).run(wanted.whole);
-    return Kernel<false, true, cubic, own>(grid, lanes, queues).run(wanted.whole);
+    if (wanted.measure) return Kernel<true, true, law, own>(grid, lanes, queues).run(wanted.whole);
+    return Kernel<false, true, law, own>(grid, lanes, queues).run(wanted.whole);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE
@@ -213,4 +259,5 @@ HWY_AFTER_NAMESPACE();
 #include "batch/events-inl.hpp"
 #include "batch/kicks-inl.hpp"
 #include "batch/march-inl.hpp"
+#include "batch/rigid-inl.hpp"
 #endif

@@ -13,9 +13,9 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The hammer is at the stop at the grid point, and waits for the kick there.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hold(const Cells& cells, V delta, V velocity, V grid_point,
-                                                          Mask which, Queue& held) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::hold(const Cells& cells, V delta, V velocity, V grid_point,
+                                                        Mask which, Queue& held) {
     if (!any(which)) return;
     const Index point = index_of(grid_point);
     const Moments m{delta, velocity, gather(grid_.sine.data(), point), gather(grid_.cosine.data(), point)};
@@ -25,8 +25,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::hold(const Cells& cells, V 
 
 // Lanes at the stop at a grid point get their kick, of which half belongs to the cycle before or to the next at
 // its ends, and are to be followed to the next one.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::kick_held(Queue& held, Queue& ready, bool pressed) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue& ready, bool pressed) {
     const Waiting w = take(held);
     const Cells cells = cells_of(w.lanes);
     const Mask ends = w.end == all(steps_);
@@ -51,8 +51,8 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::kick_held(Queue& held, Queu
 }
 
 // The half kick at the cycle's end on lanes in flight.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::finish_kicks() {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::finish_kicks() {
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
         const V impacts = load(lanes_[Field::impacts] + i);
         store(choose(impacts > all(0), all(1), load(lanes_[Field::touched] + i)), lanes_[Field::touched] + i);

@@ -12,6 +12,9 @@ namespace peterka::batch {
 constexpr std::size_t widest_vector = 16;  // lanes that the kernel takes at once, at most
 constexpr double never = 1e9;              // as a grid point: beyond any
 
+// What the hammer meets: a spring and dashpot; the same, and the kicks of a cubic spring; or a rigid stop.
+enum class Law : std::uint8_t { spring_dashpot, kicks, rigid };
+
 // The arrays of a batch, a number for each lane. Grid point n is the forcing phase 2 pi n/steps.
 enum class Field : std::uint8_t {
     // The cell. Its gap decides these,
@@ -76,6 +79,25 @@ enum class Field : std::uint8_t {
     cubic,
     stiffness,
     damping,
+    restitution,
+
+    // With a rigid stop (trajectory/rigid_stop.hpp). The phases between which the stop presses a hammer at
+    // rest:
+    // from the first, or up to the second, or both where the first is less.
+    press_from,
+    press_to,
+    // The impacts of the present stretch of pressing, as far as they lie in this cycle
+    // (trajectory/rigid_impact.hpp).
+    chain_until,    // phase at which the stretch is over
+    chain_impacts,  // of the cycle, when it began
+    chain_impulse,  // of its impacts
+    // What the cycle did.
+    swallowed,  // impacts that belong to a completed chatter, but for one of each
+    chatter,
+    impact_speed,  // as trajectory::Totals
+    impulse,
+    contact_time,
+    contact_work,
 };
 constexpr std::size_t index_of(Field field) {
     return static_cast<std::size_t>(field);
@@ -84,15 +106,17 @@ constexpr Field after(Field field, std::size_t places) {
     return static_cast<Field>(index_of(field) + places);
 }
 constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
-constexpr std::size_t fields_with_rigs = index_of(Field::damping) + 1;
+constexpr std::size_t fields_with_rigs = index_of(Field::restitution) + 1;
+constexpr std::size_t fields_of_rigid_stops = index_of(Field::contact_work) + 1;
 // Those that don't change from cycle to cycle: the first of them depend on the gap always.
 constexpr std::size_t gap_fields = index_of(Field::frequency);
 constexpr std::size_t cell_fields = index_of(Field::delta);
 
 struct Lanes {
     std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
-    std::array<double*, fields_with_rigs> arrays{};
-    std::uint64_t* pattern = nullptr;  // of the cycle's events
+    std::array<double*, fields_of_rigid_stops> arrays{};
+    std::uint64_t* pattern = nullptr;        // of the cycle's events
+    std::uint64_t* chain_pattern = nullptr;  // with a rigid stop: when the chain began
 
     double* operator[](Field field) const { return arrays[index_of(field)]; }
     // Row by row.
@@ -149,9 +173,9 @@ struct Queues {
     }
     Queue crossings;      // above the stop at the end of a step
     Queue hops;           // may rise above it within a stretch of flight
-    Queue contacts;       // of any length
+    Queue contacts;       // of any length; on a rigid stop, at rest
     Queue releases;       // above the stop, which doesn't press
-    Queue turns;          // the same, but they leave slowly
+    Queue turns;          // the same, but they leave slowly; from a rigid stop, and come back soon
     Queue held_contacts;  // with a cubic spring: those that wait for the kick at a grid point
     Queue held_releases;
     [[nodiscard]] std::array<Queue*, 7> events() {

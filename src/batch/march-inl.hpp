@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 // The first grid point from which a lane is to march; the cycle's end where none is.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR int Kernel<measure, jacobian, cubic, own>::earliest() const {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR int Kernel<measure, jacobian, law, own>::earliest() const {
     const double* next = lanes_[Field::next];
     double point = steps_;
     for (std::size_t i = 0; i < lanes_.size; ++i) point = std::min(point, next[i]);
@@ -24,8 +24,8 @@ HWY_ATTR int Kernel<measure, jacobian, cubic, own>::earliest() const {
 }
 
 // All lanes that are there, from grid point n to the next.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::step(int n) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
     const auto point = static_cast<std::size_t>(n);
     const Forced forced{all(grid_.sine[point]), all(grid_.cosine[point])};
     const V here = all(n);
@@ -51,9 +51,9 @@ HWY_ATTR void Kernel<measure, jacobian, cubic, own>::step(int n) {
 }
 
 // Kicks a vector of lanes, and gives the kick's derivative by delta.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_INLINE V Kernel<measure, jacobian, cubic, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
-                                                         V cubic_part) const {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_INLINE V Kernel<measure, jacobian, law, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
+                                                       V cubic_part) const {
     const Kick kick(cubic_part * load(lanes[Field::step] + i), load(lanes[Field::gap] + i),
                     load(lanes[Field::delta] + i));
     double* velocity = lanes[Field::velocity] + i;
@@ -67,9 +67,9 @@ HWY_INLINE V Kernel<measure, jacobian, cubic, own>::kick(const Lanes& lanes, std
 }
 
 // One step of flight of a vector of lanes, and its flag test.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, std::size_t i, Mask active,
-                                                            const Forced& forced, V kick_slope) const {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, std::size_t i, Mask active,
+                                                          const Forced& forced, V kick_slope) const {
     const V x0 = load(lanes[Field::delta] + i);
     const V v0 = load(lanes[Field::velocity] + i);
     const V margin = load(lanes[Field::margin] + i);
@@ -113,8 +113,8 @@ HWY_INLINE Flags Kernel<measure, jacobian, cubic, own>::fly(const Lanes& lanes, 
 }
 
 // Those of up to 64 lanes that events stop in the step after grid point n.
-template <bool measure, bool jacobian, bool cubic, bool own>
-HWY_ATTR void Kernel<measure, jacobian, cubic, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
+template <bool measure, bool jacobian, Law law, bool own>
+HWY_ATTR void Kernel<measure, jacobian, law, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
     const auto point = static_cast<std::size_t>(n);
     const auto put_in = [&](Queue& queue, std::uint64_t left) {
         for (; left != 0; left &= left - 1) {

@@ -6,14 +6,14 @@
 #define HWY_TARGET_INCLUDE "batch/own_rigs_split_kernel.cpp"
 #include <hwy/foreach_target.h>
 //
+#include "batch/cycle_kernel.hpp"
 #include "batch/kernel-inl.hpp"
-#include "batch/own_rigs_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 HWY_ATTR void run_own_rigs_split(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_own_kernel<true>(grid, lanes, queues, wanted);
+    run_own_kernel<Law::kicks>(grid, lanes, queues, wanted);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

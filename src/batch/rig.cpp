@@ -171,20 +171,26 @@ void set_series(Rig& rig) {
 }  // namespace
 
 Rig::Rig(const scene::Oscillator<double>& oscillator)
-    : damping_ratio(oscillator.damping_ratio),
-      cubic(oscillator.cubic),
-      stiffness(oscillator.kelvin_voigt().stiffness),
-      damping(oscillator.kelvin_voigt().damping),
-      lag(damping / stiffness) {
+    : rigid(scene::is_rigid(oscillator.contact)),
+      damping_ratio(oscillator.damping_ratio),
+      cubic(oscillator.cubic) {
+    const auto oscillates = [](const Motion& m) { return m.oscillates() && !m.near_critical(); };
     const Motion flight(motion::flight_equation(oscillator));
-    const Motion contact(motion::contact_equation(oscillator));
     weakly_damped = damping_ratio * 6 * std::numbers::pi / 4 < 0.1;
     flight_rate = flight.rate();
+    if (rigid) {
+        restitution = oscillator.restitution().coefficient;
+        fit = oscillates(flight);
+        return;
+    }
+    stiffness = oscillator.kelvin_voigt().stiffness;
+    damping = oscillator.kelvin_voigt().damping;
+    lag = damping / stiffness;
+    const Motion contact(motion::contact_equation(oscillator));
     contact_decay = contact.equation().damping;
     contact_square = contact.equation().stiffness;
     contact_frequency = contact.natural_frequency();
     contact_rate = contact.rate();
-    const auto oscillates = [](const Motion& m) { return m.oscillates() && !m.near_critical(); };
     fit = oscillates(flight) && oscillates(contact) && stiffness > 0;
     if (!fit) return;
     set_unforced_times(*this, contact);

@@ -29,6 +29,8 @@ struct Flow {
 struct Rig {
     explicit Rig(const scene::Oscillator<double>& oscillator);
 
+    bool rigid = false;            // the stop: of it there is only
+    double restitution = 0;        // r
     double damping_ratio = 0;      // zeta
     bool weakly_damped = false;    // a flight of six steps decays by less than a tenth
     double flight_rate = 0;        // damped frequency of the flight
@@ -41,7 +43,8 @@ struct Rig {
     double contact_frequency = 0;  // its root
     double contact_rate = 0;       // damped frequency of the contact
 
-    // Whether both phases oscillate, clearly enough for closed forms without cancellation.
+    // Whether the flight, and the contact where it lasts, oscillate, clearly enough for closed forms without
+    // cancellation.
     bool fit = false;
 
     // A contact without forcing, and when one with forcing is surely like it.

@@ -5,14 +5,14 @@
 #define HWY_TARGET_INCLUDE "batch/split_kernel.cpp"
 #include <hwy/foreach_target.h>
 //
+#include "batch/cycle_kernel.hpp"
 #include "batch/kernel-inl.hpp"
-#include "batch/split_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
 HWY_ATTR void run_split(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
-    run_kernel<true>(rig, grid, lanes, queues, wanted);
+    run_kernel<Law::kicks>(rig, grid, lanes, queues, wanted);
 }
 
 }  // namespace peterka::batch::HWY_NAMESPACE

@@ -13,9 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-HWY_INLINE Pattern patterns(trajectory::Phase phase) {
-    const auto one = hn::Set(PatternTag(), trajectory::pattern_of(phase));
+HWY_INLINE Pattern patterns(trajectory::EventPattern event) {
+    const auto one = hn::Set(PatternTag(), event);
     return {one, one};
+}
+HWY_INLINE Pattern patterns(trajectory::Phase phase) {
+    return patterns(trajectory::pattern_of(phase));
 }
 // (p ^ phase) 0x100000001b3 as shifts, which every instruction set has: see trajectory/cycle.hpp.
 HWY_INLINE hn::Vec<PatternTag> append(hn::Vec<PatternTag> p, hn::Vec<PatternTag> phase) {
@@ -24,16 +27,17 @@ HWY_INLINE hn::Vec<PatternTag> append(hn::Vec<PatternTag> p, hn::Vec<PatternTag>
                              hn::Add(hn::ShiftLeft<5>(x), hn::ShiftLeft<4>(x)));
     return hn::Add(hn::Add(hn::ShiftLeft<40>(x), low), hn::Add(hn::ShiftLeft<1>(x), x));
 }
-HWY_INLINE Pattern append(Pattern p, trajectory::Phase phase) {
-    const Pattern next = patterns(phase);
+HWY_INLINE Pattern append(Pattern p, auto event) {
+    const Pattern next = patterns(event);
     return {append(p.a, next.a), append(p.b, next.b)};
 }
 static_assert(trajectory::append(1, 0) == (1ULL << 40) + 256 + 128 + 32 + 16 + 2 + 1);
 
-template <bool measure, bool jacobian, bool cubic>
+template <bool measure, bool jacobian, Law law>
 struct Track {
     // With a cubic spring the displacement is bounded from step to step.
-    static constexpr bool bounds_legs = measure && !cubic;
+    static constexpr bool bounds_legs = measure && law != Law::kicks;
+    static constexpr bool gathers_impacts = measure && law == Law::rigid;
     static constexpr bool keeps_legs = bounds_legs || jacobian;
 
     HWY_INLINE Track(const Lanes& lanes, Index which)
@@ -41,6 +45,11 @@ struct Track {
         if constexpr (measure) {
             peak_force = gather(lanes[Field::peak_force], which);
             largest = gather(lanes[Field::largest_displacement], which);
+        }
+        if constexpr (gathers_impacts) {
+            impact_speed = gather(lanes[Field::impact_speed], which);
+            impulse = gather(lanes[Field::impulse], which);
+            contact_work = gather(lanes[Field::contact_work], which);
         }
         if constexpr (bounds_legs) {
             leg_amplitude = gather(lanes[Field::leg_amplitude], which);
@@ -56,6 +65,11 @@ struct Track {
         if constexpr (measure) {
             scatter(peak_force, lanes[Field::peak_force], which);
             scatter(largest, lanes[Field::largest_displacement], which);
+        }
+        if constexpr (gathers_impacts) {
+            scatter(impact_speed, lanes[Field::impact_speed], which);
+            scatter(impulse, lanes[Field::impulse], which);
+            scatter(contact_work, lanes[Field::contact_work], which);
         }
         if constexpr (bounds_legs) {
             scatter(leg_amplitude, lanes[Field::leg_amplitude], which);
@@ -74,12 +88,26 @@ struct Track {
         jacobian_now.e10 = choose(where, after.e10, jacobian_now.e10);
         jacobian_now.e11 = choose(where, after.e11, jacobian_now.e11);
     }
+    // A rigid stop: the velocity turns round, and the slope times the position is added to it.
+    HWY_INLINE void reflect(V restitution, V slope, Mask where) {
+        const Matrix2& j = jacobian_now;
+        const Matrix2 after{-(restitution * j.e00), -(restitution * j.e01),
+                            mul_sub(slope, j.e00, restitution * j.e10),
+                            mul_sub(slope, j.e01, restitution * j.e11)};
+        jacobian_now = choose(where, after, j);
+    }
+    // What comes now doesn't depend on the start.
+    HWY_INLINE void forget(Mask where) {
+        const V zero = all(0);
+        jacobian_now = choose(where, Matrix2{zero, zero, zero, zero}, jacobian_now);
+    }
     HWY_INLINE void raise_displacement(V bound, Mask where) {
         largest = choose(where, max(largest, bound), largest);
     }
 
     Pattern pattern;
     V impacts;
+    V impact_speed, impulse, contact_work;
     V peak_force, largest, leg_amplitude, leg_energy, swing, leg_start;
     Matrix2 jacobian_now;
 };

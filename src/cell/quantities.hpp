@@ -63,7 +63,8 @@ constexpr const char* unit_of(Dimension dimension) {
 // What must be recorded of the motion for a quantity.
 enum class Recorded {
     usual,         // what deciding a cell takes anyway
-    contacts,      // each impact: trajectory::Detail::contacts
+    impacts,       // each impact: trajectory::Detail::impacts where the stop is rigid, and else ::contacts
+    contacts,      // each stretch of motion: trajectory::Detail::contacts
     cycle_forces,  // the largest force of each cycle
 };
 
@@ -217,10 +218,10 @@ inline constexpr Quantity rows[] = {
     {"sensitivity", member([](auto& cell) -> auto& { return cell.sensitivity; }), number, "largest growth of an error that came in at any moment, ln G", asked_for(OptionalField::sensitivity)},
     {"orbit_displacement", member([](auto& cell) -> auto& { return cell.orbit_displacement; }), number, "orbit at forcing phase 0, (x - y)/A0", asked_for(OptionalField::orbit, "orbit"), interpolated, usual, table_too},
     {"orbit_velocity", member([](auto& cell) -> auto& { return cell.orbit_velocity; }), number, "orbit at forcing phase 0, (x' - y')/(A0 omega)", asked_for(OptionalField::orbit, "orbit"), interpolated, usual, table_too},
-    {"impact_speed", member([](auto& cell) -> auto& { return cell.impact_speed; }), speed, "largest speed of the hammer against the stop at first touch", asked_for(OptionalField::impact_speed), interpolated, contacts},
-    {"impulse", member([](auto& cell) -> auto& { return cell.impulse; }), impulse, "largest impulse of one impact", asked_for(OptionalField::impulse), interpolated, contacts},
-    {"contact_time", member([](auto& cell) -> auto& { return cell.contact_time; }), time, "longest time for which the stop presses in one impact", asked_for(OptionalField::contact_time), interpolated, contacts},
-    {"contact_power_w", member([](auto& cell) -> auto& { return cell.contact_power; }), power, "mean power that the impacts take from the hammer's motion against the cart", asked_for(OptionalField::contact_power), interpolated, contacts},
+    {"impact_speed", member([](auto& cell) -> auto& { return cell.impact_speed; }), speed, "largest speed of the hammer against the stop at first touch", asked_for(OptionalField::impact_speed), interpolated, impacts},
+    {"impulse", member([](auto& cell) -> auto& { return cell.impulse; }), impulse, "largest impulse of one impact", asked_for(OptionalField::impulse), interpolated, impacts},
+    {"contact_time", member([](auto& cell) -> auto& { return cell.contact_time; }), time, "longest time for which the stop presses in one impact", asked_for(OptionalField::contact_time), interpolated, impacts},
+    {"contact_power_w", member([](auto& cell) -> auto& { return cell.contact_power; }), power, "mean power that the impacts take from the hammer's motion against the cart", asked_for(OptionalField::contact_power), interpolated, impacts},
     {"max_displacement", member([](auto& cell) -> auto& { return cell.max_displacement; }), length, "largest displacement of the hammer from its rest in the cart, |x - y|", asked_for(OptionalField::max_displacement), interpolated, contacts},
     {"peak_force_mean_ratio", member([](auto& cell) -> auto& { return cell.peak_force_mean; }), force_over_weight, "mean of the largest impact force of each forcing cycle, F/(m g0)", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), interpolated, cycle_forces},
     {"peak_force_q95_ratio", member([](auto& cell) -> auto& { return cell.peak_force_q95; }), force_over_weight, "95 % quantile of the largest impact force of each forcing cycle, F/(m g0)", asked_for(OptionalField::force_per_cycle, "force_per_cycle"), interpolated, cycle_forces},

@@ -39,14 +39,15 @@ struct CellPool::Member : Reused {
 
     std::vector<trajectory::Cycle<double>, ReusingAllocator<trajectory::Cycle<double>>>
         course;  // the cycles of the order, so far
-    // Over these.
-    double largest_force = 0;
-    double largest_displacement = 0;
 
-    // A batch measures peak forces at most.
+    // A batch measures peak forces at most, and cycle by cycle: a chatter may go on across the end of one where
+    // a rigid stop presses at phase 0.
     [[nodiscard]] bool fits_batch() const {
+        if (!batch) return false;
         const trajectory::Recorder<double>* recorder = desk.order().recorder;
-        return batch && !(recorder != nullptr && recorder->records_contacts());
+        if (recorder == nullptr) return true;
+        const bool crosses = batch->stop == batch::Stop::rigid && desk.oscillator().gap < 0;
+        return !(recorder->records_contacts() || crosses);
     }
 };
 
@@ -54,7 +55,7 @@ struct CellPool::Group {
     Group(const scene::Oscillator<double>& rig, const Batch& batch)
         : kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
     // Of cells with rigs of their own.
-    explicit Group(const Batch& batch) : kind(batch), map(few_cells, batch.steps, batch.springs) {}
+    explicit Group(const Batch& batch) : kind(batch), map(few_cells, batch.steps, batch.springs, batch.stop) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
@@ -67,22 +68,16 @@ struct CellPool::Group {
     [[nodiscard]] bool record(std::size_t slot) {
         Member& cell = *cells[slot];
         cell.course.push_back(map.cycle(slot));
-        cell.largest_force = std::max(cell.largest_force, map.peak_force(slot));
-        cell.largest_displacement = std::max(cell.largest_displacement, map.displacement_bound(slot));
+        if (trajectory::Recorder<double>* recorder = cell.desk.order().recorder)
+            recorder->cycles(map.totals(slot));
         return cell.course.size() == cell.desk.order().cycles ||
                cell.course.back().outcome != trajectory::Cycle<double>::Outcome::done;
     }
     // Tells the search in a slot what they were.
     void tell(std::size_t slot) {
         Member& cell = *cells[slot];
-        if (trajectory::Recorder<double>* recorder = cell.desk.order().recorder) {
-            int impacts = 0;
-            for (const auto& cycle : cell.course) impacts += cycle.impacts;
-            recorder->cycles(impacts, cell.largest_force, cell.largest_displacement);
-        }
         cell.desk.serve(cell.course);
         cell.course.clear();
-        cell.largest_force = cell.largest_displacement = 0;
     }
 
     Batch kind;
@@ -134,12 +129,14 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
     const EngineSettings& settings = desk.settings();
     const scene::Oscillator<double>& oscillator = desk.oscillator();
     if (!has_batch(oscillator, settings.engine)) return std::nullopt;
+    const batch::Stop stop =
+        scene::is_rigid(oscillator.contact) ? batch::Stop::rigid : batch::Stop::spring_dashpot;
     if (settings.engine == Engine::exact || oscillator.cubic == 0) {
-        return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(oscillator.frequency)};
+        return Batch{batch::Springs::linear, batch::BatchedCycleMap::steps_for(oscillator.frequency), stop};
     }
     const int steps = trajectory::split_steps(oscillator, settings.largest_displacement, settings.tolerance);
     if (steps == 0) return std::nullopt;
-    return Batch{batch::Springs::split, steps};
+    return Batch{batch::Springs::split, steps, stop};
 }
 
 CellPool::Group& CellPool::group_for(const Member& cell) {

@@ -68,6 +68,7 @@ class CellPool {
     struct Batch {
         batch::Springs springs;
         int steps;  // per cycle
+        batch::Stop stop;
         friend bool operator==(const Batch&, const Batch&) = default;
     };
     static std::optional<Batch> batch_of(const CycleDesk& desk);

@@ -89,9 +89,11 @@ Engine fit_with_cubic(const scene::Oscillator<double>& oscillator, const job::So
 }  // namespace
 
 bool has_batch(const scene::Oscillator<double>& oscillator, Engine engine) {
-    if (oscillator.spring_dashpot() == nullptr) return false;
-    const bool relative = oscillator.cubic == 0 || oscillator.cubic_form == job::CubicForm::relative;
-    return engine == Engine::exact || (engine == Engine::split && relative);
+    if (has_nonlinear_contact(oscillator)) return false;
+    if (engine == Engine::exact) return true;
+    const bool kicks =
+        !scene::is_rigid(oscillator.contact) && oscillator.cubic_form == job::CubicForm::relative;
+    return engine == Engine::split && (oscillator.cubic == 0 || kicks);
 }
 
 bool may_use_batch(const scene::Oscillator<double>& oscillator, const job::Solver& solver) {

@@ -40,8 +40,8 @@ bool has_nonlinear_contact(const scene::Oscillator<double>& oscillator);
 // Adams; in stiff contacts cvode's BDF is cheaper than arkode's implicit method.
 Engine cheaper_integrator(const scene::Oscillator<double>& oscillator);
 
-// Whether the batched kernel carries an oscillator with this engine: a spring-dashpot stop, in closed form or
-// with the relative cubic as kicks.
+// Whether the batched kernel carries an oscillator with this engine: a spring-dashpot stop or a rigid one in
+// closed form, and the first with the relative cubic as kicks.
 bool has_batch(const scene::Oscillator<double>& oscillator, Engine engine);
 // Whether cells of a job with this solver may be carried by it.
 bool may_use_batch(const scene::Oscillator<double>& oscillator, const job::Solver& solver);

@@ -18,6 +18,7 @@ void Observation::write_to(CellResult& result) {
     result.impulse = totals.impulse;
     result.contact_time = totals.contact_time;
     result.contact_power = totals.contact_work / (cycles * period_);
+    if (detail_ < trajectory::Detail::contacts) return;
     result.max_displacement = totals.largest_displacement;
 }
 

@@ -20,9 +20,12 @@ namespace {
 // Not asked for, not computed.
 Measures measures_of(const job::Job& job) {
     Measures measures;
+    const auto impacts =
+        job::is_rigid(job.contact) ? trajectory::Detail::impacts : trajectory::Detail::contacts;
     for (const cell::Quantity& quantity : cell::quantities) {
         const bool takes_more = quantity.recorded != cell::Recorded::usual;  // looked at first: most don't
         if (!takes_more || !job::stores(job, quantity)) continue;
+        if (quantity.recorded == cell::Recorded::impacts) measures.detail = std::max(measures.detail, impacts);
         if (quantity.recorded == cell::Recorded::contacts) measures.detail = trajectory::Detail::contacts;
         measures.force_per_cycle |= quantity.recorded == cell::Recorded::cycle_forces;
     }
@@ -73,13 +76,16 @@ class Solution {
 
     // Most cells of a map never meet the stop, as their start shows: they need no search. Nothing for others.
     [[nodiscard]] std::optional<CellResult> at_once() const {
-        if (!may_omit() || measures_.detail != trajectory::Detail::force) return std::nullopt;
+        if (!may_omit() || measures_.detail > trajectory::Detail::impacts) return std::nullopt;
         const trajectory::FreeFlight<double> flight(without_cubic(cell_.oscillator));
         const auto free = free_for_ever(flight, cell_.start);
         if (!free) return std::nullopt;
         CellResult result;
         result.last_impact = 0;
         result.sensitivity = Growth().sensitivity();
+        if (measures_.detail == trajectory::Detail::impacts) {
+            result.impact_speed = result.impulse = result.contact_time = result.contact_power = 0;
+        }
         write_settled(result, *free, Regime::no_impact, cell_.oscillator.gap, measures_.force_per_cycle);
         const bool stays =
             cell_.oscillator.cubic == 0 || !(must_keep_cubic(result) || may_have_another_label(result));

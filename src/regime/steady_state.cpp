@@ -221,8 +221,7 @@ class Search {
             result.last_impact = static_cast<std::int32_t>(trajectory_.last_touched());
         observation.write_to(result);
         write_settled(result, motion, regime, map_.oscillator().gap, measures_.force_per_cycle);
-        if (!records_contacts) co_return result;
-        if (!motion.decays) result.max_displacement = motion.largest_displacement;
+        if (records_contacts && !motion.decays) result.max_displacement = motion.largest_displacement;
         if (regime == Regime::sustained_contact) result.impulse = result.contact_time = unknown;  // no impact
         co_return result;
     }

@@ -98,9 +98,8 @@ double cycles_of_kicks(const job::Job& job) {
 }
 
 // What such a cycle takes, with all that goes with it, on one core with AVX-512, as measured (with AVX2 the
-// first takes 1.5 times as long): in the batch; there with the cubic spring kept, whose many kicks depend on
-// the reach; in closed form one by one, on a rigid stop, which takes half as many cycles again; by integrators,
-// 130 to 320 on the stops tried.
+// first takes 1.5 times as long): in the batch, on a rigid stop as on one that yields; there with the cubic
+// spring kept, whose many kicks depend on the reach; one by one; by integrators, 130 to 320 on the stops tried.
 double microseconds_of_a_cycle(const job::Job& job) {
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
     const job::EngineChoice engine = job.solver.engine;

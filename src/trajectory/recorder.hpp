@@ -27,7 +27,8 @@ namespace peterka::trajectory {
 // How much is gathered; each level includes those before it. What nobody asks for isn't computed.
 enum class Detail : std::uint8_t {
     force,     // impacts, chatter, peak force, a bound of the displacement
-    contacts,  // and speed, impulse, duration and work of the impacts, the largest displacement itself
+    impacts,   // on a rigid stop, and speed, impulse, duration and work of the impacts
+    contacts,  // on any, and the largest displacement itself
     energy,    // and what the drive brings in and the damper of the springs takes out
 };
 
@@ -54,11 +55,12 @@ struct Totals {
     bool struck_rigid_stop = false;  // forces without bound: there is no peak force
     Real largest_force = 0;
     Real displacement_bound = 0;  // |u| = |delta + gap| is no larger than this
+    // from the level `impacts` on
+    Real impact_speed = 0;  // largest delta' at first touch
+    Real impulse = 0;       // largest of one impact
+    Real contact_time = 0;  // longest time for which the stop presses within one impact
+    Real contact_work = 0;  // of all impacts together
     // from the level `contacts` on
-    Real impact_speed = 0;          // largest delta' at first touch
-    Real impulse = 0;               // largest of one impact
-    Real contact_time = 0;          // longest time for which the stop presses within one impact
-    Real contact_work = 0;          // of all impacts together
     Real largest_displacement = 0;  // of |u|, the true maximum
     // level `energy`
     Real drive_work = 0;   // integral of eta^2 sin(theta) u'
@@ -78,6 +80,7 @@ class Recorder {
     // The observer outlives the recorder. It sees single impacts from the level `contacts` on.
     Recorder(Detail detail, Observer<Real>& observer) : detail_(detail), observer_(&observer) {}
 
+    [[nodiscard]] bool records_impacts() const { return detail_ >= Detail::impacts; }
     [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
     [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
     [[nodiscard]] Observer<Real>* observer() const { return observer_; }
@@ -127,25 +130,32 @@ class Recorder {
         totals_.damper_work += damper_work;
     }
 
-    // Whole cycles of an engine that gathers no more than the level `force`.
-    void cycles(int impacts, Real largest_force, Real bound_of_displacement) {
-        totals_.impacts += impacts;
-        force(largest_force);
-        displacement_bound(bound_of_displacement);
+    // Whole cycles of an engine that gathers no more than the level `force`, or of a rigid stop `impacts`,
+    // where nothing is open.
+    void cycles(const Totals<Real>& gathered) {
+        totals_.impacts += gathered.impacts;
+        totals_.chatter |= gathered.chatter;
+        totals_.struck_rigid_stop |= gathered.struck_rigid_stop;
+        force(gathered.largest_force);
+        displacement_bound(gathered.displacement_bound);
+        totals_.impact_speed = std::max(totals_.impact_speed, gathered.impact_speed);
+        totals_.impulse = std::max(totals_.impulse, gathered.impulse);
+        totals_.contact_time = std::max(totals_.contact_time, gathered.contact_time);
+        totals_.contact_work += gathered.contact_work;
     }
 
     // A new impact begins, with delta' > 0.
     void touch(const Touch<Real>& touch) {
         leave();
         if (touches_ != nullptr) touches_->add(touch);
-        touching_ = records_contacts();
+        touching_ = records_impacts();
         ++totals_.impacts;
         totals_.impact_speed = std::max(totals_.impact_speed, touch.speed);
         if (observer_ != nullptr) observer_->touch(touch.speed);
     }
     // The stop presses within the present impact.
     void press(const Press<Real>& press) {
-        touching_ = records_contacts();
+        touching_ = records_impacts();
         impact_.impulse += press.impulse;
         impact_.time += press.time;
         impact_.work += press.work;
@@ -203,7 +213,7 @@ class Recorder {
     };
     void join_chain() {
         ++totals_.impacts;
-        touching_ = records_contacts();
+        touching_ = records_impacts();
         impact_.impulse += chain_.impulse;
         chain_ = {};
     }

@@ -34,14 +34,14 @@ void end_chain_before(Real theta, const Chain<Real>& chain, Recorder<Real>* reco
     if (recorder != nullptr && theta >= chain.until) recorder->break_chain();
 }
 
+inline constexpr EventPattern impact_event = pattern_of(Phase::contact);
+inline constexpr EventPattern chatter_event = impact_event + 2;  // a completed one
+
 // Turns the velocity of a hammer that arrives at the stop at the phase theta. A value is the time from now to
 // rest on the stop: the hammer's state is at rest already, and it sticks from then on. Otherwise it flies.
 template <class Real>
 std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>& cycle, Chain<Real>& chain,
                            Recorder<Real>* recorder) {
-    constexpr EventPattern impact = pattern_of(Phase::contact);
-    constexpr EventPattern chatter = impact + 2;
-
     const Real speed = cycle.end[1];
     const Real r = stop.restitution();
     const bool pressed = stop.presses(theta) && r < 1;
@@ -52,7 +52,7 @@ std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>&
     cycle.touched = true;
     cycle.end = {0, -r * speed};
     cycle.jacobian = (stop.saltation(theta, speed) * cycle.jacobian).eval();
-    cycle.pattern = append(cycle.pattern, impact);
+    cycle.pattern = append(cycle.pattern, impact_event);
 
     const auto rest = pressed ? stop.time_to_rest(theta, r * speed) : std::nullopt;
     if (!rest) return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>&
     }
     cycle.end = {0, 0};
     cycle.jacobian.setZero();
-    cycle.pattern = append(chain.before, chatter);
+    cycle.pattern = append(chain.before, chatter_event);
     chain.until = theta;
     return rest;
 }

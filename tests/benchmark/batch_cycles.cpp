@@ -3,9 +3,10 @@
 // Eight regular cells of the 170 mm rig, 200 cycles from rest; the batched engine carries 256 copies of each,
 // shuffled, in one batch. Engines take turns and the fastest of their rounds counts, so that other
 // work on the machine disturbs as little as possible. The error is that of the peak force of the last ten
-// cycles against the scalar twin in long double. The split engines have the paper's cubic spring, and the kicks
-// per cycle that each cell needs for 1e-9; the batched one takes the copies of one cell at a time, and the
-// truth has eight times the kicks.
+// cycles against the scalar twin in long double; with a rigid stop, of the impact speed, on as many cells of
+// its own. There the closed form of 1/n tells the error, too. The split engines have the paper's cubic spring,
+// and the kicks per cycle that each cell needs for 1e-9; the batched one takes the copies of one cell at a
+// time, and the truth has eight times the kicks.
 //   build/tests/batch_cycles [ROUNDS]
 #include <fmt/format.h>
 
@@ -46,6 +47,16 @@ scene::Oscillator<double> oscillator_of(std::size_t kind) {
     return testing::paper_rig(testing::beam_170mm, regular_cells[kind][0], regular_cells[kind][1]);
 }
 
+// The same hammer on a rigid stop, and cells where it moves regularly there.
+constexpr double regular_on_rigid[kinds][2] = {{2.0, 0.0}, {1.3, 1.0}, {1.1, 4.0}, {3.5, 0.3},
+                                               {2.75, 0},  {0.8, 0.2}, {3.1, 0.0}, {4.2, 0.5}};
+scene::Oscillator<double> rigid_oscillator_of(std::size_t kind) {
+    auto oscillator =
+        testing::paper_rig(testing::beam_170mm, regular_on_rigid[kind][0], regular_on_rigid[kind][1]);
+    oscillator.contact = scene::Restitution<double>{0.32};
+    return oscillator;
+}
+
 scene::Oscillator<double> cubic_oscillator_of(std::size_t kind) {
     return testing::cubic_rig(paper_cubic, regular_cells[kind][0], regular_cells[kind][1]);
 }
@@ -57,14 +68,20 @@ int kicks_of(const scene::Oscillator<double>& oscillator) {
 template <class Real>
 scene::Oscillator<Real> in(const scene::Oscillator<double>& oscillator) {
     return {.damping_ratio = oscillator.damping_ratio,
-            .contact = scene::KelvinVoigt<Real>{oscillator.kelvin_voigt().stiffness,
-                                                oscillator.kelvin_voigt().damping},
+            .contact =
+                std::visit([](const auto& stop) -> scene::ContactLaw<Real> { return stop.template as<Real>(); },
+                           oscillator.contact),
             .frequency = oscillator.frequency,
             .gap = oscillator.gap,
             .cubic = oscillator.cubic};
 }
 
-// Peak force of the last cycles, from rest; `measured`: all cycles are.
+// The peak force, or the impact speed where there is none.
+double told(const auto& totals) {
+    return static_cast<double>(totals.struck_rigid_stop ? totals.impact_speed : totals.largest_force);
+}
+
+// That of the last cycles, from rest; `measured`: all cycles are.
 template <class Real, class Map>
 double peak_of(Map map, const scene::State<double>& start, int length, bool measured) {
     scene::State<Real> x = start.cast<Real>();
@@ -74,14 +91,16 @@ double peak_of(Map map, const scene::State<double>& start, int length, bool meas
         if (cycle == length - last_cycles) recorder.reset_totals();
         x = map(x, last || measured ? &recorder : nullptr).end;
     }
-    return static_cast<double>(recorder.totals().largest_force);
+    return told(recorder.totals());
 }
 
+using OfKind = scene::Oscillator<double> (*)(std::size_t);
+
 template <class Real, class MakeMap>
-Peaks scalar_peaks(int length, bool measured, const MakeMap& make_map) {
+Peaks scalar_peaks(int length, bool measured, const MakeMap& make_map, OfKind of_kind = oscillator_of) {
     Peaks peaks{};
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-        const auto oscillator = oscillator_of(kind);
+        const auto oscillator = of_kind(kind);
         peaks[kind] = peak_of<Real>(make_map(oscillator), testing::start_at(oscillator), length, measured);
     }
     return peaks;
@@ -103,16 +122,15 @@ struct Batch {
     double left_to_twin = 0;
 };
 
-Batch batch_peaks(batch::Wanted wanted) {
+Batch batch_peaks(batch::Wanted wanted, OfKind of_kind = oscillator_of) {
     std::vector<std::size_t> order(kinds * copies);
     for (std::size_t n = 0; n < order.size(); ++n) order[n] = n % kinds;
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
     Batch result;
     for (std::size_t first = 0; first < order.size(); first += slots) {
-        batch::BatchedCycleMap map(oscillator_of(0), slots,
-                                   batch::BatchedCycleMap::steps_for(lowest_frequency));
+        batch::BatchedCycleMap map(of_kind(0), slots, batch::BatchedCycleMap::steps_for(lowest_frequency));
         for (std::size_t slot = 0; slot < slots; ++slot) {
-            const auto oscillator = oscillator_of(order[first + slot]);
+            const auto oscillator = of_kind(order[first + slot]);
             map.add(oscillator.frequency, oscillator.gap, testing::start_at(oscillator));
         }
         for (int cycle = 0; cycle < cycles; ++cycle) {
@@ -121,7 +139,7 @@ Batch batch_peaks(batch::Wanted wanted) {
             if (!last) continue;
             for (std::size_t slot = 0; slot < slots; ++slot) {
                 double& peak = result.peaks[order[first + slot]];
-                peak = std::max(peak, map.peak_force(slot));
+                peak = std::max(peak, told(map.totals(slot)));
             }
         }
         result.left_to_twin +=
@@ -149,7 +167,30 @@ Batch split_batch_peaks(batch::Wanted wanted) {
     return result;
 }
 
-enum class Truth : std::uint8_t { exact, early, split };
+// Orbits 1/n of r = 0.6, zeta = 0.02 in closed form (eta, gap, their impact speed), and how far the batch is
+// off.
+double off_closed_form() {
+    constexpr double orbits[][3] = {
+        {2, 0, 11.841323894932}, {2, 0.5, 10.966655235621}, {4, 0, 18.951633786639}};
+    double error = 0;
+    for (const auto& [frequency, gap, speed] : orbits) {
+        const scene::Oscillator<double> oscillator{.damping_ratio = 0.02,
+                                                   .contact = scene::Restitution<double>{0.6},
+                                                   .frequency = frequency,
+                                                   .gap = gap};
+        batch::BatchedCycleMap map(oscillator, 1);
+        map.add(frequency, gap, {-1 - gap, 0});
+        double largest = 0;
+        for (int cycle = 0; cycle < 10 * cycles; ++cycle) {
+            map.advance({.measure = true});
+            if (cycle >= 10 * cycles - last_cycles) largest = std::max(largest, map.totals(0).impact_speed);
+        }
+        error = std::max(error, std::abs(largest / speed - 1));
+    }
+    return error;
+}
+
+enum class Truth : std::uint8_t { exact, early, split, rigid };
 
 struct Contestant {
     std::string name;
@@ -180,6 +221,12 @@ std::vector<Contestant> contestants() {
                      batch::use_instruction_set(set);
                      return batch_peaks(wanted).peaks;
                  }});
+            list.push_back({fmt::format("batch, rigid, {}{}", batch::name_of(set), what), all_cells,
+                            [set, wanted = wanted] {
+                                batch::use_instruction_set(set);
+                                return batch_peaks(wanted, rigid_oscillator_of).peaks;
+                            },
+                            Truth::rigid});
             list.push_back({fmt::format("batch, split, {}{}", batch::name_of(set), what), all_cells,
                             [set, wanted = wanted] {
                                 batch::use_instruction_set(set);
@@ -192,6 +239,12 @@ std::vector<Contestant> contestants() {
     list.push_back({"exact", scalar_cells, [=] { return scalar_peaks<double>(cycles, false, exact); }});
     list.push_back(
         {"exact + peak force", scalar_cells, [=] { return scalar_peaks<double>(cycles, true, exact); }});
+    const auto rigid = [](const auto& oscillator) { return trajectory::RigidExactMap<double>(oscillator); };
+    for (const bool measured : {false, true}) {
+        list.push_back({measured ? "exact, rigid + impacts" : "exact, rigid", scalar_cells,
+                        [=] { return scalar_peaks<double>(cycles, measured, rigid, rigid_oscillator_of); },
+                        Truth::rigid});
+    }
     list.push_back({"split", scalar_cells, [] { return split_peaks<double>(1, false); }, Truth::split});
     list.push_back(
         {"split + peak force", scalar_cells, [] { return split_peaks<double>(1, true); }, Truth::split});
@@ -216,9 +269,14 @@ int main(int argc, char** argv) {
     const auto precise = [](const auto& oscillator) {
         return trajectory::ExactCycleMap<long double>(in<long double>(oscillator));
     };
-    const std::map<Truth, Peaks> truth{{Truth::exact, scalar_peaks<long double>(cycles, false, precise)},
-                                       {Truth::early, scalar_peaks<long double>(40, false, precise)},
-                                       {Truth::split, split_peaks<long double>(8, false)}};
+    const auto precise_rigid = [](const auto& oscillator) {
+        return trajectory::RigidExactMap<long double>(in<long double>(oscillator));
+    };
+    const std::map<Truth, Peaks> truth{
+        {Truth::exact, scalar_peaks<long double>(cycles, false, precise)},
+        {Truth::early, scalar_peaks<long double>(40, false, precise)},
+        {Truth::split, split_peaks<long double>(8, false)},
+        {Truth::rigid, scalar_peaks<long double>(cycles, false, precise_rigid, rigid_oscillator_of)}};
 
     auto list = contestants();
     for (int round = 0; round < rounds; ++round) {
@@ -239,6 +297,11 @@ int main(int argc, char** argv) {
     }
     fmt::print("kicks per cycle of the split engines:");
     for (std::size_t kind = 0; kind < kinds; ++kind) fmt::print(" {}", kicks_of(cubic_oscillator_of(kind)));
-    fmt::print("\nleft to the scalar twin: {:.2g} of the cycles, {:.2g} with split springs\n",
-               batch_peaks({}).left_to_twin, split_batch_peaks({}).left_to_twin);
+    fmt::print(
+        "\nleft to the scalar twin: {:.2g} of the cycles, {:.2g} with split springs, {:.2g} with a rigid "
+        "stop\n",
+        batch_peaks({}).left_to_twin, split_batch_peaks({}).left_to_twin,
+        batch_peaks({}, rigid_oscillator_of).left_to_twin);
+    fmt::print("rigid stop, batch against the closed form of 1/1 and 1/2: {:.1e} of the impact speed\n",
+               off_closed_form());
 }

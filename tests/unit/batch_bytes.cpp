@@ -6,10 +6,12 @@
 #include <cstring>
 #include <map>
 #include <numeric>
+#include <ostream>
 #include <random>
 
 #include "batch/cycle_kernel.hpp"
 #include "batch_cases.hpp"
+#include "rigid_rig.hpp"
 
 namespace peterka::testing {
 namespace {
@@ -31,6 +33,12 @@ Bytes bytes_of(const batch::BatchedCycleMap& map, std::size_t slot) {
           cycle.jacobian(1, 1), map.peak_force(slot), map.displacement_bound(slot)}) {
         append_to(bytes, x);
     }
+    const auto totals = map.totals(slot);
+    for (const double x : {totals.impact_speed, totals.impulse, totals.contact_time, totals.contact_work}) {
+        append_to(bytes, x);
+    }
+    append_to(bytes, totals.impacts);
+    append_to(bytes, totals.chatter);
     append_to(bytes, cycle.pattern);
     append_to(bytes, cycle.impacts);
     append_to(bytes, cycle.touched);
@@ -38,11 +46,22 @@ Bytes bytes_of(const batch::BatchedCycleMap& map, std::size_t slot) {
     return bytes;
 }
 
+// What a batch has a kernel for.
+struct Kind {
+    const char* name;
+    scene::Oscillator<double> rig;
+    batch::Springs springs;
+    friend void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+};
+const Kind linear_kind{"linear", cubic_rig(1e-3), batch::Springs::linear};
+const Kind split_kind{"split", cubic_rig(1e-3), batch::Springs::split};
+const Kind rigid_kind{"rigid", rigid(0.4, 1, 0, 0.004), batch::Springs::linear};
+
 // A batch that also shrinks, grows and hands cells over while it runs.
 class Batch {
   public:
-    Batch(const std::vector<BatchCell>& cells, std::size_t capacity, batch::Springs springs)
-        : map_(cubic_rig(1e-3), capacity, 16, springs), cells_(cells) {}
+    Batch(const std::vector<BatchCell>& cells, std::size_t capacity, const Kind& kind)
+        : map_(kind.rig, capacity, 16, kind.springs), cells_(cells) {}
 
     void add(std::size_t cell) {
         map_.add(cells_[cell].frequency, cells_[cell].gap, cells_[cell].state);
@@ -83,8 +102,8 @@ class Batch {
 
 // After so many cycles, in the order given.
 std::map<std::size_t, Bytes> run(const std::vector<BatchCell>& cells, const std::vector<std::size_t>& order,
-                                 batch::Springs springs) {
-    Batch batch(cells, order.size(), springs);
+                                 const Kind& kind) {
+    Batch batch(cells, order.size(), kind);
     for (const std::size_t cell : order) batch.add(cell);
     batch.advance(15);
     return batch.bytes();
@@ -96,8 +115,8 @@ std::vector<std::size_t> in_order(std::size_t count) {
     return order;
 }
 
-class BatchBytes : public ::testing::TestWithParam<batch::Springs> {};
-INSTANTIATE_TEST_SUITE_P(Springs, BatchBytes, ::testing::Values(batch::Springs::linear, batch::Springs::split));
+class BatchBytes : public ::testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, BatchBytes, ::testing::Values(linear_kind, split_kind, rigid_kind));
 
 TEST_P(BatchBytes, DontDependOnSlotOrNeighbours) {
     auto cells = random_cells(41, 300, 0.5, 4.5, 0, 3);
@@ -157,8 +176,9 @@ TEST_P(BatchBytes, DontDependOnWhichEventsWaitForOthers) {
 
 TEST_P(BatchBytes, DontDependOnWhatElseIsWanted) {
     const auto cells = random_cells(42, 200, 0.5, 4.5, 0, 3);
-    batch::BatchedCycleMap plain(cubic_rig(1e-3), cells.size(), 16, GetParam());
-    batch::BatchedCycleMap full(cubic_rig(1e-3), cells.size(), 16, GetParam());
+    const Kind kind = GetParam();
+    batch::BatchedCycleMap plain(kind.rig, cells.size(), 16, kind.springs);
+    batch::BatchedCycleMap full(kind.rig, cells.size(), 16, kind.springs);
     for (std::size_t n = 0; n < cells.size(); ++n) {
         plain.add(cells[n].frequency, cells[n].gap, cells[n].state);
         full.add(cells[n].frequency, cells[n].gap, cells[n].state);
@@ -174,13 +194,12 @@ TEST_P(BatchBytes, DontDependOnWhatElseIsWanted) {
     EXPECT_GE(same, 198);
 }
 
-class EveryInstructionSet : public ::testing::TestWithParam<batch::Springs> {
+class EveryInstructionSet : public ::testing::TestWithParam<Kind> {
   protected:
     ~EveryInstructionSet() override { batch::use_instruction_set(0); }
 };
 
-INSTANTIATE_TEST_SUITE_P(Springs, EveryInstructionSet,
-                         ::testing::Values(batch::Springs::linear, batch::Springs::split));
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryInstructionSet, ::testing::Values(linear_kind, split_kind, rigid_kind));
 
 TEST_P(EveryInstructionSet, SameArithmeticGivesTheSameBytes) {
     const auto cells = random_cells(43, 600, 0.5, 4.5, -0.5, 4);
@@ -198,8 +217,8 @@ TEST_P(EveryInstructionSet, AgreesWithTheTwin) {
     for (const std::int64_t set : batch::instruction_sets()) {
         batch::use_instruction_set(set);
         SCOPED_TRACE(batch::name_of(set));
-        const auto c =
-            compare_with_twin(cubic_rig(1e-4), random_cells(44, 300, 0.5, 4.5, 0, 5), {16, GetParam()}, 6);
+        const auto c = compare_with_twin(GetParam().rig, random_cells(44, 300, 0.5, 4.5, 0, 5),
+                                         {16, GetParam().springs}, 6);
         EXPECT_EQ(c.different_events, c.grazes);
         EXPECT_LT(c.state, 1e-12);
         EXPECT_LT(c.peak_force, 1e-11);

@@ -17,7 +17,7 @@ using trajectory::Cycle;
 using trajectory::Recorder;
 
 struct Twin {
-    double gap;
+    scene::Oscillator<double> oscillator;
     std::function<Cycle<double>(const scene::State<double>&, Recorder<double>*)> map;
     Cycle<double> operator()(const scene::State<double>& x, Recorder<double>* recorder = nullptr) const {
         return map(x, recorder);
@@ -26,9 +26,10 @@ struct Twin {
 
 Twin twin_of(const scene::Oscillator<double>& oscillator, const BatchGrid& grid) {
     if (grid.springs == batch::Springs::split) {
-        return {oscillator.gap, trajectory::SplitCycleMap<double>(oscillator, grid.steps_per_cycle)};
+        return {oscillator, trajectory::SplitCycleMap<double>(oscillator, grid.steps_per_cycle)};
     }
-    return {oscillator.gap, trajectory::ExactCycleMap<double>(oscillator)};
+    if (scene::is_rigid(oscillator.contact)) return {oscillator, trajectory::RigidExactMap<double>(oscillator)};
+    return {oscillator, trajectory::ExactCycleMap<double>(oscillator)};
 }
 
 bool same_events(const Cycle<double>& a, const Cycle<double>& b) {
@@ -38,7 +39,7 @@ bool same_events(const Cycle<double>& a, const Cycle<double>& b) {
 
 // Starts closer than both engines' rounding errors have different events: the case is a graze.
 bool is_graze(const Twin& twin, const scene::State<double>& x, const Cycle<double>& expected) {
-    const double tiny = 1e-13 * (1 + std::abs(twin.gap) + x.norm());
+    const double tiny = 1e-13 * (1 + std::abs(twin.oscillator.gap) + x.norm());
     for (const auto& shift : {scene::State<double>(tiny, 0), scene::State<double>(-tiny, 0),
                               scene::State<double>(0, tiny), scene::State<double>(0, -tiny)}) {
         if (!same_events(twin(x + shift), expected)) return true;
@@ -49,6 +50,35 @@ bool is_graze(const Twin& twin, const scene::State<double>& x, const Cycle<doubl
 // Largest singular value, at most: by how much a rounding error of the start grows.
 double growth(const Cycle<double>& cycle) {
     return 1 + cycle.jacobian.norm();
+}
+
+// The same of the most that it grew on the way: a rigid stop of small restitution takes from it again, and rest
+// on the stop all.
+double growth_on_way(const Twin& twin, const scene::State<double>& x, const Cycle<double>& cycle) {
+    if (!scene::is_rigid(twin.oscillator.contact)) return growth(cycle);
+    constexpr int parts = 32;
+    const trajectory::RigidExactMap<double> map(twin.oscillator);
+    double largest = growth(cycle);
+    for (int part = 1; part < parts; ++part) {
+        largest = std::max(largest, growth(map.part(x, 0, twin.oscillator.period() * part / parts)));
+    }
+    return largest;
+}
+
+// What was gathered of impacts on a rigid stop, the numbers relative to the twin's.
+void compare_totals(const trajectory::Totals<double>& told, const trajectory::Totals<double>& expected,
+                    double most_growth, Comparison& result) {
+    if (told.impacts != expected.impacts || told.chatter != expected.chatter ||
+        told.struck_rigid_stop != expected.struck_rigid_stop) {
+        ++result.different_totals;
+    }
+    result.chatters += expected.chatter ? 1 : 0;
+    using Totals = trajectory::Totals<double>;
+    for (const auto number :
+         {&Totals::impact_speed, &Totals::impulse, &Totals::contact_time, &Totals::contact_work}) {
+        const double difference = std::abs(told.*number - expected.*number) / (1 + expected.*number);
+        result.totals = std::max(result.totals, difference / most_growth);
+    }
 }
 
 void compare(const Twin& twin, const scene::State<double>& x, const batch::BatchedCycleMap& map,
@@ -64,19 +94,25 @@ void compare(const Twin& twin, const scene::State<double>& x, const batch::Batch
         return;
     }
     if (expected.outcome != Cycle<double>::Outcome::done) return;
-    const double size = 1 + std::abs(twin.gap) + x.norm() + expected.end.norm();
+    const double size = 1 + std::abs(twin.oscillator.gap) + x.norm() + expected.end.norm();
     result.state = std::max(result.state, (cycle.end - expected.end).norm() / (size * growth(expected)));
-    const double force = recorder.totals().largest_force;
-    const double force_difference = std::abs(map.peak_force(slot) - force);
+    const double most_growth = growth_on_way(twin, x, expected);
+    // what presses a hammer at rest on a rigid stop is the difference of forcing and springs
+    const bool rigid = scene::is_rigid(twin.oscillator.contact);
+    const double force =
+        recorder.totals().largest_force + (rigid ? twin.oscillator.drive() + std::abs(twin.oscillator.gap) : 0);
+    const double force_difference = std::abs(map.peak_force(slot) - recorder.totals().largest_force);
     if (force_difference > 0) {
-        result.peak_force = std::max(result.peak_force, force_difference / (force * growth(expected)));
+        result.peak_force = std::max(result.peak_force, force_difference / (force * most_growth));
     }
     // Next to grazing the impact speed v is the root of twice the height missed times the acceleration, and the
     // Jacobian is of the order of 1/v: an error of the height changes it by that times 1/v^3.
-    const double jacobian = (cycle.jacobian - expected.jacobian).norm() / std::pow(growth(expected), 3);
+    const double jacobian = (cycle.jacobian - expected.jacobian).norm() / std::pow(most_growth, 3);
     result.jacobian = std::max(result.jacobian, jacobian);
     const double bound = map.displacement_bound(slot);
     const auto& totals = recorder.totals();
+    // where a rigid stop presses at phase 0 a chatter goes on across the ends of cycles
+    if (rigid && twin.oscillator.gap >= 0) compare_totals(map.totals(slot), totals, most_growth, result);
     result.bound_too_low = std::max(result.bound_too_low, 1 - bound / totals.largest_displacement);
     result.bound_too_high = std::max(result.bound_too_high, bound / totals.displacement_bound - 1);
 }
@@ -134,7 +170,9 @@ Comparison compare_with_twin(const scene::Oscillator<double>& rig, std::vector<B
 }
 
 Comparison compare_with_twin(std::vector<OwnRigCell> cells, const BatchGrid& grid, int cycles) {
-    batch::BatchedCycleMap map(cells.size(), grid.steps_per_cycle, grid.springs);
+    const bool rigid = scene::is_rigid(cells.front().oscillator.contact);
+    batch::BatchedCycleMap map(cells.size(), grid.steps_per_cycle, grid.springs,
+                               rigid ? batch::Stop::rigid : batch::Stop::spring_dashpot);
     std::vector<Twin> twins;
     for (const OwnRigCell& cell : cells) {
         map.add(cell.oscillator, cell.state);

@@ -36,7 +36,10 @@ struct Comparison {
     std::int64_t left_to_twin = 0;
     std::int64_t different_events = 0;  // pattern, impacts, touched, separated, outcome
     std::int64_t grazes = 0;  // of these, where rounding decides: the twin itself differs from its neighbours
-    double state = 0;         // largest differences, relative to what a rounding error of the start makes
+    std::int64_t different_totals = 0;  // impacts as they count, and chatter, of the same events
+    std::int64_t chatters = 0;          // cycles with a completed one
+    double totals = 0;                  // largest difference of what is gathered of them
+    double state = 0;  // largest differences, relative to what a rounding error of the start makes
     double peak_force = 0;
     double jacobian = 0;        // relative to its own size, and to the slowest impact
     double bound_too_low = 0;   // of the displacement, against its true largest, relative

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "batch_agreement.hpp"
+#include "rigid_rig.hpp"
 
 namespace peterka::testing {
 namespace {
@@ -74,6 +75,42 @@ TEST(BatchMeeting, IsTheFirstOfThreeInOneStep) {
     EXPECT_LE(c.grazes, 40);
     EXPECT_GT(c.impacts, 2 * c.cycles * 9 / 10);  // the short one, and that after it
     EXPECT_LT(c.state, state_tolerance);
+}
+
+// Flights whose top lies a little above or below a rigid stop, as high as a touch that is nearly lost in
+// rounding.
+TEST(BatchMeeting, GrazesOfARigidStop) {
+    std::mt19937 random(8);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (const double r : {0.0, 0.4, 0.95}) {
+        SCOPED_TRACE(r);
+        auto rig = rigid(r, 1, 0, 0.004);
+        std::vector<BatchCell> cells;
+        while (cells.size() < 2000) {
+            rig.frequency = between(0.6, 4.5);
+            const double top = between(0.1, 0.9) * rig.period() / 2;
+            const double held_back = between(0.1, 2);
+            rig.gap = rig.drive() * std::sin(rig.frequency * top) + held_back;
+            const double height = std::pow(10, between(-13, -3));
+            const double signed_height = cells.size() % 2 == 0 ? height : -height;
+            const BatchCell cell{rig.frequency, rig.gap, flown(rig, {signed_height, 0}, top, 0)};
+            if (cell.state[0] >= -1e-3) continue;
+            cells.push_back(cell);
+            // The impact's Jacobian has a/v. A height that is off by h moves the touch by h/v, and a by the
+            // jerk times that; h is some 1e-14, and v^2 twice the height times what holds the hammer back.
+            const double rounding = 1e-14 * rig.drive() * rig.frequency / (2 * held_back * height);
+            EXPECT_LT(compare_with_twin(rig, {cell}, steps, 1).jacobian, jacobian_tolerance + rounding);
+        }
+        const Comparison c = compare_with_twin(rig, cells, steps, 1);
+        EXPECT_EQ(c.different_events, c.grazes);
+        EXPECT_LE(c.grazes, 100);
+        EXPECT_EQ(c.different_totals, 0);
+        EXPECT_GT(c.impacts, c.cycles / 2);
+        EXPECT_LT(c.left_to_twin, c.cycles / 2);
+        EXPECT_LT(c.state, state_tolerance);
+    }
 }
 
 }  // namespace

@@ -125,9 +125,71 @@ TEST(CellPool, MeasuresImpactsToo) {
     EXPECT_GT(measured, 15);
 }
 
+// A rigid stop, with and without what is measured of impacts; a preloaded one, on which chatter and rest go on
+// across the ends of cycles.
+job::Job rigid_job(double restitution, double lowest_gap) {
+    job::Job job = linear_job(40, 20);
+    job.rows = {lowest_gap, 2.0, 20};
+    job.contact = job::Restitution{restitution};
+    job.output.fields = {job::OptionalField::impact_speed, job::OptionalField::impulse,
+                         job::OptionalField::contact_time, job::OptionalField::contact_power};
+    return job;
+}
+
+void expect_as_alone(const scene::Scene& scene) {
+    const auto together = pooled(scene);
+    const auto alone = one_by_one(scene);
+    int different = 0;
+    int chatters = 0;
+    for (std::size_t n = 0; n < alone.size(); ++n) {
+        SCOPED_TRACE(n);
+        const CellResult& a = together[n];
+        const CellResult& b = alone[n];
+        chatters += b.chatter ? 1 : 0;
+        const bool fractal = std::max(a.sensitivity, b.sensitivity) > 20;
+        if (!same_label(a, b) || a.chatter != b.chatter) {
+            ++different;
+            EXPECT_TRUE(fractal);
+            continue;
+        }
+        if (!has_period(b.regime) || fractal) continue;
+        EXPECT_NEAR(a.impact_rate, b.impact_rate, 1e-15);
+        EXPECT_EQ(std::isnan(a.peak_force), std::isnan(b.peak_force));
+        if (b.regime == Regime::sustained_contact) {
+            EXPECT_NEAR(a.peak_force, b.peak_force, 1e-12 * b.peak_force);
+        }
+        EXPECT_NEAR(a.multiplier, b.multiplier, 1e-6);
+        // a long orbit that is superstable, by rest, makes as much of rounding as a run that comes to it
+        if (b.sensitivity > 12) continue;
+        const auto expect_same = [&](double one, double other) {
+            EXPECT_EQ(std::isnan(one), std::isnan(other));
+            if (std::isnan(other)) return;
+            EXPECT_NEAR(one, other, 1e-9 * (1 + other));
+        };
+        expect_same(a.impact_speed, b.impact_speed);
+        expect_same(a.impulse, b.impulse);
+        expect_same(a.contact_time, b.contact_time);
+        expect_same(a.contact_power, b.contact_power);
+    }
+    EXPECT_LT(different, 16);  // of 800
+    EXPECT_GT(chatters, 30);
+}
+
+TEST(CellPool, SolvesRigidStopsAsOneCellAloneDoes) {
+    expect_as_alone(scene::Scene(rigid_job(0.32, 0)));
+    job::Job preloaded = rigid_job(0.2, -0.5);
+    preloaded.columns = {0.4, 2.4, 40};
+    preloaded.rows = {-0.5, 0.0, 20};
+    preloaded.start.displacement_ratio = -4;  // outside the stop
+    expect_as_alone(scene::Scene(preloaded));
+    job::Job job = rigid_job(0.5, 0);
+    job.output.fields.clear();
+    expect_as_alone(scene::Scene(job));
+}
+
 TEST(CellPool, OtherLawsAreServedOneAfterTheOther) {
-    job::Job job = linear_job(5, 4);
-    job.contact = job::Restitution{0.6};
+    job::Job job = linear_job(3, 2);
+    job.contact = job::HuntCrossley{5.5e8, 1.5, 1.0};
     const scene::Scene scene(job);
     const auto together = pooled(scene);
     const auto alone = one_by_one(scene);

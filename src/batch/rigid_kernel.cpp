@@ -1,0 +1,38 @@
+// The kernel for a rigid stop, apart from the others so that all are built at the same time.
+#include "batch/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "batch/rigid_kernel.cpp"
+#include <hwy/foreach_target.h>
+//
+#include "batch/cycle_kernel.hpp"
+#include "batch/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace peterka::batch::HWY_NAMESPACE {
+
+HWY_ATTR void run_rigid(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    run_kernel<Law::rigid>(rig, grid, lanes, queues, wanted);
+}
+HWY_ATTR void run_own_rigs_rigid(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    run_own_kernel<Law::rigid>(grid, lanes, queues, wanted);
+}
+
+}  // namespace peterka::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace peterka::batch {
+
+HWY_EXPORT(run_rigid);
+HWY_EXPORT(run_own_rigs_rigid);
+
+void run_rigid_cycle(const Rig& rig, const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    HWY_DYNAMIC_DISPATCH(run_rigid)(rig, grid, lanes, queues, wanted);
+}
+void run_own_rigs_rigid_cycle(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
+    HWY_DYNAMIC_DISPATCH(run_own_rigs_rigid)(grid, lanes, queues, wanted);
+}
+
+}  // namespace peterka::batch
+#endif
