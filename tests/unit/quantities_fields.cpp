@@ -78,7 +78,7 @@ TEST(OutputFields, BasinAlwaysStoresTheOrbit) {
 TEST(OutputFields, EveryOptionalFieldBringsARowAndEveryRowHasItsOwnName) {
     job::Job job = with_every_field();
     const std::vector<std::string> all = names(stored_fields(job));
-    EXPECT_EQ(all.size(), cell::quantities.size() - 5)
+    EXPECT_EQ(all.size(), cell::quantities.size() - 6)
         << "all but the jump of a sweep, and the kick of a cell without [starts]";
     EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
     job.output.fields = {};
@@ -109,7 +109,7 @@ TEST(OutputFields, AttractorsHaveFieldsOfTheirOwnWhereACellHasManyStarts) {
                                          "attractor_orbit_velocity"};
     EXPECT_EQ(names(stored_attractor_fields(job)), usual);
     job.output.fields = {OptionalField::critical_kick};
-    EXPECT_EQ(names(stored_attractor_fields(job)).size(), usual.size() + 4);
+    EXPECT_EQ(names(stored_attractor_fields(job)).size(), usual.size() + 5);
 }
 
 TEST(OutputFields, AKickIsOfTheCellWithoutManyStartsAndOfItsAttractorsWithThem) {
@@ -135,7 +135,7 @@ TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     job::Job job = with_every_field();
     const scene::Scales scales{.length_m = 2, .frequency_rad_per_s = 3, .force_n = 5, .weight_n = 7};
     cell::CellAttractor computed{regime::Regime::periodic, regime::Status::imprecise, 3, 2, 14, 0.25};
-    computed.kick = {0.5, 1.25, 0.75, -1};
+    computed.kick = {0.5, 1.25, 0.75, -1, 0.125};
     const std::vector<StoredAttractor> stored{in_file_units(computed, scales), {}};
     const auto fields = stored_attractor_fields(job);
     const std::vector<StoredAttractor> back = map_file::decode(fields, map_file::encode(fields, stored), 2);
@@ -149,6 +149,7 @@ TEST(OutputFields, AttractorsComeBackFromTheirBytesInTheUnitsOfTheFile) {
     EXPECT_EQ(back[0].kick.phase, 1.25);
     EXPECT_EQ(back[0].kick.tried, 4.5);
     EXPECT_EQ(back[0].kick.direction, -1);
+    EXPECT_EQ(back[0].kick.lower, 0.75);
     for (const AttractorField& field : fields) {  // an empty slot
         const double value = field.quantity->load(back[1]);
         EXPECT_TRUE(value == field.variable.fill || (std::isnan(value) && std::isnan(field.variable.fill)))
