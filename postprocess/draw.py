@@ -149,14 +149,12 @@ def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]
 
 
 def tell_residuals(file: OpenedFile, points: Sequence[Point]) -> None:
-    """Prints how far measured forces are from a map or a sweep."""
+    """Prints how far measured forces are from the motions of a map or a sweep."""
     lines: list[str] = []
     if isinstance(file, PeterkaFile):
-        in_cells = map_residuals.residuals(file, points)
-        lines = map_residuals.table(file, in_cells) if in_cells else []
+        lines = map_residuals.table(file, map_residuals.residuals(file, points))
     elif isinstance(file, SweepFile):
-        on_branches = residuals.residuals(file, points)
-        lines = residuals.table(file, on_branches) if on_branches else []
+        lines = residuals.table(file, residuals.residuals(file, points))
     for line in lines:
         tell(line)
 

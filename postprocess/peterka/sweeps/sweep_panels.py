@@ -90,17 +90,8 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
     everyone = [point for point in measured.points if getattr(point, quantity) is not None]
     marks.draw(ax, marked, ("frequency", quantity), everyone)
     ax.set_xlim(low, high)
-    for point in marked:
-        if point.label:
-            note(ax, point.frequency, getattr(point, quantity), point.label, -8)
     marks.vertical_marks(ax, [point for point in points if point.force is None and point.displacement is None])
-
-
-def note(ax: Axes, frequency: float, height: float, text: str, above: float) -> None:
-    """Writes beside a point and so much [pt] above it, on the side where the panel has room."""
-    across = ax.transAxes.inverted().transform(ax.transData.transform((frequency, height)))[0]
-    ax.annotate(text, (frequency, height), xytext=(5 if across < 0.75 else -5, above), textcoords="offset points",
-                ha="left" if across < 0.75 else "right", va="center", fontsize=7, path_effects=axes.outline(2), zorder=8)
+    marks.name(ax, marked, ("frequency", quantity), 7)
 
 
 def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
