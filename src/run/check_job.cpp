@@ -135,7 +135,7 @@ std::string check_job(const Request& request) {
     auto [read, origins] = job::read_job_with_origins(request.job_file, request.overrides);
     const TracedCell traced = find_traced_cell(read);
     const job::Job& job = traced.job;
-    if (traced.rig) job::take_from(traced.rig->file.string(), job, origins);
+    if (traced.rig) job::take_from(read.cell.map, job, origins);
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     require_memory(request.job_file.string(), job);

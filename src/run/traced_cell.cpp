@@ -137,9 +137,10 @@ Named cell_of(const job::Job& job, const job::Job& map) {
     return {place, values.at(column), values.at(row)};
 }
 
-// How far a place that was asked for lies from its cell along one axis; "" where it is the cell's but for rounding.
-std::string distance_in_words(const Axis& axis, std::string_view key, std::int64_t index, std::optional<double> asked,
-                              const job::CellNumbers& rig) {
+// How far a place that was asked for lies from its cell along one axis; "" where it is the cell's but for
+// rounding.
+std::string distance_in_words(const Axis& axis, std::string_view key, std::int64_t index,
+                              std::optional<double> asked, const job::CellNumbers& rig) {
     if (!asked) return "";
     const double own = job::axis_value(axis, index);
     const double distance = std::abs(*asked - own);
@@ -154,7 +155,8 @@ std::string distance_in_words(const Axis& axis, std::string_view key, std::int64
 
 std::string distance_in_words(const job::Job& map, const Named& named) {
     const job::CellNumbers rig = job::numbers_at(map, named.cell.row, named.cell.column);
-    const std::string across = distance_in_words(map.columns, column_key(map), named.cell.column, named.column, rig);
+    const std::string across =
+        distance_in_words(map.columns, column_key(map), named.cell.column, named.column, rig);
     const std::string up = distance_in_words(map.rows, row_key(map), named.cell.row, named.row, rig);
     return across.empty() || up.empty() ? across + up : across + ", " + up;
 }
@@ -195,7 +197,7 @@ job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Named& na
 
 // What names a cell: its row and column, or the place that was asked for.
 std::string named_in_words(const job::Job& job, const Named& named) {
-    const std::string file = job.cell.map.string();
+    const std::string& file = job.cell.map;
     if (!named.column) return fmt::format("row {}, column {} of {}", named.cell.row, named.cell.column, file);
     std::string text = file;
     for (const auto& [key, value] : job.cell.values) {
