@@ -25,7 +25,7 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
     parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
-    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey tells classes apart by lightness and hatching")
+    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
     parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
                         help="part of the axes, with its ends, whichever unit the job has: in ratios, or in Hz and mm with --units si")
