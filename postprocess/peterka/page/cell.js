@@ -90,7 +90,7 @@ class CellPanel {
       ["impulse", number(1000 * answer.impulse, "mN s")],
       ["time pressed", timeWords(answer.contact_time)],
       ["power into the stop", number(1000 * answer.contact_power_w, "mW")],
-      ["largest |x − y|", number(1000 * answer.max_displacement, "mm")],
+      ["largest |u|", number(1000 * answer.max_displacement, "mm")],
       ["impacts per cycle", number(answer.impact_rate, "")],
       ["Lyapunov exponent", number(answer.lyapunov, "per cycle", 3)],
     ];
