@@ -1,6 +1,7 @@
 """How far measured forces are from a map: each from every motion that the cells around its point know, as a table."""
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -49,15 +50,16 @@ def _along(point, axis):
     return getattr(point, AXES[axis.name])
 
 
-def known_of_cell(cell: dict[str, np.ndarray]) -> list[Known]:
+def known_of_cell(cell: dict[str, Any]) -> list[Known]:
     """What a cell, {dataset: its number, or one of each slot}, knows: all of its attractors, and its own motion where that is none
     of them."""
     found = []
     if "start_attractor" not in cell or cell["start_attractor"] < 0:
-        found.append(known(*(cell[name] for name in CELL)))
+        regime, impacts, period, force = (cell[name] for name in CELL)
+        found.append(known(regime, impacts, period, force))
     if "basin_share" in cell:
-        found += [known(*(cell[f"attractor_{name}"][slot] for name in CELL), cell["basin_share"][slot])
-                  for slot in range(len(cell["basin_share"]))]
+        slots = zip(*(cell[f"attractor_{name}"] for name in CELL), cell["basin_share"])
+        found += [known(regime, impacts, period, force, share) for regime, impacts, period, force, share in slots]
     return [one for one in found if one is not None]
 
 

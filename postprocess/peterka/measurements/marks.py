@@ -70,7 +70,8 @@ def name(ax: Axes, points: Sequence[Point], quantities: Sequence[str], size: flo
     """Labels [pt] at marks that draw() made, where they have room."""
     for point in points:
         if point.label:
-            write_at(ax, *(getattr(point, quantity) for quantity in quantities), point.label, size)
+            x, y = (getattr(point, quantity) for quantity in quantities)
+            write_at(ax, x, y, point.label, size)
 
 
 def _quantities(file):

@@ -73,7 +73,8 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     table = read_csv_table(path, COLUMNS, "points", MAX_BYTES)
     _check_names(table)
     scales = _scales(path, file, table.names)
-    points, other_rigs, other_gaps, outside, moved = [], 0, [], 0, {}
+    points, other_rigs, other_gaps, outside = [], 0, [], 0
+    moved: dict[float, list[float]] = {}  # of each gap: how far points were moved
     for line, cells in table.rows:
         numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
         point = _point(table, line, cells, numbers, scales)
