@@ -20,6 +20,9 @@ other axes _columns and _rows). The points of --measured lie over these three, a
 STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
 STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
 STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
+A p/q has the same colour in every picture; what is rarer than all that a legend names is "other p/q". Every two colours of
+the palette stay apart for protanopes, deuteranopes and tritanopes, too, as simulated (smallest CIEDE2000 difference 8.1; 12.7
+for normal sight).
 Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
 """
 
@@ -149,14 +152,12 @@ def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]
 
 
 def tell_residuals(file: OpenedFile, points: Sequence[Point]) -> None:
-    """Prints how far measured forces are from a map or a sweep."""
+    """Prints how far measured forces are from the motions of a map or a sweep."""
     lines: list[str] = []
     if isinstance(file, PeterkaFile):
-        in_cells = map_residuals.residuals(file, points)
-        lines = map_residuals.table(file, in_cells) if in_cells else []
+        lines = map_residuals.table(file, map_residuals.residuals(file, points))
     elif isinstance(file, SweepFile):
-        on_branches = residuals.residuals(file, points)
-        lines = residuals.table(file, on_branches) if on_branches else []
+        lines = residuals.table(file, residuals.residuals(file, points))
     for line in lines:
         tell(line)
 

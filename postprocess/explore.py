@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a map or a basin as one page of HTML with the program's own engine inside.
+"""Writes a map, over any axes, or a basin as one page of HTML with the program's own engine inside.
 
     explore.py FILE.h5 [--output FILE.html] [--layers NAME,NAME,...] [--every N]
 

@@ -105,7 +105,8 @@ MapCell read_map_cell(const std::filesystem::path& path, const job::Job& job, st
             case TileState::whole:
                 break;
         }
-        return {path, row, column, job, tiles.read_cell({row, column})};
+        return {
+            .file = path, .row = row, .column = column, .job = job, .stored = tiles.read_cell({row, column})};
     } catch (const Failure& failure) {
         if (failure.code() == ExitCode::bad_job) throw;
         refuse(path, "can't be read: " + std::string(failure.what()));

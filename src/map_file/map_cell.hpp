@@ -20,6 +20,7 @@ struct MapCell {
     std::int64_t column = 0;
     job::Job job;                     // of the map
     quantities::StoredCell stored{};  // in the units of the file
+    std::string asked_beside{};       // how far from it the place lies that was asked for; "" where it doesn't
 };
 
 // The job that a map or basin file stores. `key` is that of the job that names the file.

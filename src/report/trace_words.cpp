@@ -100,6 +100,9 @@ std::string map_in_words(const map_file::MapCell& map, const StoredCell& cell, c
         job::axis_value(map.job.rows, map.row), map.column, names.columns,
         job::axis_value(map.job.columns, map.column), regime_in_words(stored),
         force_in_words(stored.peak_force, scene));
+    if (!map.asked_beside.empty())
+        text += fmt::format("                   the nearest cell, {} from the place that was asked for\n",
+                            map.asked_beside);
     if (!stored.computed) text += "                   filled from the cells around it, not computed\n";
     if (!regime::same_label(stored, cell)) return text + "  this trace       DISAGREES in regime or z\n";
     const double off = std::abs(cell.peak_force - stored.peak_force) / std::abs(stored.peak_force);

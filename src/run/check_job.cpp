@@ -77,8 +77,7 @@ std::string rigs_text(const job::Job& job) {
 // Of a basin that has the rig and the place of a cell of a map.
 std::string cell_text(const TracedCell& traced) {
     if (!traced.rig) return "";
-    return fmt::format("#   rig      that of row {}, column {} of {}\n", traced.rig->cell.row,
-                       traced.rig->cell.column, traced.rig->file.string());
+    return fmt::format("#   rig      that of {}\n", *traced.rig);
 }
 
 // Of the plane, the branches or the one cell of a job.
@@ -113,8 +112,12 @@ std::string check_curves(const Request& request, const job::Job& job, const job:
 }
 
 std::string check_trace(const Request& request, const TracedCell& traced, const job::Origins& origins) {
-    const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}", traced.map->row,
-                                                      traced.map->column, traced.map->file.string())
+    const std::string beside =
+        traced.map && !traced.map->asked_beside.empty()
+            ? fmt::format(", {} from the place that was asked for", traced.map->asked_beside)
+            : "";
+    const std::string cell = traced.map ? fmt::format("of row {}, column {} of {}{}", traced.map->row,
+                                                      traced.map->column, traced.map->file.string(), beside)
                                         : std::string("of this job");
     return fmt::format(
                "# {} is a sound job. It would be computed as follows.\n"
@@ -132,7 +135,7 @@ std::string check_job(const Request& request) {
     auto [read, origins] = job::read_job_with_origins(request.job_file, request.overrides);
     const TracedCell traced = find_traced_cell(read);
     const job::Job& job = traced.job;
-    if (traced.rig) job::take_from(traced.rig->file.string(), job, origins);
+    if (traced.rig) job::take_from(read.cell.map, job, origins);
     if (job.kind == job::Kind::study) return check_study(request, job, origins);
     if (job.kind == job::Kind::trace) return check_trace(request, traced, origins);
     require_memory(request.job_file.string(), job);

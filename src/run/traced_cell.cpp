@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "job/axis.hpp"
 #include "job/axis_key.hpp"
@@ -108,7 +109,14 @@ std::map<std::string, double> values_on_axes(const job::CellOfMap& cell, const j
     return values;
 }
 
-Place cell_of(const job::Job& job, const job::Job& map) {
+// The cell that a job names, and what was asked for on the map's axes where that is how it is named.
+struct Named {
+    Place cell;
+    std::optional<double> column;
+    std::optional<double> row;
+};
+
+Named cell_of(const job::Job& job, const job::Job& map) {
     const job::CellOfMap& cell = job.cell;
     const std::map<std::string, double> values = values_on_axes(cell, map);
     const auto [column, row] = keys_of_axes(map);
@@ -117,14 +125,40 @@ Place cell_of(const job::Job& job, const job::Job& map) {
             refuse(fmt::format("{0}.row and {0}.column name a cell, and {1} names one, too; remove one of them",
                                table_of(job), cell.values.begin()->first));
         }
-        return {checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
-                checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
+        const Place place{checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
+                          checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
+        return {place, std::nullopt, std::nullopt};
     }
     if (!values.contains(column) || !values.contains(row)) {
         refuse(fmt::format("no cell of the {0} is named; give {3}.row and {3}.column, or {1} and {2}",
                            job::name(map.kind), column, row, table_of(job)));
     }
-    return {nearest(map.rows, row, values.at(row)), nearest(map.columns, column, values.at(column))};
+    const Place place{nearest(map.rows, row, values.at(row)), nearest(map.columns, column, values.at(column))};
+    return {place, values.at(column), values.at(row)};
+}
+
+// How far a place that was asked for lies from its cell along one axis; "" where it is the cell's but for
+// rounding.
+std::string distance_in_words(const Axis& axis, std::string_view key, std::int64_t index,
+                              std::optional<double> asked, const job::CellNumbers& rig) {
+    if (!asked) return "";
+    const double own = job::axis_value(axis, index);
+    const double distance = std::abs(*asked - own);
+    if (distance <= 1e-9 * std::max(std::abs(*asked), std::abs(own))) return "";
+    const std::string_view twin = job::twin_of(key);
+    if (twin.empty()) return fmt::format("{:.3g} of {}", distance, key);
+    const double in_si = job::is_in_si(key) ? distance : job::as_twin(key, distance, rig);
+    if (key.find("frequency") != std::string_view::npos) return fmt::format("{:.3g} Hz", in_si);
+    if (key.find("velocity") != std::string_view::npos) return fmt::format("{:.3g} m/s", in_si);
+    return fmt::format("{:.3g} mm", 1000 * in_si);
+}
+
+std::string distance_in_words(const job::Job& map, const Named& named) {
+    const job::CellNumbers rig = job::numbers_at(map, named.cell.row, named.cell.column);
+    const std::string across =
+        distance_in_words(map.columns, column_key(map), named.cell.column, named.column, rig);
+    const std::string up = distance_in_words(map.rows, row_key(map), named.cell.row, named.row, rig);
+    return across.empty() || up.empty() ? across + up : across + ", " + up;
 }
 
 // With the rig and the place of a cell of the map, as a job by itself.
@@ -152,12 +186,24 @@ job::Job trace_of_cell(const job::Job& job, const job::Job& map, const Place& ce
     return job::read_job_text(job::resolved_text(own), job.cell.map);
 }
 
-// All else is the basin's own.
-job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Place& cell) {
-    const job::Job own = with_rig_of(job, job::numbers_at(map, cell.row, cell.column));
-    return job::read_job_text(
-        job::resolved_text(own),
-        fmt::format("this basin with the rig of row {}, column {} of {}", cell.row, cell.column, job.cell.map));
+// The rig of a cell, at the place that was asked for; all else is the basin's own.
+job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Named& named, const std::string& rig) {
+    job::CellNumbers numbers = job::numbers_at(map, named.cell.row, named.cell.column);
+    if (named.column) job::set_number(numbers, column_key(map), *named.column);
+    if (named.row) job::set_number(numbers, row_key(map), *named.row);
+    return job::read_job_text(job::resolved_text(with_rig_of(job, numbers)),
+                              fmt::format("this basin with the rig of {}", rig));
+}
+
+// What names a cell: its row and column, or the place that was asked for.
+std::string named_in_words(const job::Job& job, const Named& named) {
+    const std::string& file = job.cell.map;
+    if (!named.column) return fmt::format("row {}, column {} of {}", named.cell.row, named.cell.column, file);
+    std::string text = file;
+    for (const auto& [key, value] : job.cell.values) {
+        text += fmt::format("{} {} = {:.9g}", text == file ? " at" : ",", key, value);
+    }
+    return text;
 }
 
 }  // namespace
@@ -173,11 +219,13 @@ TracedCell find_traced_cell(const job::Job& job) {
                         "the file of a map",
                         key, job.cell.map));
     }
-    const Place cell = cell_of(job, map);
-    const CellInMap rig{job.cell.map, cell};
-    if (is_basin) return {basin_of_cell(job, map, cell), rig, std::nullopt};
-    return {trace_of_cell(job, map, cell), rig,
-            map_file::read_map_cell(job.cell.map, map, cell.row, cell.column)};
+    const Named named = cell_of(job, map);
+    const std::string rig = named_in_words(job, named);
+    if (is_basin) return {basin_of_cell(job, map, named, rig), rig, std::nullopt};
+    TracedCell traced{trace_of_cell(job, map, named.cell), rig,
+                      map_file::read_map_cell(job.cell.map, map, named.cell.row, named.cell.column)};
+    traced.map->asked_beside = distance_in_words(map, named);
+    return traced;
 }
 
 }  // namespace peterka

@@ -235,3 +235,38 @@ def test_a_law_that_the_page_cannot_run_says_so(browser, page_of):
     assert "too strong" in browser.text("proof")
     browser.open(page_of("smoke.toml", *small, "solver.engine=arkode"), "at=1.5,0.5")
     assert "arkode" in browser.text("proof")
+
+
+def test_the_knock_goes_back_to_nothing_with_its_label(browser, basin_page):
+    """When another cell is looked at."""
+    browser.open(basin_page, "at=0,-0.8")
+    browser.solved()
+    browser.driver.execute_script("const k = document.getElementById('knock'); k.value = k.max; k.dispatchEvent(new Event('input'))")
+    assert browser.text("knock-value").startswith("+")
+    browser.driver.execute_script("const s = document.getElementById('slider-gap_ratio'); s.value = 210; s.dispatchEvent(new Event('input'))")
+    assert float(browser.ask("document.getElementById('knock').value")) == 0 and browser.text("knock-value") == "0 mm/s"
+
+
+def test_shares_under_a_live_map_are_its_own(browser, map_page):
+    shares = "[...document.querySelectorAll('#legend small')].map((one) => one.textContent)"
+    browser.open(map_page)
+    of_file = browser.ask(shares)
+    browser.driver.execute_script("const s = document.getElementById('slider-damping_ratio'); s.value = 390; s.dispatchEvent(new Event('input'))")
+    browser.until(lambda: browser.data("live-state", "finished") == "true", "no live map")
+    live = browser.ask(shares)
+    assert live != of_file and sum(float(share.split()[-2]) for share in live) == pytest.approx(100, abs=0.1 * len(live))
+    browser.driver.execute_script("document.getElementById('as-file').click(); const l = document.getElementById('live'); "
+                                  "if (l.checked) l.click()")
+    browser.until(lambda: browser.ask(shares) == of_file, "the file's shares don't come back")
+
+
+def test_an_address_of_another_version_says_so(browser, map_page):
+    browser.open(map_page, "at=1.5,0.5&damping_ratio=0.01&version=00000000&stop_colour=3&contact_first=-5")
+    browser.solved()
+    said = browser.text("address-state")
+    assert "made by version 00000000" in said and "stop_colour = 3 isn't of this page's rig" in said
+    assert "contact_first = -5 isn't" in said and "damping_ratio" not in said
+    own = browser.ask("location.hash.slice(1)")
+    browser.open(map_page, own)
+    browser.solved()
+    assert "version=" in own and browser.text("address-state") == ""

@@ -259,9 +259,6 @@ def test_cells_are_exported_with_the_names_of_their_axes(computed, tmp_path):
 
 
 def test_what_is_of_frequency_and_gap_alone_says_so(computed, tmp_path):
-    page = program("explore", tmp_path, computed / "stops.h5")
-    assert page.returncode == 2 and page.stderr.count("\n") == 1
-    assert "a page shows maps over frequency and gap, and basins; draw.py draws this one" in page.stderr
     (tmp_path / "points.csv").write_text("frequency_hz,gap_mm\n9,0\n")
     points = drawn(tmp_path, computed / "stops.h5", "--measured", "points.csv")
     assert points.returncode == 2 and "measured points are drawn over frequencies and gaps" in points.stderr

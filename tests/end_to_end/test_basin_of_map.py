@@ -47,10 +47,11 @@ def map_over_stops(tmp_path_factory):
     return folder / "job.h5"
 
 
-def test_it_is_that_of_a_job_with_the_numbers_of_the_cell(tmp_path, map_over_stops):
+def test_it_is_that_of_a_job_with_the_numbers_that_were_asked_for(tmp_path, map_over_stops):
+    """Not those of the nearest cell."""
     compute(tmp_path, basin_of(map_over_stops, "[contact]\nstiffness_n_per_m = 9e6\ndamping_ns_per_m = 600\n"))
-    own = jobs.RIG.format(kind="basin", title="small basin").replace("5.5e6", "1e7").replace("1.2e3", "500")
-    assert own.count("1e7") == 1 and own.count("= 500") == 1
+    own = jobs.RIG.format(kind="basin", title="small basin").replace("5.5e6", "9e6").replace("1.2e3", "600")
+    assert own.count("9e6") == 1 and own.count("= 600") == 1
     compute(tmp_path, own + "[operating_point]\nfrequency_hz = 8.1\ngap_m = 1.4e-3\n" + STARTS, "own.toml")
     assert_same_map(tmp_path / "job.h5", tmp_path / "own.h5")
     with h5py.File(tmp_path / "job.h5") as file, h5py.File(tmp_path / "own.h5") as other:
@@ -58,15 +59,16 @@ def test_it_is_that_of_a_job_with_the_numbers_of_the_cell(tmp_path, map_over_sto
         assert len(set(file["attractor"][()].ravel())) > 1
 
 
-def test_its_cell_may_be_named_by_row_and_column_or_by_values(tmp_path, small_map_file):
+def test_its_place_may_be_named_by_row_and_column_or_by_values(tmp_path, small_map_file):
     with h5py.File(small_map_file) as file:
-        frequency, gap = file["frequency_ratio"][13], file["gap_ratio"][11]
-    values = f"[operating_point]\nfrequency_ratio = {frequency + 0.01}\ngap_ratio = {gap - 0.01}\n"
-    for settings in ("row = 11\ncolumn = 13\n", values):
+        frequency, gap = float(file["frequency_ratio"][13]), float(file["gap_ratio"][11])
+    asked = frequency + 0.01, gap - 0.01
+    values = f"[operating_point]\nfrequency_ratio = {asked[0]!r}\ngap_ratio = {asked[1]!r}\n"
+    for settings, place, named in (("row = 11\ncolumn = 13\n", (frequency, gap), "row 11, column 13 of "), (values, asked, "")):
         jobs.write(tmp_path, basin_of(small_map_file, settings))
         told = launch.run("check", "job.toml", cwd=tmp_path).stdout
-        assert f"rig      that of row 11, column 13 of {small_map_file}" in told
-        assert f"frequency_ratio = {float(frequency)!r} " in told and f"gap_ratio = {float(gap)!r} " in told
+        assert f"rig      that of {named}{small_map_file}" in told
+        assert f"frequency_ratio = {place[0]!r} " in told and f"gap_ratio = {place[1]!r} " in told
 
 
 def test_a_complete_basin_is_left_alone(tmp_path, map_over_stops):

@@ -85,18 +85,23 @@ def test_a_part_is_named_in_ratios_or_in_si_units(files, tmp_path):
 @pytest.mark.parametrize("zoom, in_si", [((1.7, 1.9, 0.45, 0.675), False), ((7.65, 8.55, 0.4005, 0.60075), True)])
 @pytest.mark.parametrize("unit", [RATIOS, SI], ids=["ratios", "si"])
 def test_a_part_has_the_cells_at_its_ends(files, monkeypatch, unit, zoom, in_si):
-    """Which differ from the numbers that somebody writes in the last bit, in one unit or the other."""
+    """Which differ from the numbers that somebody writes in the last bit, in one unit or the other. Cells over an end are cut there,
+    and have the ends on the axes."""
     monkeypatch.setattr(sys, "path", [str(POSTPROCESS), *sys.path])
     from peterka.pictures import open_file
     from peterka.program.picture_options import zoomed
 
-    nearer = np.array(zoom) * (1 + 1e-4 * np.array([1, -1, 1, -1]))
+    beyond = np.array(zoom) * (1 + 0.025 * np.array([1, -1, 1, -1]))  # nearly a cell inside
     with open_file(files("plane", unit)) as file:
         with zoomed(file, zoom, in_si) as part:
             assert np.allclose(part.columns.values, [1.7, 1.75, 1.8, 1.85, 1.9])
             assert np.allclose(part.rows.values, [0.45, 0.525, 0.6, 0.675])
-        with zoomed(file, tuple(nearer), in_si) as part:
-            assert np.allclose(part.columns.values, [1.75, 1.8, 1.85]) and np.allclose(part.rows.values, [0.525, 0.6])
+            assert np.allclose([*part.columns.edges[[0, -1]], *part.rows.edges[[0, -1]]], [1.7, 1.9, 0.45, 0.675])
+        with zoomed(file, tuple(beyond), in_si) as part:
+            assert np.allclose(part.columns.values, [1.75, 1.8, 1.85]) and np.allclose(part.rows.values, [0.45, 0.525, 0.6, 0.675])
+            assert np.allclose(part.columns.edges[[0, -1]], [1.7 * 1.025, 1.9 * 0.975])
+        with zoomed(file, (0.0, 100.0), in_si) as part:
+            assert np.array_equal(part.columns.edges, file.columns.edges)
 
 
 def test_borders_are_drawn_over_a_sweep_in_any_mixture(files, tmp_path):

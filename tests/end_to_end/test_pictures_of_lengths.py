@@ -65,7 +65,7 @@ def test_a_zoom_is_in_the_units_of_the_main_axes(files, zoom, in_si):
         assert np.allclose(part.columns.values, np.divide([7, 8, 9, 10, 11], HERTZ))
         assert np.allclose(part.rows.values, np.divide([0.5, 0.75, 1.0, 1.25, 1.5], MILLIMETRES))
         ax = pictures_of(part)["map"](part, units="si")
-        assert np.allclose(scales(ax)[FREQUENCY].get_xlim(), [6.5, 11.5]) and np.allclose(scales(ax)[GAP].get_ylim(), [0.375, 1.625])
+        assert np.allclose(scales(ax)[FREQUENCY].get_xlim(), [7, 11]) and np.allclose(scales(ax)[GAP].get_ylim(), [0.5, 1.5])
 
 
 @pytest.mark.parametrize("zoom, in_si", [(IN_SI, False), (AS_RATIOS, True)])

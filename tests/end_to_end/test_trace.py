@@ -108,6 +108,11 @@ def test_axis_values_name_the_nearest_cell(tmp_path, small_map_file):
     near = f"[operating_point]\nfrequency_ratio = {frequency[7] + 0.02}\ngap_ratio = {gap[3] - 0.02}"
     path, said = compute(tmp_path, jobs.trace_of(small_map_file, near))
     assert "row 3 " in said and "column 7 " in said
+    away = f"{0.02 * 4.5:.3g} Hz, {0.02 * 0.89:.3g} mm from the place that was asked for"
+    assert f"the nearest cell, {away}" in said
+    assert away in launch.run("check", "job.toml", cwd=tmp_path).stdout
+    _, said = compute(tmp_path, jobs.trace_of(small_map_file, f"[operating_point]\nfrequency_ratio = {frequency[7]}\ngap_ratio = {gap[3]}"))
+    assert "that was asked for" not in said
     with h5py.File(path) as file:
         assert (file.attrs["frequency_ratio"], file.attrs["gap_ratio"]) == (frequency[7], gap[3])
 

@@ -1,6 +1,6 @@
-"""How different two colours look: CIEDE2000 (Sharma, Wu and Dalal 2005), and how a deuteranope sees a colour.
+"""How different two colours look: CIEDE2000 (Sharma, Wu and Dalal 2005), and how the colour-blind see a colour.
 
-Deuteranopia after Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB. Colours are '#RRGGBB', sRGB, D65.
+Protanopia, deuteranopia and tritanopia after Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB. Colours are '#RRGGBB', sRGB, D65.
 """
 
 from math import atan2, cos, degrees, exp, hypot, pi, radians, sin, sqrt
@@ -11,6 +11,16 @@ DEUTERANOPIA = np.array([
     [0.367322, 0.860646, -0.227968],
     [0.280085, 0.672501, 0.047413],
     [-0.011820, 0.042940, 0.968881],
+])
+PROTANOPIA = np.array([
+    [0.152286, 1.052583, -0.204868],
+    [0.114503, 0.786281, 0.099216],
+    [-0.003882, -0.048116, 1.051998],
+])
+TRITANOPIA = np.array([
+    [1.255528, -0.076749, -0.178779],
+    [-0.078411, 0.930809, 0.147602],
+    [0.004733, 0.691367, 0.303900],
 ])
 TO_XYZ = np.array([
     [0.4124564, 0.3575761, 0.1804375],
@@ -23,8 +33,16 @@ def normal_sight(colour):
     return _lab(_linear(colour))
 
 
+def protanope_sight(colour):
+    return _lab(np.clip(PROTANOPIA @ _linear(colour), 0, 1))
+
+
 def deuteranope_sight(colour):
     return _lab(np.clip(DEUTERANOPIA @ _linear(colour), 0, 1))
+
+
+def tritanope_sight(colour):
+    return _lab(np.clip(TRITANOPIA @ _linear(colour), 0, 1))
 
 
 def lightness(colour):

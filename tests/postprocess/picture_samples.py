@@ -16,11 +16,11 @@ def orbit(impacts, period):
     return (1, impacts, period)
 
 
-# Every class once, row by row from the lowest gap; 4 rows of 6 columns. 7/3 has no colour of its own.
+# Every class of the first table once, row by row from the lowest gap; 4 rows of 6 columns. 7/13 has no colour of its own.
 ALL_CLASSES = [
     [orbit(1, 1), orbit(2, 2), orbit(4, 4), orbit(3, 3), orbit(1, 2), orbit(2, 4)],
     [orbit(1, 3), orbit(2, 1), orbit(4, 2), orbit(3, 1), orbit(6, 2), orbit(4, 1)],
-    [orbit(5, 1), orbit(3, 2), orbit(7, 3), CHAOTIC, SUSTAINED, UNRESOLVED],
+    [orbit(5, 1), orbit(3, 2), orbit(7, 13), CHAOTIC, SUSTAINED, UNRESOLVED],
     [FAILED, MISSING, NO_IMPACT, NO_IMPACT, NO_IMPACT, NO_IMPACT],
 ]
 PLAIN = [

@@ -69,6 +69,11 @@ def write_sweep_with_starts(path):
         file["attractor"] = np.arange(2, dtype="i4")
         file["basin_share"] = np.stack([1 - share, share])
         file["attractor_peak_force_ratio"] = np.stack([force, other])
+        found = np.stack([np.ones(force.shape, dtype=bool), np.isfinite(other)])
+        file["attractor_regime"] = np.where(found, [file["regime"][()], np.full(force.shape, PERIODIC)], -128).astype("i1")
+        for name in ("impacts", "period"):
+            file[f"attractor_{name}"] = np.where(found, [file[name][()], np.ones(force.shape)], 0).astype("i4")
+        file["start_attractor"] = np.zeros(force.shape, dtype="i4")
         samples = file["stroboscopic_displacement"][()]
         samples[2:, :6, 1] = -9
         file["attractor_stroboscopic_displacement"] = samples

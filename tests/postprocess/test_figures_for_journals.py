@@ -7,7 +7,7 @@ import pytest
 from colour_distance import lightness
 from matplotlib.image import imread
 from peterka.look import figures, fills, style
-from peterka.look.classes import CLASSES
+from peterka.look.classes import SECOND_COLOURS
 from peterka.look.figures import figure_of
 from peterka.maps import peterka_map
 from peterka.pictures import open_file, pictures_of
@@ -31,7 +31,8 @@ def look_of(pixels):
 
 
 def test_the_greys_are_told_apart_by_lightness_or_hatching():
-    looks = {entry.label: fills.GREYS[entry.label] for entry in CLASSES if entry.label != "not computed yet"}  # open, hatched
+    looks = {label: look for label, look in fills.GREYS.items() if label != "not computed yet"}  # open, hatched
+    looks |= dict(zip(SECOND_COLOURS, fills.SECOND))
     for (first, (light, hatch)), (second, (other, over)) in combinations(looks.items(), 2):
         assert abs(light - other) >= APART or hatch != over, f"{first} and {second} look the same in grey"
 

@@ -4,14 +4,15 @@ import math
 import re
 
 import h5py
+import matplotlib.text
 import numpy as np
 import pytest
 from peterka.files import job_numbers
 from peterka.maps.map_file import PeterkaFile
-from peterka.operating import told
-from peterka.operating.admitted import admitted, read_code
+from peterka.operating import picture, told
+from peterka.operating.admitted import Quantity, admitted, read_code
 from peterka.operating.drift import reach, worst_of_boxes
-from peterka.operating.places import best_places
+from peterka.operating.places import Place, best_places
 from picture_samples import CHAOTIC, NO_IMPACT, orbit, write_map
 from sealing import seal_file
 from starts_samples import EMPTY, add_starts
@@ -243,6 +244,30 @@ def test_a_place_is_compared_with_what_the_program_finds(tmp_path, run_program, 
                      gap_ratio=np.linspace(0.2, 1.0, 5), forces=np.full((5, 6), force), job=JOB)
     code, out, err = run_program("operating_point", path, "--hz", 0.9, "--mm", 0.178, "--verify", "--formats", "png")
     assert (code, err) == (0, "") and re.search(words, out), out
+
+
+def test_the_label_of_the_best_place_covers_no_other_box(tmp_path):
+    """One whose box, not its number, reaches where the label stands without it."""
+    shape = 13, 13
+    write_map(tmp_path / "a.h5", np.full((*shape, 3), 1), frequency_ratio=np.linspace(1, 4, 13), gap_ratio=np.linspace(0, 3, 13))
+
+    def label_over(file, others):
+        reaches = [reach(file, axis, 1.2, 0.3) for axis in (file.rows, file.columns)]
+        places = [Place(row, column, 9.0, 10.0, (1, 1), 1.0) for row, column in ((6, 6), *others)]
+        figure = picture.draw(file, np.full(shape, 9.0), places, *reaches,
+                              (Quantity("peak_force", "peak force", 1.0, "N"), "from the job's own start", "drift"))
+        ax = figure.axes[0]
+        label = next(text for text in ax.texts if text.get_text().startswith("1/1"))
+        label.update_positions(figure.canvas.get_renderer())
+        return ax.transData.inverted().transform(matplotlib.text.Text.get_window_extent(label, figure.canvas.get_renderer())), reaches
+
+    with PeterkaFile(tmp_path / "a.h5") as file:
+        ((left, low), (right, high)), (rows, columns) = label_over(file, [])
+        column = int(np.argmin(np.abs(file.columns.values - (left + right) / 2)))
+        row = int(np.argmin(np.abs(file.rows.values + rows.width - (low + high) / 2)))
+        ((left, low), (right, high)), _ = label_over(file, [(row, column)])
+        x, y = file.columns.values[column], file.rows.values[row]
+        assert right < x - columns.width or left > x + columns.width or high < y - rows.width or low > y + rows.width
 
 
 @pytest.mark.parametrize("arguments, reason", [

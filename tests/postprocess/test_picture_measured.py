@@ -1,18 +1,22 @@
 """Measured points from a CSV file: units, gaps, rigs, and one clear line for what is wrong with it."""
 
+import re
+
 import matplotlib.collections
 import matplotlib.text
 import numpy as np
 import peterka
 import pytest
 from conftest import POSTPROCESS
+from peterka.measurements import map_residuals
 from peterka.measurements.points import read_measurements
 from peterka.maps.map_file import PeterkaFile
 from peterka.sweeps.residuals import residuals
 from peterka.sweeps.sweep_file import SweepFile
 from picture_texts import faults_of_layout
 from picture_samples import write_basin, write_map
-from sweep_samples import WEIGHT, write_sweep
+from starts_samples import add_starts
+from sweep_samples import WEIGHT, write_sweep, write_sweep_with_starts
 
 
 def points(tmp_path, text, **sample):
@@ -44,7 +48,14 @@ def test_points_of_other_rigs_and_gaps_are_left_out_and_told(tmp_path):
     found = points(tmp_path, "natural_frequency_hz,gap_ratio,frequency_ratio\n4.5,0,2\n5.25,0,2\n4.5,3.37,2\n")
     assert len(found.points) == 1
     assert "1 points of rigs with another natural frequency" in found.left_out[0]
-    assert "1 points at gap/A0 3.37 are left out" in found.left_out[1]
+    assert "1 points at gap 2.999 mm are left out" in found.left_out[1]
+
+
+def test_a_gap_that_is_nearly_one_of_the_sweep_is_told_with_its_distance(tmp_path):
+    assert points(tmp_path, "frequency_ratio,gap_ratio\n2,1.5\n").left_out == []
+    found = points(tmp_path, "frequency_ratio,gap_ratio\n2,1.51\n2,1.485\n")
+    assert [point.gap for point in found.points] == [1.5, 1.5]
+    assert found.left_out == [f"{tmp_path / 'points.csv'}: 2 points stand at gap 1.335 mm, up to gap 0.01335 mm from their own gap"]
 
 
 def test_the_papers_numbers_lie_over_its_rig(tmp_path, draw):
@@ -131,17 +142,66 @@ def test_no_note_is_written_over_a_mark(tmp_path, monkeypatch):
     assert len(ax.texts) >= 2 and inside == []
 
 
-def test_residuals_of_a_map_are_to_the_cell_of_a_point(tmp_path, draw):
+def test_a_map_is_told_beside_each_force(tmp_path, draw):
     points_of_map(tmp_path, SERIES + "99;0;9;;;rising;\n")
     outcome = draw(tmp_path / "m.h5", "--measured", tmp_path / "points.csv", "--formats", "png", "--only", "map")
     assert outcome.code == 0, outcome.stderr
     assert "1 points outside the map are left out" in outcome.stdout
-    rows = [line.split() for line in outcome.stdout.splitlines()]
+    rows = [re.split(r"  +", line.strip()) for line in outcome.stdout.splitlines()]
     # the sample's forces are 10 + row + column/10; 9 Hz, 0.89 mm is row 1, column 1: 11.1 weights
     force = 11.1 * WEIGHT
-    assert ["9", "0.89", "100.5", f"{force:.4g}", "1/1", f"{100 * (100.5 / force - 1):+.1f}", "%", f"({abs(100.5 - force) / 2.5:.1f}",
-            "s.e.)", "rising"] in rows
-    assert ["9", "1.78", "70", "0", "no", "impact", "falling,", "odd", "one"] in rows
+    assert ["frequency [Hz]", "gap [mm]", "measured [N]", "motion", "starts", "computed [N]", "residual [N]", "computed at", "label"] in rows
+    assert ["9", "0.89", "100.5", "1/1", f"{force:.4g}", f"{100.5 - force:+.3g}", f"{100 * (100.5 / force - 1):+.1f} %",
+            f"{(100.5 - force) / 2.5:+.1f} s.e.", "the point", "rising"] in rows
+    assert ["9", "1.78", "70", "no impact", "0", "+70", "+14.0 s.e.", "the point", "falling, odd one"] in rows
+
+
+def places_of(file, text, tmp_path):
+    (tmp_path / "points.csv").write_text(text)
+    return map_residuals.residuals(file, read_measurements(tmp_path / "points.csv", file).points)
+
+
+def test_a_motion_of_all_cells_around_a_point_is_interpolated(tmp_path):
+    """Forces of the sample are linear: 10 + row + column/10, at gaps 0, 1, 2 and frequencies 1, 2, 3, 4."""
+    columns = np.zeros((3, 4), dtype=int)
+    labels = np.stack([columns + 1, columns + 1, columns + 1], axis=-1)
+    write_map(tmp_path / "m.h5", labels, frequency_ratio=np.arange(1.0, 5), gap_ratio=np.arange(3.0))
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        ((one,), (border,)) = places_of(file, "frequency_ratio,gap_ratio,force_ratio\n1.25,0.5,12\n4.25,2.5,12\n", tmp_path)
+    assert one.force == pytest.approx(10 + 0.5 + 0.25 / 10) and one.away is None and one.residual == pytest.approx(12 - 10.525)
+    assert border.force == pytest.approx(12.3) and border.away == pytest.approx((0.25, 0.5))
+
+
+def test_a_point_meets_every_attractor_of_its_place(tmp_path, draw):
+    """Of four cells all have 1/1 and, with twice its force, 1/2; the nearest has 2/2 alone."""
+    shape = (2, 2)
+    write_map(tmp_path / "m.h5", np.full((*shape, 3), 1), frequency_ratio=np.array([1.0, 2]), gap_ratio=np.array([0.0, 1]))
+    slots = np.zeros((3, *shape, 3), dtype=int)
+    slots[0], slots[1], slots[2] = (1, 1, 1), (1, 1, 2), (-128, 0, 0)
+    slots[2, 1, 1] = (1, 2, 2)
+    forces = np.stack([np.full(shape, 10.0), np.array([[20.0, 22], [20, 22]]), np.full(shape, np.nan)])
+    forces[2, 1, 1] = 60
+    shares = np.stack([np.full(shape, 0.6), np.full(shape, 0.4), np.zeros(shape)])
+    add_starts(tmp_path / "m.h5", slots, shares, forces, np.zeros(shape))
+    text = "frequency_ratio,gap_ratio,force_ratio,force_error_ratio\n1.75,0.75,22,2\n"
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        (found,) = places_of(file, text, tmp_path)
+    assert [(one.motion.words, one.motion.share) for one in found] == [("1/2", 0.4), ("1/1", 0.6), ("2/2", 0.0)]
+    assert [one.force for one in found] == pytest.approx([21.5, 10, 60])
+    assert [one.away for one in found] == [None, None, pytest.approx((0.25, 0.25))]
+    told = draw(tmp_path / "m.h5", "--measured", tmp_path / "points.csv", "--only", "map").stdout.splitlines()
+    assert [line.split()[-2:] for line in told if "%" in line] == [["the", "point"], ["the", "point"], ["mm", "away"]]
+    assert "+0.2 s.e." in told[1] and "60 %" in told[2] and "1.1 Hz, 0.22 mm away" in told[3]
+
+
+def test_forces_that_jump_are_of_two_branches(tmp_path):
+    """Of one label: nothing lies between them."""
+    write_map(tmp_path / "m.h5", np.full((1, 2, 3), 1), frequency_ratio=np.array([1.0, 2]), gap_ratio=np.array([0.0]),
+              forces=np.array([[10.0, 20]]))
+    with PeterkaFile(tmp_path / "m.h5") as file:
+        (found,) = places_of(file, "frequency_ratio,gap_ratio,force_ratio\n1.4,0,12\n", tmp_path)
+    assert [one.force for one in found] == [10, 20]
+    assert [one.away for one in found] == [pytest.approx((0.4, 0)), pytest.approx((0.6, 0))]
 
 
 @pytest.mark.parametrize("text, reason", [
@@ -195,28 +255,59 @@ def test_a_comma_that_is_no_decimal_one_is_told(tmp_path, draw):
     assert outcome.code == 2 and ":2 has '1.234,5' as frequency_hz" in outcome.stderr
 
 
-def test_residuals_are_to_the_nearest_branch(tmp_path):
+def test_each_branch_is_told_and_the_nearest_first(tmp_path):
     """At gap 1.5 the sample goes up on 30 + 40 (r - 1) to 1.75, and down on it from 1.5; it jumps in between."""
-    found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.3,1.5,45\n1.625,1.5,50\n1.625,1.5,4\n1.8,1.5,30\n9,0,9\n2,0,\n")
+    found = points(tmp_path, "frequency_ratio,gap_ratio,force_ratio\n1.3,1.5,45\n1.625,1.5,50\n1.625,1.5,4\n1.9,1.5,30\n9,0,9\n2,0,\n")
     with SweepFile(tmp_path / "a.h5") as file:
         told = residuals(file, found.points)
-    assert [(one.point.force, one.branch.direction) for one in told] == [(45, "up"), (50, "up"), (4, "down"), (30, "down")]
-    assert told[0].force == pytest.approx(42.0) and told[0].share == pytest.approx(45 / 42 - 1)
-    assert told[1].force == pytest.approx(55.0) and told[2].force == 0 and told[2].share is None
+    assert [(each[0].point.force, [one.motion.words for one in each]) for each in told] == [
+        (45, ["1/1 up and down"]), (50, ["1/1 up", "no impact down"]), (4, ["no impact down", "1/1 up"]), (30, ["no impact up and down"])]
+    assert told[0][0].force == pytest.approx(42.0) and told[0][0].residual == pytest.approx(3.0)
+    assert [one.force for one in told[1]] == pytest.approx([55.0, 0.0])
 
 
-def test_no_residual_is_told_across_a_jump_from_the_side_it_is_taken(tmp_path):
+def test_across_a_jump_each_side_is_told_with_its_distance(tmp_path):
     """Going down the sample jumps between 1.625 and 1.5, and has 30 + 40 (r - 1) from there on; up, between 1.75 and 1.875."""
     text = "frequency_ratio,gap_ratio,force_ratio\n1.4375,1.5,40\n1.53125,1.5,35\n1.8,1.5,9\n"
-    for directions, right in (((1,), [(1.4375, 47.5), (1.8, 0.0)]), ((0,), [(1.4375, 47.5), (1.53125, 51.25)])):
-        found = points(tmp_path, text, directions=directions)
+    sides = {1: [[(47.5, None)], [(50.0, 0.03125), (0.0, 0.09375)], [(0.0, None)]],
+             0: [[(47.5, None)], [(51.25, None)], [(0.0, 0.075), (60.0, 0.05)]]}
+    for direction, right in sides.items():
+        found = points(tmp_path, text, directions=(direction,))
         with SweepFile(tmp_path / "a.h5") as file:
             told = residuals(file, found.points)
-        assert [(one.point.frequency, one.force) for one in told] == [pytest.approx(pair) for pair in right], directions
+        assert [[(one.force, one.away and one.away[0]) for one in each] for each in told] == [
+            [(pytest.approx(force), away and pytest.approx(away)) for force, away in each] for each in right], direction
+
+
+def test_attractors_on_which_no_branch_is_are_told_too(tmp_path):
+    """The sample has one of force 70 at gap 1.5 besides; the branches' own isn't told twice."""
+    (tmp_path / "points.csv").write_text("frequency_ratio,gap_ratio,force_ratio\n1.0625,1.5,68\n")
+    with SweepFile(write_sweep_with_starts(tmp_path / "a.h5")) as file:
+        ((nearest, branch),) = residuals(file, read_measurements(tmp_path / "points.csv", file).points)
+    assert (nearest.motion.words, nearest.motion.share, nearest.force, nearest.away) == ("1/1", 0.25, 70, None)
+    assert branch.motion.words == "1/1 up and down" and branch.force == pytest.approx(32.5)
+
+
+def test_labels_stand_at_their_own_points(tmp_path):
+    """Of three points side by side each label is nearest to its own or has a line to it, and none is far."""
+    found = points_of_map(tmp_path, "frequency_ratio,gap_ratio,label\n2,1.5,first of three\n2.2,1.5,second of three\n2.4,1.5,third of three\n")
+    ax = peterka.draw(peterka.open(tmp_path / "m.h5"), "force_all", measured=found)
+    renderer = ax.figure.canvas.get_renderer()
+    places = {point.label: ax.transData.transform((point.frequency, point.gap)) for point in found.points}
+    boxes = {text.get_text(): matplotlib.text.Text.get_window_extent(text, renderer) for text in ax.texts if text.get_text() in places}
+    assert len(boxes) == 3
+    for label, box in boxes.items():
+        away = {name: np.hypot(*(place - np.clip(place, box.min, box.max))) for name, place in places.items()}
+        lined = [line for line in ax.lines if len(line.get_xdata()) == 2
+                 and np.allclose(ax.transData.transform(line.get_xydata()[0]), places[label], atol=1e-6)]
+        assert lined or all(away[label] < other for name, other in away.items() if name != label), label
+        assert away[label] < 21 / 72 * ax.figure.dpi
 
 
 def test_draw_prints_the_residuals(tmp_path, draw):
     (tmp_path / "points.csv").write_text("frequency_hz,gap_ratio,force_n,label\n9,0,100,mine\n")
     outcome = draw(write_sweep(tmp_path / "a.h5"), "--measured", tmp_path / "points.csv", "--formats", "png")
     line = next(line for line in outcome.stdout.splitlines() if line.endswith("mine"))
-    assert line.split() == ["9", "0", "100", f"{40 * WEIGHT:.4g}", "up", f"{100 * (100 / 40 / WEIGHT - 1):+.1f}", "%", "mine"]
+    computed = 40 * WEIGHT
+    assert re.split(r"  +", line.strip()) == ["9", "0", "100", "1/1 up and down", f"{computed:.4g}", f"{100 - computed:+.3g}",
+                                              f"{100 * (100 / computed - 1):+.1f} %", "the point", "mine"]

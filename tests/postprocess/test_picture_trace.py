@@ -3,6 +3,7 @@
 import h5py
 import numpy as np
 import pytest
+from peterka import rig_sketch
 from peterka.look import axes
 from peterka.look.figures import figure_of
 from peterka.traces import impact, motion, phase_plane, spectrum
@@ -125,3 +126,15 @@ def replaced(path, name, values):
 def test_a_damaged_trace_is_refused(tmp_path, draw, name, values, message):
     outcome = draw(replaced(write_trace(tmp_path / "a.h5"), name, values))
     assert outcome.code == 2 and message in outcome.stderr
+
+
+def test_the_sketch_of_the_rig_names_its_coordinates():
+    """As the README does; no text leaves it or meets another one."""
+    figure = rig_sketch.draw()
+    figure.canvas.draw()
+    texts = [text for text in figure.axes[0].texts]
+    words = " ".join(text.get_text() for text in texts)
+    assert all(name in words for name in ("$x$", "$y=A_0", "$u = x - y$", "gap", "$F$", "$k_i$", "$c_i$"))
+    boxes = [text.get_window_extent() for text in texts]
+    assert all(figure.bbox.x0 <= box.x0 and box.x1 <= figure.bbox.x1 and box.y1 <= figure.bbox.y1 for box in boxes)
+    assert not any(one.overlaps(other) for n, one in enumerate(boxes) for other in boxes[:n])

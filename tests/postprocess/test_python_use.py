@@ -193,3 +193,12 @@ def test_a_path_is_no_option(tmp_path, monkeypatch):
 def test_a_byte_of_zero_is_told():
     with pytest.raises(peterka.PeterkaError, match="a byte of zero"):
         peterka.check("job\0.toml")
+
+
+def test_one_gap_of_a_map_says_how_to_ask_for_a_plane(tmp_path):
+    data = peterka.open(write_map(tmp_path / "a.h5"))
+    from peterka.files.opened import NotDrawable
+
+    with pytest.raises(NotDrawable, match=r"keep a plane with sel\(gap_ratio=\[1\]\)"):
+        peterka.draw(data.sel(gap_ratio=1.0))
+    assert peterka.draw(data.sel(gap_ratio=[1.0])).get_ylim() == (0.95, 1.05)

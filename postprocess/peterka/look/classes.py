@@ -3,8 +3,12 @@
 A class is a regime, or one p/q of the periodic regime; p/q is never reduced. Each class has the same colour in every
 picture, so that maps of different rigs can be laid side by side. 1/1 and 1/2 are near the paper's red and green. The
 first seven p/q are the palette of Okabe and Ito; the others were searched for so that every pair stays apart for normal
-sight and for deuteranopes (tests/postprocess/test_picture_colours.py holds that). A doubled orbit is darker than its
-parent. 1/1 and 1/2 are equally bright, so pictures also write p/q into the large areas: they can be read in grey.
+sight and for protanopes, deuteranopes and tritanopes (tests/postprocess/test_picture_colours.py simulates them). A doubled
+orbit is darker than its parent. 1/1 and 1/2 are equally bright, so pictures also write p/q into the large areas: they can be
+read in grey.
+
+Every other p/q up to 12/12 has one of a few more colours, by a fixed table of p and q. Where two of a picture have the same,
+or there are more than a legend holds, the commonest are named, and what is rarer than all of these is "other p/q".
 """
 
 from dataclasses import dataclass
@@ -42,6 +46,11 @@ _ORBITS = {
     (3, 2): "#F0E442",
 }
 
+# Those of the other p/q, as far from the others and from each other as could be found.
+SECOND_COLOURS = ("#22012A", "#D1FDC2", "#594248", "#92A99B", "#07E0FE", "#78DF77", "#391301", "#0E046E")
+_LARGEST = 12  # p and q that have colours
+MOST_NAMED = 14  # p/q in a legend
+
 _BEFORE = [Class("no impact", "#F2F2F2")]
 _AFTER = [
     Class("other p/q", "#D4BEA5"),
@@ -52,7 +61,16 @@ _AFTER = [
     Class("not computed yet", "#FFFFFF"),
 ]
 
-CLASSES = _BEFORE + [Class(f"{p}/{q}", colour, (p, q)) for (p, q), colour in _ORBITS.items()] + _AFTER
+
+
+def _second_colour(p: int, q: int) -> str:
+    """The commonest of these p/q, such as 2/3, 1/4, 3/4, 4/3, 5/2 and 2/5, have different ones."""
+    return SECOND_COLOURS[(p + 2 * q + 6 * p * q) % len(SECOND_COLOURS)]
+
+
+_ALL_ORBITS = _ORBITS | {(p, q): _second_colour(p, q) for p in range(1, _LARGEST + 1) for q in range(1, _LARGEST + 1)
+                         if (p, q) not in _ORBITS}
+CLASSES = _BEFORE + [Class(f"{p}/{q}", colour, (p, q)) for (p, q), colour in _ALL_ORBITS.items()] + _AFTER
 INDEX = {entry.label: index for index, entry in enumerate(CLASSES)}
 
 _OF_REGIME = {
@@ -64,6 +82,9 @@ _OF_REGIME = {
     FAILED: "failed",
     NOT_COMPUTED: "not computed yet",
 }
+_OF_ORBIT = np.zeros((_LARGEST + 1, _LARGEST + 1), dtype=np.uint8)
+for (_p, _q) in _ALL_ORBITS:
+    _OF_ORBIT[_p, _q] = INDEX[f"{_p}/{_q}"]
 
 
 def classify(regime: Integers, impacts: Integers, period: Integers) -> NDArray[np.uint8]:
@@ -72,9 +93,27 @@ def classify(regime: Integers, impacts: Integers, period: Integers) -> NDArray[n
     for value, label in _OF_REGIME.items():
         table[value % 256] = INDEX[label]
     index = table[np.asarray(regime).astype(np.uint8)]
-    for (p, q) in _ORBITS:
-        index[(regime == PERIODIC) & (impacts == p) & (period == q)] = INDEX[f"{p}/{q}"]
+    known = (np.asarray(regime) == PERIODIC) & (impacts <= _LARGEST) & (period <= _LARGEST)
+    index[known] = _OF_ORBIT[np.asarray(impacts)[known], np.asarray(period)[known]]
     return index
+
+
+def named(counts: Integers) -> NDArray[np.uint8]:
+    """As which class each is shown where so many cells are of each, (len(CLASSES),): as itself, or as "other p/q". That is
+    rarer than all that are named, but for orbits with p or q above 12."""
+    shown = np.arange(len(CLASSES), dtype=np.uint8)
+    orbits = [n for n in np.argsort(-np.asarray(counts), kind="stable") if CLASSES[n].orbit]
+    taken: set[str] = set()
+    for n in orbits:
+        colour = CLASSES[n].colour
+        if counts[n] and len(taken) < MOST_NAMED and colour not in taken:
+            taken.add(colour)
+        else:
+            break
+    for n in orbits[len(taken):]:
+        if counts[n] or CLASSES[n].colour in taken:
+            shown[n] = INDEX["other p/q"]
+    return shown
 
 
 def class_of(regime: int, impacts: int, period: int) -> Class:

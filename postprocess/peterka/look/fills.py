@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from ..arrays import Integers, Mask, Reals
 from . import style
-from .classes import CLASSES
+from .classes import CLASSES, SECOND_COLOURS
 
 # Of each class: lightness 0 (black) to 100 (white), CIE L*, and hatching.
 GREYS = {
@@ -25,7 +25,8 @@ GREYS = {
     "other p/q": (97, "\\\\"), "chaotic": (8, ""), "sustained contact": (82, ".."), "unresolved": (24, "//"),
     "failed": (97, "xx"), "not computed yet": (100, ""),
 }
-PERIOD, STROKE = 13, 3  # of a hatching, in cells of the raster
+SECOND = ((24, ""), (97, "//"), (62, "++"), (82, "++"), (24, ".."), (62, "\\\\"), (24, "xx"), (42, "++"))  # of other p/q
+PERIOD, STROKE = 8, 2  # of a hatching, in cells of the raster: in tongues thinner than that it reads as a darker grey
 RASTER = 700  # cells of the raster along a side
 CONTRAST = 42  # between a hatching and what it lies on, in lightness
 
@@ -58,7 +59,8 @@ def lightness(colour: str) -> float:
     return 116 * luminance ** (1 / 3) - 16 if luminance > 0.008856 else 903.3 * luminance
 
 
-_OF_CLASS = {entry.colour: Fill(grey(GREYS[entry.label][0]), GREYS[entry.label][1]) for entry in CLASSES}
+_OF_CLASS = {entry.colour: Fill(grey(GREYS[entry.label][0]), GREYS[entry.label][1]) for entry in CLASSES if entry.label in GREYS}
+_OF_CLASS |= {colour: Fill(grey(light), hatch) for colour, (light, hatch) in zip(SECOND_COLOURS, SECOND)}
 
 
 def fill(colour: str | Fill) -> Fill:
@@ -78,7 +80,7 @@ def textured(image: Integers, row_edges: Reals, column_edges: Reals, fills: Sequ
     colours): a class n has the colour n, its hatching the colour len(fills) + n. Masked cells stay masked."""
     row_edges, rows = _raster(row_edges, log[0])
     column_edges, columns = _raster(column_edges, log[1])
-    numbers = image[np.ix_(rows, columns)]
+    numbers = image[np.ix_(rows, columns)].astype(np.int16)  # twice as many as classes
     strokes = {hatch: _strokes(hatch, len(rows), len(columns)) for hatch in {one.hatch for one in fills} - {""}}
     raster = numbers.copy()
     for number, one in enumerate(fills):

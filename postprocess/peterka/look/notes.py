@@ -1,5 +1,7 @@
-"""A note beside a point of a map, where it has room: inside the axes, over no other text and over no mark that is to be
-seen; else further away, with a line to its point. Where there is no room at all it is left out."""
+"""A note beside a point of a picture, where it has room: inside the axes, over no other text and over no mark that is to be
+seen; else further away, with a line to its point. Where there is no room at all it is left out.
+
+A label of one of several points never goes far: it stands nearer to its own point than to any other."""
 
 from itertools import product
 
@@ -7,11 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
 
 from . import seen
 from .axes import outline
 
 AWAY = 8  # pt
+NEAR = (5, 9, 14, 20)  # pt: of a label from its point; beyond LINED with a line
+LINED = 9
+ROUND = [(across, up) for across in (1, -1, 0) for up in (0, 1, -1) if (across, up) != (0, 0)]
 AIR = 2  # pixels
 FRAME = 0.5  # of the size of letters
 PLACES = np.linspace(0.03, 0.97, 5)  # in the axes, where there is no room beside the point
@@ -33,6 +39,53 @@ def write_beside(ax: Axes, x: float, y: float, text: str) -> None:
             return
     note.remove()
     _write_apart(ax, x, y, text, taken)
+
+
+def write_at(ax: Axes, x: float, y: float, text: str, size: float = 8) -> bool:
+    """The label of one of several marks, once all marks are drawn: close to its own, on whichever side there is room, or smaller.
+    Whether there was any."""
+    pixels = ax.get_figure().dpi / 72
+    own = ax.transData.transform((x, y))
+    marks = seen.boxes(ax)
+    taken = [*(_box(other) for other in ax.texts), *marks]
+    others = np.array([[(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2] for box in marks]).reshape(-1, 2)
+    others = others[np.linalg.norm(others - own, axis=1) > AIR]
+    note = ax.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", path_effects=outline(2), zorder=8)
+    for letters in sorted({size, 6.5, 5}, reverse=True):
+        note.set_fontsize(min(letters, size))
+        box = _box(note)
+        for away in NEAR:
+            for across, up in ROUND:
+                place = own + pixels * away * np.array([across, up]) / np.hypot(across, up)
+                low = place - [box.width * (1 - across) / 2, box.height * (1 - up) / 2]
+                moved = Bbox([low, low + [box.width, box.height]])
+                if _fits(moved, ax, taken) and (away > LINED or _is_nearest(moved, own, others)):
+                    note.set(position=(place - own) / pixels, ha={1: "left", -1: "right", 0: "center"}[across],
+                             va={1: "bottom", -1: "top", 0: "center"}[up])
+                    if away > LINED:
+                        _draw_line(ax, own, moved)
+                    return True
+    note.remove()
+    return False
+
+
+def _fits(box, ax, taken):
+    inside = ax.bbox
+    within = inside.x0 + AIR <= box.x0 and box.x1 <= inside.x1 - AIR and inside.y0 + AIR <= box.y0 and box.y1 <= inside.y1 - AIR
+    return within and not any(box.overlaps(other) for other in taken)
+
+
+def _is_nearest(box, own, others):
+    """Whether a box is nearer to its own point than to any other."""
+    away = [np.linalg.norm(points - np.clip(points, box.min, box.max), axis=1) for points in (own[None], others)]
+    return away[0][0] < min(away[1], default=np.inf)
+
+
+def _draw_line(ax, own, box):
+    ends = ax.transData.inverted().transform([own, np.clip(own, box.min, box.max)])
+    limits = ax.get_xlim(), ax.get_ylim()
+    ax.plot(*ends.T, color="black", linewidth=0.6, zorder=5.9)
+    ax.set(xlim=limits[0], ylim=limits[1])
 
 
 def _write_apart(ax, x, y, text, taken):
@@ -63,10 +116,7 @@ def _first_free(box, ax, places, taken):
 
 
 def _has_room(note, ax, taken):
-    box, inside = _box(note), ax.bbox
-    within = inside.x0 + AIR <= box.x0 and box.x1 <= inside.x1 - AIR and inside.y0 + AIR <= box.y0 and (
-        box.y1 <= inside.y1 - AIR)
-    return within and not any(box.overlaps(other) for other in taken)
+    return _fits(_box(note), ax, taken)
 
 
 def _box(text):

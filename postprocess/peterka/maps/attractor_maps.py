@@ -4,6 +4,8 @@ Numbers of attractors grow darker, shares and kicks lighter, so that all of them
 colours of the Peterka map. Blocks of a reduced map show their mean share, and the kick of the most fragile cell.
 """
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -14,7 +16,7 @@ from ..look.classes import CLASSES, INDEX, classify
 from ..look.picture import picture
 from .field_map import scale_colours
 from .map_file import KICKS, PeterkaFile
-from .reduce import LIMIT, block_size, class_picture, with_edges
+from .reduce import LIMIT, block_size, class_picture, orbit_picture, with_edges
 
 WIDTH = 3.7  # in
 NUMBERS = ["not computed yet", "1", "2", "3", "4", "5 or more"]
@@ -26,6 +28,7 @@ LABELS = ["regime", "attractor_regime", "attractor_impacts", "attractor_period",
 
 SHARES = {f"share_{'_'.join(map(str, entry.orbit)) if entry.orbit else entry.label.replace(' ', '_')}": entry
           for entry in CLASSES if entry.orbit or entry.label in ("no impact", "chaotic")}
+_COMMONEST: WeakKeyDictionary[PeterkaFile, list[str]] = WeakKeyDictionary()  # asked for each of SHARES
 LACKING_COLOUR = "#F7C6D0"
 NO_ORBIT, WAITING, ALONE, NONE_FOUND, THROWN = range(5)  # what a kick does in a cell
 KIND_COLOURS = [LACKING_COLOUR, "#FFFFFF", "#F2F2F2", "#C9B8E8", "#FFFFFF"]
@@ -49,7 +52,7 @@ def draw_number(file: PeterkaFile, ax: Axes | None = None) -> Axes:
 def draw_largest(file: PeterkaFile, ax: Axes | None = None) -> Axes:
     """The class of the attractor on which most starts end."""
     names = ["regime", "attractor_regime", "attractor_impacts", "attractor_period"]
-    reduced, counts = class_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)), len(CLASSES))
+    reduced, counts = orbit_picture(file, names, lambda _, *slots: classify(*(slot[0] for slot in slots)))
     orbits: list[Artist] = []
     others: list[Artist] = []
     for n in np.flatnonzero(counts):
@@ -144,6 +147,12 @@ def draw_share(file: PeterkaFile, ax: Axes | None = None, name: str = "share_1_1
 
 def commonest(file: PeterkaFile) -> list[str]:
     """Names of SHARES: the classes with most starts of the plane."""
+    if file not in _COMMONEST:
+        _COMMONEST[file] = _find_commonest(file)
+    return _COMMONEST[file]
+
+
+def _find_commonest(file):
     total, cells = np.zeros(len(CLASSES)), 0
     for _, band in file.bands(LABELS):
         classes = classify(*(band[name] for name in LABELS[1:4]))

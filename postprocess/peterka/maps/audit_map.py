@@ -11,11 +11,11 @@ from matplotlib.lines import Line2D
 
 from ..arrays import Reals
 from ..look import axes
-from ..look.classes import CLASSES, INDEX, classify
+from ..look.classes import CLASSES, INDEX
 from ..look.fills import Fill, fill
 from ..look.picture import picture
 from .map_file import PeterkaFile
-from .reduce import class_picture
+from .reduce import orbit_picture
 
 WIDTH, ERROR_HEIGHT = 3.7, 1.9  # in
 PALE = 0.65  # share of white in the colours of the classes
@@ -31,7 +31,7 @@ def draw(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     audit = file.audit
     if audit is None or audit.count == 0:
         return None
-    reduced, _ = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    reduced, _ = orbit_picture(file, ["regime", "impacts", "period"])
     differing = int(np.sum(~audit.agrees))
     handles = [Line2D([], [], label=f"same label ({audit.count - differing} cells)", **AGREES | {"markersize": 5}),
                Line2D([], [], label=f"other label ({differing})", **DIFFERS)]

@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..look import axes
-from ..look.classes import CLASSES, INDEX, classify
+from ..look.classes import CLASSES, INDEX
 from .curves_file import CurvesFile
 from .peterka_map import WIDTH, legend_entries
-from .reduce import class_picture
+from .reduce import orbit_picture
 
 LOOKS = {
     "fold": {"linestyle": "-", "linewidth": 1.0},
@@ -43,7 +43,7 @@ def draw_over_map(file: CurvesFile, ax: Axes | None = None) -> Axes | None:
 
 
 def _draw(file, ax, over_map):
-    reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     kinds = [kind for kind in WORDS if any(curve.kind == kind for curve in file.curves)]
     curves = [Line2D([], [], label=WORDS[kind], **_look(kind, over_map)) for kind in kinds]
     specials = [kind for kind in LETTERS if any(special.kind == kind for special in file.specials)]

@@ -204,6 +204,10 @@ class PeterkaFile(OpenedFile):
     def _axis(self, name: str) -> Axis:
         """Of a coordinate that is stored."""
         shape = self.data.dataset(name, None, INTEGER + REAL).shape
+        if shape == () and self.data.may_be_part:
+            value = float(self.data.values(name, ()))
+            raise self.refusal(f"has one {name} alone, so that no plane is left; keep a plane with sel({name}=[{value:g}]), or with "
+                               f"sel({name}=slice(FROM, TO)); a sweep shows a line")
         if len(shape) != 1 or not 1 <= shape[0] <= MAX_POINTS:
             raise self.refusal(f"has {name} of shape {shape}; an axis of 1 to {MAX_POINTS} points can be drawn")
         values = np.asarray(self.data.values(name, slice(None)), dtype=float)

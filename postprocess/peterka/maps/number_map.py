@@ -43,8 +43,8 @@ NUMBERS = {
     "multiplier": Number(r"largest Floquet multiplier $|\mu|$", _orbits, NOT_AN_ORBIT),
     "lyapunov": Number("largest Lyapunov exponent (1/cycle)", _followed, ("failed",), from_zero=False),
     "sensitivity": Number("largest growth of an error, ln $G$", _followed, ("failed",)),
-    "orbit_displacement": Number("$(x - y)/A_0$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
-    "orbit_velocity": Number(r"$(\dot{x} - \dot{y})/(A_0\omega)$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
+    "orbit_displacement": Number("$u/A_0$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
+    "orbit_velocity": Number(r"$\dot{u}/(A_0\omega)$ at forcing phase 0", _orbits, NOT_AN_ORBIT, from_zero=False),
     "peak_force_mean_ratio": Number("mean of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
     "peak_force_q95_ratio": Number("95 % quantile of each cycle's", field_map.has_impacts, WITHOUT_IMPACTS, is_force=True),
 }

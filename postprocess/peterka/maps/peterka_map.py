@@ -15,12 +15,12 @@ from matplotlib.patches import Patch
 
 from ..arrays import Integers, Reals
 from ..look import axes
-from ..look.classes import CLASSES, INDEX, classify
+from ..look.classes import CLASSES, INDEX
 from ..look.picture import picture
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile
-from .reduce import class_picture
+from .reduce import class_picture, orbit_picture
 
 WIDTH = 3.7  # in
 LINE_POINTS = 2000
@@ -33,7 +33,7 @@ EDGE_LOOK = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 2)), "path
 @picture(PeterkaFile)
 def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = NOTHING_MEASURED) -> Axes:
     """The map of a map file with the share of each class in its legend, and points that were measured."""
-    reduced, counts = class_picture(file, ["regime", "impacts", "period"], classify, len(CLASSES))
+    reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     orbits, regimes = legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
     others = regimes + chatter_entry + _edge_entry(file) + marks.handles(measured.points)

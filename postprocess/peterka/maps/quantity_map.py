@@ -21,7 +21,7 @@ TITLES = {
     "impulse": "largest impulse of an impact",
     "contact_time": "longest contact of an impact",
     "contact_power_w": "mean power into the contact",
-    "max_displacement": "largest displacement $|x - y|$",
+    "max_displacement": "largest displacement $|u|$",
 }
 
 

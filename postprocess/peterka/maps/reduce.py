@@ -7,12 +7,13 @@ always taken from all cells. Memory: one band and the picture, whatever the size
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals
+from ..look import classes
 from ..look.drawn import Plane
 from .map_file import PeterkaFile
 
@@ -75,6 +76,15 @@ def class_picture(file: PeterkaFile, names: Sequence[str], classify: Callable, c
         counts += np.bincount(labels.ravel(), minlength=class_count)
         pieces.append(majority(labels, block, class_count))
     return with_edges(file, np.concatenate(pieces), block), counts
+
+
+def orbit_picture(file: PeterkaFile, names: Sequence[str], classify: Callable = classes.classify,
+                  limit: int = LIMIT) -> tuple[Reduced, NDArray[np.int64]]:
+    """As class_picture, of look.classes.CLASSES; the p/q that are rarer than those that can be named are "other p/q"."""
+    reduced, counts = class_picture(file, names, classify, len(classes.CLASSES), limit)
+    shown = classes.named(counts)
+    together = np.bincount(shown, weights=counts, minlength=len(shown)).astype(np.int64)
+    return replace(reduced, image=shown[reduced.image]), together
 
 
 def field_picture(file: PeterkaFile, name: str, carries: Callable,

@@ -1,64 +1,72 @@
-"""How far measured forces are from a map: each from the cell in which its point lies, as a table."""
+"""How far measured forces are from a map: each from every motion that the cells around its point know, as a table."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any, Protocol
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..files.regimes import NAMES, NOT_COMPUTED, PERIODIC
-from ..look.drawn import Plane
+from ..files.regimes import NAMES, NOT_COMPUTED, NO_IMPACT, PERIODIC
+from ..maps.map_file import SLOTS, PeterkaFile
 from . import tables
+from .matches import Known, Match, Place, around, distance, matches
 from .points import AXES, Point
 
-
-class Map(Plane, Protocol):
-    """A map, whose cells are read in bands of rows."""
-
-    @property
-    def newtons(self) -> float | None: ...
-
-    def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]: ...
+CELL = ("regime", "impacts", "period", "peak_force_ratio")
 
 
-@dataclass(frozen=True)
-class CellResidual:
-    """`force` of the cell [F/(m g)], NaN where it has none, and its `motion` in words."""
-
-    point: Point
-    force: float
-    motion: str
+def residuals(file: PeterkaFile, points: Iterable[Point]) -> list[list[Match]]:
+    """[Match] of each point with a force, in their order."""
+    return [matches(point, _places(file, point), _beyond(file, point)) for point in points if point.force is not None]
 
 
-def residuals(file: Map, points: Iterable[Point]) -> list[CellResidual]:
-    """[CellResidual] of the points with a force, in their order."""
-    return [_of_cell(file, point) for point in points if point.force is not None]
-
-
-def table(file: Map, found: Sequence[CellResidual]) -> list[str]:
+def table(file: PeterkaFile, found: list[list[Match]]) -> list[str]:
     """Lines; in Hz, mm and N where the file tells the rig."""
     along = file.rows.name, file.columns.name
-    hertz = 1.0 if "frequency_hz" in along else file.positive("natural_frequency_hz")
     metres = 1.0 if "gap_m" in along else file.positive("cart_amplitude_m")
-    newtons = file.newtons
-    units = "Hz" if hertz else "Omega/omega", "mm" if metres else "gap/A0", "N" if newtons else "F/(m g)"
-    heads = (f"frequency [{units[0]}]", f"gap [{units[1]}]", f"measured [{units[2]}]", f"computed [{units[2]}]", "motion", "off by",
-             "label")
-    return tables.lines(heads, [_cells(one, hertz or 1, 1000 * metres if metres else 1, newtons or 1) for one in found])
+    return tables.table([each for each in found if each], tables.Units(
+        1.0 if "frequency_hz" in along else file.positive("natural_frequency_hz"), metres and 1000 * metres, file.newtons))
 
 
-def _cells(one, hertz, millimetres, newtons):
-    """Of a row: factors are those from the numbers of the file."""
-    return (f"{one.point.frequency * hertz:.5g}", f"{one.point.gap * millimetres:.4g}",
-            *(f"{force * newtons:.4g}" for force in (one.point.force, one.force)), one.motion,
-            tables.share(one.point, one.force), tables.name_of(one.point))
+def _places(file, point):
+    """The cells between whose middles a point lies: four, or fewer at the border or on a line of middles."""
+    places = []
+    for row, upward in around(file.rows.values, _along(point, file.rows)):
+        band = file.band([*CELL, *(["start_attractor", *SLOTS] if file.slots else [])], row, row + 1)
+        for column, across in around(file.columns.values, _along(point, file.columns)):
+            away = {AXES[axis.name]: distance(_along(point, axis), axis.values[at]) for axis, at in ((file.rows, row), (file.columns, column))}
+            known = known_of_cell({name: values[..., 0, column] for name, values in band.items()})
+            places.append(Place(upward * across, (away["frequency"], away["gap"]), known))
+    return places
 
 
-def _of_cell(file, point):
-    row, column = (int(np.clip(np.searchsorted(axis.edges, getattr(point, AXES[axis.name]), side="right") - 1, 0,
-                               len(axis.values) - 1)) for axis in (file.rows, file.columns))
-    band = file.band(["regime", "impacts", "period", "peak_force_ratio"], row, row + 1)
-    regime, p, q = (int(band[name][0, column]) for name in ("regime", "impacts", "period"))
-    motion = f"{p}/{q}" if regime == PERIODIC else "not computed yet" if regime == NOT_COMPUTED else NAMES[regime]
-    return CellResidual(point, float(band["peak_force_ratio"][0, column]), motion)
+def _beyond(file, point):
+    """How far a point lies outside the outermost middles, (frequency, gap)."""
+    away = {AXES[axis.name]: distance(_along(point, axis), np.clip(_along(point, axis), *axis.values[[0, -1]]))
+            for axis in (file.rows, file.columns)}
+    return away["frequency"], away["gap"]
+
+
+def _along(point, axis):
+    return getattr(point, AXES[axis.name])
+
+
+def known_of_cell(cell: dict[str, Any]) -> list[Known]:
+    """What a cell, {dataset: its number, or one of each slot}, knows: all of its attractors, and its own motion where that is none
+    of them."""
+    found = []
+    if "start_attractor" not in cell or cell["start_attractor"] < 0:
+        regime, impacts, period, force = (cell[name] for name in CELL)
+        found.append(known(regime, impacts, period, force))
+    if "basin_share" in cell:
+        slots = zip(*(cell[f"attractor_{name}"] for name in CELL), cell["basin_share"])
+        found += [known(regime, impacts, period, force, share) for regime, impacts, period, force, share in slots]
+    return [one for one in found if one is not None]
+
+
+def known(regime: int, impacts: int, period: int, force: float, share: float | None = None) -> Known | None:
+    """A motion of a file; None where there is none, or none with a force."""
+    force = 0.0 if regime == NO_IMPACT else float(force)
+    if regime == NOT_COMPUTED or not np.isfinite(force):
+        return None
+    words = f"{int(impacts)}/{int(period)}" if regime == PERIODIC else NAMES[int(regime)]
+    return Known(words, words, force, None if share is None else float(share))

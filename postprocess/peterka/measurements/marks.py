@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from ..look import axes
 from ..look.drawn import Plane
-from ..look.notes import write_beside
+from ..look.notes import write_at
 from ..look.seen import SEEN
 from .points import AXES, Point
 
@@ -61,11 +61,17 @@ def draw_over_map(ax: Axes, file: Plane, points: Sequence[Point], colour_of: Cal
 
 
 def name_over_map(ax: Axes, file: Plane, points: Sequence[Point]) -> None:
-    """Labels beside these marks, where they have room: once all else is written."""
+    """Labels at these marks, where they have room: once all else is written."""
+    if points:
+        name(ax, points, _quantities(file))
+
+
+def name(ax: Axes, points: Sequence[Point], quantities: Sequence[str], size: float = 8) -> None:
+    """Labels [pt] at marks that draw() made, where they have room."""
     for point in points:
         if point.label:
-            x, y = (getattr(point, quantity) for quantity in _quantities(file))
-            write_beside(ax, x, y, point.label)
+            x, y = (getattr(point, quantity) for quantity in quantities)
+            write_at(ax, x, y, point.label, size)
 
 
 def _quantities(file):

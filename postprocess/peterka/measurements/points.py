@@ -34,6 +34,7 @@ MAX_BYTES, MAX_LABEL = 2**24, 60
 MOST_LABELS = 200  # of all points
 MOST_SERIES = 24  # so many marks can be told apart
 SAME = 0.02  # gaps, in A0, and natural frequencies, relative, that differ by less are the same
+SAME_PLACE = 1e-6  # and these, in A0, are but for rounding
 AXES = {"frequency_ratio": "frequency", "frequency_hz": "frequency", "gap_ratio": "gap", "gap_m": "gap"}  # over which points lie
 
 
@@ -53,7 +54,7 @@ class Point:
 
 @dataclass(frozen=True)
 class Measurements:
-    """What was read: the points, and sentences on those that were left out."""
+    """What was read: the points, and sentences on those that were left out or stand elsewhere."""
 
     points: list[Point]
     left_out: list[str]  # sentences
@@ -73,6 +74,7 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
     _check_names(table)
     scales = _scales(path, file, table.names)
     points, other_rigs, other_gaps, outside = [], 0, [], 0
+    moved: dict[float, list[float]] = {}  # of each gap: how far points were moved
     for line, cells in table.rows:
         numbers = {name: table.number(line, cells, name) for name in cells if name not in ("series", "label")}
         point = _point(table, line, cells, numbers, scales)
@@ -85,13 +87,17 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
         else:
             gap = _gap(table, line, point.gap, file)
             if gap is False:
-                other_gaps.append(f"{point.gap:.4g}")
+                other_gaps.append(_gap_words(file, point.gap))
             else:
                 points.append(replace(point, gap=gap))
+                if gap is not None and abs(point.gap - gap) > SAME_PLACE:
+                    moved.setdefault(gap, []).append(abs(point.gap - gap))
     left_out = [f"{path}: {other_rigs} points of rigs with another natural frequency are left out"] * (other_rigs > 0)
     left_out += [f"{path}: {outside} points outside the map are left out"] * (outside > 0)
+    left_out += [f"{path}: {len(distances)} points stand at {_gap_words(file, gap)}, up to {_gap_words(file, max(distances))} from their own gap"
+                 for gap, distances in moved.items()]
     if other_gaps:
-        left_out.append(f"{path}: {len(other_gaps)} points at gap/A0 {', '.join(dict.fromkeys(other_gaps))} are left out;"
+        left_out.append(f"{path}: {len(other_gaps)} points at {', '.join(dict.fromkeys(other_gaps))} are left out;"
                         " the sweep has no such gap")
     return _with_few_names(path, Measurements(_with_series(points), left_out))
 
@@ -170,6 +176,11 @@ def _gap(table, line, gap, file):
         return None
     nearest = min(file.gaps, key=lambda own: abs(own - gap))
     return nearest if abs(nearest - gap) < SAME else False
+
+
+def _gap_words(file, gap):
+    metres = 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
+    return f"gap {1000 * gap * metres:.4g} mm" if metres else f"gap/A0 {gap:.4g}"
 
 
 def _with_series(points):

@@ -1,27 +1,64 @@
-"""A table of how far measured forces are from computed ones."""
+"""A table of how far measured forces are from computed ones: a line for each motion that is known beside a point."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
+from .matches import Match
 from .points import Point
+
+HEADS = ("motion", "starts", "computed", "residual", "", "", "computed at", "label")
+
+
+@dataclass(frozen=True)
+class Units:
+    """What 1 of a file's frequencies, gaps and forces is in Hz, mm and N; None where the file doesn't tell."""
+
+    hertz: float | None
+    millimetres: float | None
+    newtons: float | None
+
+
+def table(found: Sequence[Sequence[Match]], units: Units) -> list[str]:
+    """Lines of [Match] of each point, the nearest motion of a point in its first line."""
+    if not found:
+        return []
+    force = f"[{'N' if units.newtons else 'F/(m g)'}]"
+    heads = (f"frequency [{'Hz' if units.hertz else 'Omega/omega'}]", f"gap [{'mm' if units.millimetres else 'gap/A0'}]",
+             f"measured {force}", *(head + f" {force}" * (head in ("computed", "residual")) for head in HEADS))
+    rows = [[*(_of_point(matches[0].point, units) if number == 0 else [""] * 3), *_of_motion(match, units),
+             name_of(match.point) if number == 0 else ""] for matches in found for number, match in enumerate(matches)]
+    return lines(heads, rows)
 
 
 def lines(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     """Text: all columns but the last one to the right."""
     table = [heads, *rows]
     widths = [max(map(len, column)) for column in zip(*table)]
-    return ["  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}".rstrip() for row in table]
-
-
-def share(point: Point, force: float) -> str:
-    """By which part of the computed force the measured one is above it, and by how many of its standard errors; "" where
-    nothing impacts. Forces F/(m g)."""
-    if not force > 0:
-        return ""
-    assert point.force is not None
-    error = point.errors.get("force")
-    return f"{100 * (point.force / force - 1):+.1f} %" + (f" ({abs(point.force - force) / error:.1f} s.e.)" if error else "")
+    return [("  ".join(cell.rjust(width) for cell, width in zip(row[:-1], widths)) + f"  {row[-1]}").rstrip() for row in table]
 
 
 def name_of(point: Point) -> str:
     """Its series and its label, as far as it has them."""
     return ", ".join(filter(None, (point.series, point.label)))
+
+
+def _of_point(point, units):
+    return (f"{point.frequency * (units.hertz or 1):.5g}", "" if point.gap is None else f"{point.gap * (units.millimetres or 1):.4g}",
+            f"{point.force * (units.newtons or 1):.4g}")
+
+
+def _of_motion(match, units):
+    error = match.point.errors.get("force")
+    share = match.motion.share
+    return (match.motion.words, "" if share is None else f"{100 * share:.3g} %", f"{match.force * (units.newtons or 1):.4g}",
+            f"{match.residual * (units.newtons or 1):+.3g}", f"{100 * match.residual / match.force:+.1f} %" if match.force > 0 else "",
+            f"{match.residual / error:+.1f} s.e." if error else "", _where(match.away, units))
+
+
+def _where(away, units):
+    if away is None or not any(away):
+        return "the point"
+    frequency, gap = away
+    parts = [f"{frequency * (units.hertz or 1):.2g} {'Hz' if units.hertz else 'of Omega/omega'}"] if frequency else []
+    parts += [f"{gap * (units.millimetres or 1):.2g} {'mm' if units.millimetres else 'of gap/A0'}"] if gap else []
+    return f"{', '.join(parts)} away"

@@ -9,6 +9,7 @@ from matplotlib.patches import Rectangle
 from ..arrays import Reals
 from ..look import axes, style, units
 from ..look.notes import write_beside
+from ..look.seen import SEEN
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import block_size, largest, with_edges
 from .admitted import Quantity
@@ -58,6 +59,8 @@ def _mark(ax, file, places, rows, columns, quantity):
         x, y = file.columns.values[place.column], file.rows.values[place.row]
         box = Rectangle((x - columns.width, y - rows.width), 2 * columns.width, 2 * rows.width, fill=False, zorder=5,
                         edgecolor="black", linewidth=1.0 if number == 1 else 0.5, path_effects=axes.outline(2))
+        if number > 1:
+            box.set_gid(SEEN)
         ax.add_patch(box)
         if number > 1:
             ax.text(x, y, str(number), ha="center", va="center", fontsize=6.5, path_effects=axes.outline(1.6), zorder=6,

@@ -1,5 +1,6 @@
 // The view in the address, so that it can be kept and shared: layer, window, the cell looked at, and the rig's changes.
 
+const VERSION = content.page_version; // of the program whose page this is: another one's rig may mean other things
 const rounded = (value) => Number(value.toPrecision(9));
 
 function writeAddress({ layer, view, place, rig, live }) {
@@ -10,6 +11,7 @@ function writeAddress({ layer, view, place, rig, live }) {
   if (!whole(file.rows, view.y)) parts.set("y", view.y.map(rounded).join(","));
   if (place) parts.set("at", place.join(","));
   for (const [name, value] of rig) parts.set(name, rounded(value));
+  if (rig.length > 0) parts.set("version", VERSION);
   if (live) parts.set("live", "1");
   const text = parts.toString().replaceAll("%2C", ",");
   if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname);
@@ -22,5 +24,6 @@ function readAddress() {
     return values.length === 2 && values.every(Number.isFinite) ? values : null;
   };
   const rising = (values) => (values && values[0] < values[1] ? values : null);
-  return { layer: parts.get("layer") ?? "z", x: rising(pair("x")), y: rising(pair("y")), place: pair("at"), live: parts.has("live"), rig: [...parts] };
+  return { layer: parts.get("layer") ?? "z", x: rising(pair("x")), y: rising(pair("y")), place: pair("at"), live: parts.has("live"), version: parts.get("version"),
+    rig: [...parts] };
 }

@@ -19,7 +19,7 @@ class CellPanel {
     this.home = null; // the answer to which knocks are given
     this.starts = [];
     this.#basinOff();
-    this.element("knock").value = 0;
+    this.#showKnock(0);
     this.#setView("steady");
     this.#solve(cell, stored);
   }
@@ -90,7 +90,7 @@ class CellPanel {
       ["impulse", number(1000 * answer.impulse, "mN s")],
       ["time pressed", timeWords(answer.contact_time)],
       ["power into the stop", number(1000 * answer.contact_power_w, "mW")],
-      ["largest |x − y|", number(1000 * answer.max_displacement, "mm")],
+      ["largest |u|", number(1000 * answer.max_displacement, "mm")],
       ["impacts per cycle", number(answer.impact_rate, "")],
       ["Lyapunov exponent", number(answer.lyapunov, "per cycle", 3)],
     ];
@@ -181,8 +181,12 @@ class CellPanel {
       this.startFrom(at[0], at[1], "from the start clicked");
     });
   }
-  #knock(speed) {
+  #showKnock(speed) {
+    this.element("knock").value = speed;
     this.element("knock-value").textContent = `${speed > 0 ? "+" : ""}${digits(speed, 3)} mm/s`;
+  }
+  #knock(speed) {
+    this.#showKnock(speed);
     if (!this.home) return;
     const { answer } = this.home;
     const unit = 1000 * answer.length_m * answer.frequency_rad_per_s;

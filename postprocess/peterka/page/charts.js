@@ -130,7 +130,7 @@ class Charts {
       });
     }
     const speed = this.millimetre / this.second;
-    plot.axes({ xLabel: "x − y (mm)", yLabel: "x′ − y′ (mm/s)", xFactor: this.millimetre, yFactor: speed });
+    plot.axes({ xLabel: "u = x − y (mm)", yLabel: "u′ (mm/s)", xFactor: this.millimetre, yFactor: speed });
     plot.line(2, () => gap, (i) => window.y[i], ink("stop"), 2);
     const { samples } = motion;
     plot.line(samples.length / 5, (i) => samples[5 * i + 2], (i) => samples[5 * i + 3], ink("hammer"), 1.2);

@@ -122,20 +122,26 @@ function countsOf(plane, first = () => {}) {
 
 const share = (count) => count / (file.rows.values.length * file.columns.values.length);
 
-// {label, colour, share} of each class that occurs.
-function classEntries() {
+// Cells of each class in the file.
+function fileCounts() {
   const counts = new Array(content.classes.length).fill(0);
   const { raw } = file.labels;
   const table = content.labels.table;
   const labels = new Array(table.length).fill(0);
   for (let cell = 0; cell < raw.length; ++cell) ++labels[raw[cell]];
   labels.forEach((count, label) => (counts[table[label][3]] += count));
-  return content.classes.map((one, number) => ({ number, ...one, share: share(counts[number]) })).filter((one) => one.share > 0);
+  return counts;
+}
+
+// {label, colour, share} of each class that occurs, in the file or among other counts.
+function classEntries(counts = fileCounts()) {
+  const all = counts.reduce((sum, one) => sum + one, 0) || 1;
+  return content.classes.map((one, number) => ({ number, ...one, share: counts[number] / all })).filter((one) => one.share > 0);
 }
 
 // The same with all that is periodic as one.
-function regimeEntries() {
-  const entries = classEntries();
+function regimeEntries(counts) {
+  const entries = classEntries(counts);
   const periodic = entries.filter(({ number }) => REGIME_COLOURS[number] === PERIODIC_COLOUR);
   const others = entries.filter((one) => !periodic.includes(one));
   const part = periodic.reduce((sum, one) => sum + one.share, 0);

@@ -12,6 +12,24 @@ const ANSWER_NUMBERS = [
   "orbit_velocity", "length_m", "frequency_rad_per_s", "force_n", "weight_n",
 ];
 
+// A cell with `hertz`, its natural frequency, and frequency, gap and start as ratios: those that it gives in SI units are brought there, for its own rig.
+function settled(cell) {
+  const hertz = cell.natural_frequency_hz ?? Math.sqrt(cell.stiffness_n_per_m / cell.mass_kg) / (2 * Math.PI);
+  const metres = cell.amplitude_m;
+  const units = { frequency: ["hz", hertz], gap: ["m", metres], displacement: ["m", metres],
+    velocity: ["m_per_s", 2 * Math.PI * hertz * metres] };
+  const ratios = Object.entries(units).flatMap(([name, [unit, one]]) => {
+    const value = cell[`${name}_${unit}`];
+    return value === null || value === undefined ? [] : [[`${name}_ratio`, value / one]];
+  });
+  return { ...cell, hertz, ...Object.fromEntries(ratios) };
+}
+
+// What becomes of a cell where an axis, {sets, clears}, has a value.
+function changeOf(axis, value) {
+  return { ...Object.fromEntries(axis.clears.map((name) => [name, null])), [axis.sets]: value };
+}
+
 class Engine {
   // The C library's ways out, to which the engine has nothing to say.
   static async from(bytes) {

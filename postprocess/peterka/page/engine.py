@@ -22,6 +22,7 @@ LAWS = {
 }
 ENGINES = ("auto", "exact", "split", "cvode", "arkode")
 CUBIC_FORMS = ("relative", "absolute")
+NEEDED = ("mass_kg", "cubic_stiffness_n_per_m3", "amplitude_m", "contact_first", "contact_second", "contact_third")
 PLACE = {"operating_point": ("frequency_ratio", "gap_ratio"), "start": ("displacement_ratio", "velocity_ratio")}
 
 
@@ -38,6 +39,11 @@ def module(cache: Path | None = None) -> bytes:
     if not built.is_file():
         _build(built)
     return built.read_bytes()
+
+
+def version() -> str:
+    """Of the engine and the numbers that a page gives it; "none" without its sources."""
+    return _fingerprint()[:8] if SCRIPT.is_file() else "none"
 
 
 def _build(built):
@@ -83,34 +89,74 @@ def cell_numbers(file: OpenedFile) -> dict[str, float | None]:
     text = file.data.attribute("job")
     try:
         job = tomllib.loads(text)  # type: ignore[arg-type]  # what is no text is refused below
-        return _numbers(job) | _place(file, job)
+        numbers = _numbers(job)
+        lacking = [name for name in NEEDED if numbers[name] is None and name not in _set_by_axes(file)]
+        if lacking:
+            raise KeyError(lacking[0])
+        return numbers | _place(file, job)
     except (TypeError, KeyError, ValueError, AttributeError) as error:
         raise NoEngine(f"the job in the file can't be read ({type(error).__name__}: {str(error)[:100]})") from error
 
 
+# Of an axis by its table and key: the number of CellNumber that it sets; and those that give way to it.
+OF_AXES = {
+    "hammer_mass_kg": "mass_kg", "hammer_natural_frequency_hz": "natural_frequency_hz", "hammer_stiffness_n_per_m": "stiffness_n_per_m",
+    "hammer_damping_ns_per_m": "damping_ns_per_m", "hammer_damping_ratio": "damping_ratio",
+    "hammer_cubic_stiffness_n_per_m3": "cubic_stiffness_n_per_m3", "cart_amplitude_m": "amplitude_m",
+    "start_displacement_ratio": "displacement_ratio", "start_velocity_ratio": "velocity_ratio",
+    "start_displacement_m": "displacement_m", "start_velocity_m_per_s": "velocity_m_per_s",
+}
+GIVE_WAY = {"natural_frequency_hz": ["stiffness_n_per_m"], "stiffness_n_per_m": ["natural_frequency_hz"],
+            "damping_ns_per_m": ["damping_ratio"], "damping_ratio": ["damping_ns_per_m"],
+            **{ratio: [si] for ratio, si in TWINS.items()}}
+
+
+def numbers_of_axis(file: OpenedFile, name: str) -> tuple[str, list[str]]:
+    """(the number of a cell that an axis sets, those that it clears). Numbers in SI units whose ratio differs from cell to cell,
+    such as gap_m over the cart's amplitude, are brought to ratios by the page (engine.js, settled)."""
+    sets = OF_AXES.get(name, name)
+    if name.startswith("contact_"):
+        try:
+            names = LAWS[tomllib.loads(str(file.data.attribute("job")))["contact"]["law"]]
+        except (ValueError, KeyError, TypeError):
+            names = ()  # cell_numbers tells what is wrong with the job
+        key = name.removeprefix("contact_")
+        sets = f"contact_{('first', 'second', 'third')[names.index(key)]}" if key in names else name
+    return sets, GIVE_WAY.get(sets, [])
+
+
 def _place(file, job):
-    """Frequency, gap and start as ratios, whichever unit the job gives them in."""
+    """Frequency, gap and start as ratios, whichever unit the job gives them in; in SI units where their ratio differs from cell to
+    cell."""
     numbers = {}
     for table, names in PLACE.items():
         for ratio in names:
             given, unit = job.get(table, {}), unit_of(file, ratio)
             value, in_si = given.get(ratio), given.get(TWINS[ratio])
             numbers[ratio] = value if value is not None else float(in_si) / unit if in_si is not None and unit else None
+            if in_si is not None and not unit:
+                numbers[TWINS[ratio]] = in_si
     return {name: None if value is None else float(value) for name, value in numbers.items()}
 
 
+def _set_by_axes(file):
+    axes = getattr(file, "rows", None), getattr(file, "columns", None)
+    return {numbers_of_axis(file, axis.name)[0] for axis in axes if axis is not None}
+
+
 def _numbers(job):
+    """Of a cell, but its place; None for what isn't given, or what an axis sets."""
     hammer, contact, solver = job["hammer"], job["contact"], job["solver"]
     names = LAWS[contact["law"]]
     numbers = {
-        "mass_kg": hammer["mass_kg"],
+        "mass_kg": hammer.get("mass_kg"),
         **{name: hammer.get(name) for name in
            ("natural_frequency_hz", "stiffness_n_per_m", "damping_ns_per_m", "damping_ratio")},
-        "cubic_stiffness_n_per_m3": hammer["cubic_stiffness_n_per_m3"],
+        "cubic_stiffness_n_per_m3": hammer.get("cubic_stiffness_n_per_m3"),
         "cubic_form": CUBIC_FORMS.index(hammer["cubic"]),
-        "amplitude_m": job["cart"]["amplitude_m"],
+        "amplitude_m": job.get("cart", {}).get("amplitude_m"),
         "contact_law": list(LAWS).index(contact["law"]),
-        **{f"contact_{place}": contact[names[n]] if n < len(names) else 0.0
+        **{f"contact_{place}": contact.get(names[n]) if n < len(names) else 0.0
            for n, place in enumerate(("first", "second", "third"))},
         **{name: job["steady_state"][name] for name in ("max_cycles", "max_period", "chaos_cycles")},
         "engine_choice": ENGINES.index(solver["engine"]),

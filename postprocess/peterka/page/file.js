@@ -13,16 +13,16 @@ const blobOf = (number) => {
 // Ratios along one side. `place` is linear on the screen: the ratio or its logarithm. Cells reach half-way to their
 // neighbours.
 class Axis {
-  constructor(description, factor) {
+  // `factor` of the description: from the values to Hz, mm or mm/s; null where the file doesn't tell.
+  constructor(description) {
     Object.assign(this, description);
-    this.factor = factor; // from the ratio to Hz, mm or mm/s; null where the file doesn't tell
     const places = this.values.map((value) => this.place(value));
     const last = places.length - 1;
     this.edges = new Float64Array(places.length + 1);
     for (let i = 1; i <= last; ++i) this.edges[i] = (places[i - 1] + places[i]) / 2;
     this.edges[0] = 2 * places[0] - this.edges[1];
     this.edges[last + 1] = 2 * places[last] - this.edges[last];
-    if (this.name === "frequency_ratio" && !this.log) this.edges[0] = Math.max(this.edges[0], 0);
+    if (["frequency_ratio", "frequency_hz"].includes(this.name) && !this.log) this.edges[0] = Math.max(this.edges[0], 0);
   }
   place(value) {
     return this.log ? Math.log(value) : value;
@@ -45,16 +45,11 @@ class Axis {
   }
 }
 
-function secondScale(name) {
-  const { hertz, amplitude_m: amplitude } = content;
-  if (name === "frequency_ratio") return hertz;
-  if (name === "velocity_ratio") return hertz && amplitude && 2000 * Math.PI * hertz * amplitude;
-  return amplitude && 1000 * amplitude;
-}
-
 const file = {
-  columns: new Axis(content.columns, secondScale(content.columns.name)),
-  rows: new Axis(content.rows, secondScale(content.rows.name)),
+  columns: new Axis(content.columns),
+  rows: new Axis(content.rows),
+  // What of a cell both axes set, and clear.
+  sides: [content.columns, content.rows].map(({ sets, clears }) => ({ sets, clears })),
   labels: null, // number of the label of each cell
   layers: content.layers.map((layer) => ({ ...layer, plane: null })),
   isBasin: content.kind === "basin",
@@ -96,9 +91,9 @@ const classOfOrbit = new Map(
   content.classes.flatMap((one, number) => (one.orbit ? [[one.orbit.join("/"), number]] : [])),
 );
 
-// The class of a cell, as classes.py tells it.
+// The class of a cell, as classes.py tells it, and as the file's own cells of that class are shown.
 function classOf(regime, impacts, period) {
-  if (regime === PERIODIC) return classOfOrbit.get(`${impacts}/${period}`) ?? classIndex["other p/q"];
+  if (regime === PERIODIC) return content.labels.shown[classOfOrbit.get(`${impacts}/${period}`) ?? classIndex["other p/q"]];
   const names = {
     [NO_IMPACT]: "no impact", [CHAOTIC]: "chaotic", [SUSTAINED_CONTACT]: "sustained contact",
     [UNRESOLVED]: "unresolved", [FAILED]: "failed", [NOT_COMPUTED]: "not computed yet",

@@ -26,15 +26,18 @@ TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
 def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
-    """({"table": [[regime, p, q, class], ...], ...}, bytes): the label of each cell as a number of the table."""
+    """({"table": [[regime, p, q, class], ...], "shown": [of each class as which it is shown], ...}, bytes): the label of each
+    cell as a number of the table."""
     key = np.concatenate([_key(band) for band in _bands(file, LABELS, every)])
-    found, first, index = np.unique(key, return_index=True, return_inverse=True)
+    found, index, counts = np.unique(key, return_inverse=True, return_counts=True)
     if len(found) > MOST_LABELS:
         raise file.refusal(f"has {len(found)} different z; a page holds {MOST_LABELS}")
     regime, impacts, period = (found >> 48) - 128, (found >> 24) & 0xFFFFFF, found & 0xFFFFFF
-    table = np.column_stack([regime, impacts, period, classes.classify(regime, impacts, period)])
+    number = classes.classify(regime, impacts, period)
+    shown = classes.named(np.bincount(number, weights=counts, minlength=len(classes.CLASSES)))
+    table = np.column_stack([regime, impacts, period, shown[number]])
     description, packed = planes.integers(index.reshape(key.shape))
-    return {"table": table.tolist(), "plane": description}, packed
+    return {"table": table.tolist(), "shown": shown.tolist(), "plane": description}, packed
 
 
 def datasets(file: PeterkaFile, asked: Sequence[str] | None) -> list[str]:

@@ -1,9 +1,10 @@
 // The legend of the layer shown: classes and words with their shares, or a scale of colours.
 
-function drawLegend(parent, layer) {
+// counts: cells of each class of a live map, whose shares are told in place of the file's.
+function drawLegend(parent, layer, counts = undefined) {
   parent.replaceChildren();
-  if (layer.name === "z") return entriesInto(parent, classEntries());
-  if (layer.name === "regime") return entriesInto(parent, regimeEntries());
+  if (layer.name === "z") return entriesInto(parent, classEntries(counts));
+  if (layer.name === "regime") return entriesInto(parent, regimeEntries(counts));
   if (isWords(layer)) return entriesInto(parent, wordEntries(layer));
   const bar = Object.assign(document.createElement("div"), { className: "bar" });
   bar.style.background = `linear-gradient(to right, ${content.viridis.filter((_, i) => i % 15 === 0).join(", ")})`;
@@ -11,7 +12,7 @@ function drawLegend(parent, layer) {
   for (const value of ticksBetween(layer.low, layer.top, 5).values) scale.append(tickOf(layer, value));
   const about = Object.assign(document.createElement("div"), { className: "about", textContent: aboutLayer(layer) });
   parent.append(about, bar, scale);
-  entriesInto(parent, classEntries().filter(({ number: kind }) => APART.includes(kind)));
+  entriesInto(parent, classEntries(counts).filter(({ number: kind }) => APART.includes(kind)));
 }
 
 function tickOf(layer, value) {

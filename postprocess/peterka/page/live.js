@@ -16,7 +16,7 @@ function coarseToFine(size) {
 }
 
 class LivePlane {
-  // {workers, cell, names, size, valuesAt(i, j) -> [of names[0], of names[1]] or null where there is nothing to compute,
+  // {workers, cell, sides, size, valuesAt(i, j) -> [of sides[0], of sides[1]] or null where there is nothing to compute,
   //  colour(regime, impacts, period, force) -> abgr, changed(plane)}
   constructor(how) {
     Object.assign(this, how);
@@ -29,6 +29,7 @@ class LivePlane {
     for (const [place] of this.todo) this.has[place] = 1;
     this.count = this.todo.length;
     this.done = 0;
+    this.kinds = new Array(content.classes.length).fill(0); // cells of each class
     this.begun = performance.now();
     this.todo.reverse(); // the next one is the last
     this.workers.begin(this);
@@ -51,7 +52,9 @@ class LivePlane {
   }
   give(places, results) {
     places.forEach(([place, stride], n) => {
-      this.#paint(place, stride, this.colour(...results.subarray(4 * n, 4 * n + 4)));
+      const cell = results.subarray(4 * n, 4 * n + 4);
+      ++this.kinds[classOf(...cell.subarray(0, 3))];
+      this.#paint(place, stride, this.colour(...cell));
     });
     this.done += places.length;
     if (this.finished) this.milliseconds = performance.now() - this.begun;
@@ -85,11 +88,12 @@ const LIVE_SIZE = 128;
 function liveMap(workers, cell, view, layer, changed) {
   const inside = (axis, place) => {
     const value = axis.value(place);
-    return axis.values[0] >= 0 ? Math.max(value, axis.name === "frequency_ratio" ? 1e-6 : 0) : value;
+    const least = axis.name.includes("frequency") || axis.log ? 1e-6 * axis.values.at(-1) : 0;
+    return axis.values[0] >= 0 ? Math.max(value, least) : value;
   };
   const at = ([from, to], n) => from + ((n + 0.5) / LIVE_SIZE) * (to - from);
   const plane = new LivePlane({
-    workers, cell, names: [file.columns.name, file.rows.name], size: LIVE_SIZE, changed,
+    workers, cell, sides: file.sides, size: LIVE_SIZE, changed,
     valuesAt: (i, j) => [inside(file.columns, at(view.x, i)), inside(file.rows, at(view.y, j))],
     colour: liveColour(layer),
   });

@@ -1,6 +1,7 @@
 // The page: puts the parts together.
 
 const element = (id) => document.getElementById(id);
+const USUAL_AXES = ["frequency_ratio", "gap_ratio", "displacement_ratio", "velocity_ratio"];
 const Z_LAYER = { name: "z", title: "z = p/q" };
 const REGIME_LAYER = { name: "regime", title: "regime" };
 const LAYERS = [Z_LAYER, REGIME_LAYER, ...file.layers];
@@ -62,7 +63,7 @@ class Page {
     if (layer.blob !== undefined) await file.loadLayer(layer);
     if (this.layer !== layer) return; // another one was chosen meanwhile
     this.map.paint = painterOf(layer);
-    drawLegend(element("legend"), layer);
+    drawLegend(element("legend"), layer, this.map.patch?.kinds);
     this.map.draw();
     this.#moved();
   }
@@ -73,17 +74,21 @@ class Page {
     this.map.setPicked(file.columns.place(x), file.rows.place(y));
     this.#writeAddress();
     if (!this.panel) return;
-    this.rig.setPlace({ [file.columns.name]: x, [file.rows.name]: y });
+    this.rig.setPlace([x, y]);
     element("cell").hidden = false;
     const inside = (axis, value) => Math.max(axis.cell(Math.min(Math.max(axis.place(value), axis.edges[0]), axis.edges.at(-1))), 0);
     const inFile = file.value(inside(file.rows, y), inside(file.columns, x));
     element("place").textContent = this.#placeWords(this.rig.cell);
     this.panel.show(this.rig.cell, inFile, cell && !this.rig.differs ? inFile : null);
   }
-  #placeWords({ frequency_ratio: frequency, gap_ratio: gap, displacement_ratio: x, velocity_ratio: v }) {
-    const { hertz, amplitude_m: amplitude } = content;
+  #placeWords({ hertz, amplitude_m: amplitude, frequency_ratio: frequency, gap_ratio: gap, displacement_ratio: x, velocity_ratio: v }) {
     const parts = [`Ω/ω ${digits(frequency, 5)}`, hertz && `${digits(frequency * hertz, 4)} Hz`, `gap/A₀ ${digits(gap, 4)}`,
       amplitude && `${digits(1000 * gap * amplitude, 4)} mm`];
+    for (const axis of [file.columns, file.rows]) {
+      if (USUAL_AXES.includes(axis.name)) continue;
+      const value = this.rig.place[axis === file.columns ? 0 : 1];
+      parts.push(`${axis.about} ${digits(value * (axis.factor ?? 1), 4)} ${axis.unit}`.trim());
+    }
     if (file.isBasin) parts.push(`from x/A₀ ${digits(x, 4)}, ẋ/(A₀ω) ${digits(v, 4)}`);
     return parts.filter(Boolean).join(" · ");
   }
@@ -113,14 +118,11 @@ class Page {
     if (this.liveWanted) this.#recompute(250);
   }
   #rigChanged(kind) {
-    const { cell } = this.rig;
-    if (this.place && (kind === "rig" || !file.isBasin)) {
-      const [x, y] = [cell[file.columns.name], cell[file.rows.name]];
-      this.pick(x, y, this.#cellExactlyAt(x, y));
-    }
+    const [x, y] = this.rig.place;
+    if (this.place) this.pick(x, y, this.#cellExactlyAt(x, y));
     this.#edge();
-    if (kind === "rig" || file.isBasin) this.#setLive(this.rig.differs || element("live").checked || file.isBasin);
-    else if (!this.place) this.pick(cell[file.columns.name], cell[file.rows.name]);
+    if (kind === "rig") this.#setLive(this.rig.differs || element("live").checked || file.isBasin);
+    else if (!this.place) this.pick(x, y);
   }
   #cellExactlyAt(x, y) {
     const column = file.columns.cell(file.columns.place(x));
@@ -131,7 +133,8 @@ class Page {
   #edge() {
     if (file.isBasin) this.map.stop = this.rig?.cell.gap_ratio ?? content.place.gap_ratio;
     const zeta = this.rig ? (this.rig.changes.damping_ratio ?? content.damping_ratio) : content.damping_ratio;
-    if (!file.isBasin && zeta !== null) this.map.edge = (ratio) => ratio ** 2 / Math.hypot(1 - ratio ** 2, 2 * zeta * ratio);
+    const isUsual = file.columns.name === "frequency_ratio" && file.rows.name === "gap_ratio"; // the line is one of that plane
+    if (isUsual && zeta !== null) this.map.edge = (ratio) => ratio ** 2 / Math.hypot(1 - ratio ** 2, 2 * zeta * ratio);
     this.map.drawTop();
   }
   #setLive(wanted) {
@@ -142,6 +145,7 @@ class Page {
     this.live = this.map.patch = null;
     element("live-state").textContent = "";
     this.map.draw();
+    drawLegend(element("legend"), this.layer);
     this.#writeAddress();
   }
   #recompute(delay) {
@@ -157,6 +161,7 @@ class Page {
   #showLive(plane) {
     this.map.patch = plane;
     this.map.draw();
+    drawLegend(element("legend"), this.layer, plane.kinds);
     const state = element("live-state");
     state.dataset.finished = String(plane.finished);
     state.dataset.milliseconds = plane.finished ? plane.milliseconds.toFixed(0) : "";
@@ -171,6 +176,7 @@ class Page {
   }
   async #followAddress() {
     const address = readAddress();
+    element("address-state").textContent = this.#strangeWords(address);
     for (const [name, value] of this.rig ? address.rig : []) this.rig.take(name, Number(value));
     if (address.x || address.y) this.map.show(address.x ?? this.map.view.x, address.y ?? this.map.view.y);
     if (address.layer !== "z") await this.showLayer(address.layer);
@@ -179,6 +185,14 @@ class Page {
     if (this.rig && (address.live || this.rig.differs)) this.#setLive(true);
     this.#edge();
     this.listens = true;
+  }
+  // What of an address this page doesn't follow, for it was made by another version or for another file.
+  #strangeWords({ rig, version }) {
+    const known = ["layer", "x", "y", "at", "live", "version"];
+    const strange = rig.filter(([name, value]) => !known.includes(name) && !this.rig?.takes(name, Number(value)));
+    const parts = strange.map(([name, value]) => `${name} = ${value} isn't of this page's rig and is left out`);
+    if (version !== null && version !== VERSION) parts.unshift(`the address was made by version ${version}, this page by ${VERSION}`);
+    return parts.length > 0 ? `${parts.join("; ")}.` : "";
   }
   // Something to look at: the periodic cell nearest to the middle.
   #pickMiddle() {
@@ -258,6 +272,6 @@ window.peterka = {
     if (refusal) throw new Error(refusal);
     file.value(row, column); // says so where there is no such cell
     const values = [file.columns.values[column], file.rows.values[row]];
-    return page.workers.solve(content.cell, [file.columns.name, file.rows.name], values);
+    return page.workers.solve(content.cell, file.sides, values);
   },
 };

@@ -4,16 +4,19 @@ scripts that show them, all inside. Whatever comes out of the file is data there
 import base64
 import html
 import json
+import re
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
 
 from ..look import classes
+from ..look.axes import si_scale
+from ..look.coordinates import IN_MILLIMETRES, label
 from ..maps import basin_map, field_map
 from ..maps.map_file import PeterkaFile
 
 from . import layers
-from .engine import NoEngine, cell_numbers, module
+from .engine import NoEngine, cell_numbers, module, numbers_of_axis, version
 
 FOLDER = Path(__file__).resolve().parent
 # in this order, in one scope; those of WORKER once more in a scope of their own
@@ -26,14 +29,13 @@ AXES = {
     "gap_ratio": ("gap/A₀", "gap", "mm"),
     "displacement_ratio": ("x/A₀", "start: displacement of the hammer", "mm"),
     "velocity_ratio": ("ẋ/(A₀ω)", "start: velocity of the hammer", "mm/s"),
+    "start_displacement_ratio": ("x/A₀", "start: displacement of the hammer", "mm"),
+    "start_velocity_ratio": ("ẋ/(A₀ω)", "start: velocity of the hammer", "mm/s"),
 }
 
 
 def page(file: PeterkaFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
     """(text of the page, sentences for the user) of an open PeterkaFile."""
-    if any(axis.name not in AXES for axis in (file.columns, file.rows)):
-        raise file.refusal(f"runs over {file.columns.name} and {file.rows.name}; a page shows maps over frequency and gap, and "
-                           "basins; draw.py draws this one")
     blobs: list[str] = []
     notes: list[str] = []
     content = _header(file, every)
@@ -65,21 +67,35 @@ def _header(file, every):
         "computed": file.computed,
         "source": str(attribute("source") or ""),
         "commit": str(attribute("git_commit") or ""),
+        "page_version": version(),
         "arithmetic": str(attribute("arithmetic") or ""),
         "newtons": file.newtons,
         "damping_ratio": file.number("damping_ratio"),
         "hertz": file.positive("natural_frequency_hz"),
         "amplitude_m": file.positive("cart_amplitude_m"),
         "place": {name: file.number(name) for name in ("frequency_ratio", "gap_ratio")},
-        "rows": _axis(file.rows, every),
-        "columns": _axis(file.columns, every),
+        "rows": _axis(file, file.rows, every),
+        "columns": _axis(file, file.columns, every),
     }
 
 
-def _axis(axis, every):
-    symbol, about, unit = AXES[axis.name]
-    return {"name": axis.name, "symbol": symbol, "about": about, "unit": unit, "log": axis.log,
-            "values": axis.values[::every].tolist()}
+def _axis(file, axis, every):
+    """`factor`: from the values to `unit`, None where the file doesn't tell; `sets`, `clears`: numbers of a cell (engine.py)."""
+    symbol, about, unit = AXES.get(axis.name) or _plain_words(axis.name)
+    scale = si_scale(file, axis.name)
+    factor = scale and (1000 * scale[1] if unit == "mm/s" else scale[1])
+    sets, clears = numbers_of_axis(file, axis.name)
+    return {"name": axis.name, "symbol": symbol, "about": about, "unit": unit, "factor": factor, "log": axis.log, "sets": sets,
+            "clears": clears, "values": axis.values[::every].tolist()}
+
+
+def _plain_words(name):
+    """(symbol, about, unit) of any other axis, from what pictures call it: without mathematics."""
+    words = label(name).replace("$x", "x$").replace(r"$\dot{x}", "ẋ$")
+    words = re.sub(r" ?\$[^$]*\$", "", words).strip() or name
+    millimetres = name in IN_MILLIMETRES
+    about, _, unit = words.partition(" (")
+    return words, about, "mm" if millimetres else unit.rstrip(")")
 
 
 def _layers(file, every, asked, room, blobs):

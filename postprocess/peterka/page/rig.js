@@ -1,39 +1,54 @@
 // The sliders: numbers of the rig that a live map is computed for, and the place of the cell that is looked at.
 
 class Rig {
-  // changed(kind): "rig" for the sliders of the rig, "place" for frequency and gap.
+  // changed(kind): "rig" for the sliders of the rig, "place" for those of the axes.
   constructor(parent, changed) {
     this.changed = changed;
     this.changes = {}; // of the file's cell numbers
-    this.sliders = [...rigSliders(), ...placeSliders()].map((slider) => new Slider(parent, slider, (value) => {
+    const axes = new Set(file.sides.flatMap(({ sets, clears }) => [sets, ...clears]));
+    const others = [...rigSliders(), ...placeSliders()].filter(({ name, twin }) => !axes.has(name) && !axes.has(twin));
+    const onAxes = file.isBasin ? [] : [file.columns, file.rows].map(axisSlider);
+    this.sliders = [...others, ...onAxes].map((slider) => new Slider(parent, slider, (value) => {
       Object.assign(this.changes, slider.change(value));
       changed(slider.kind);
     }));
   }
   get cell() {
-    return { ...content.cell, ...this.changes };
+    return settled({ ...content.cell, ...this.changes });
   }
   get differs() {
-    return this.sliders.some((slider) => slider.moved && (slider.kind === "rig" || file.isBasin));
+    return this.sliders.some((slider) => slider.moved && slider.kind === "rig");
   }
   reset() {
-    for (const slider of this.sliders.filter((one) => one.kind === "rig" || file.isBasin)) slider.reset();
-    const { frequency_ratio, gap_ratio } = this.changes;
-    this.changes = file.isBasin ? {} : { frequency_ratio, gap_ratio };
+    for (const slider of this.sliders.filter((one) => one.kind === "rig")) slider.reset();
+    const kept = file.sides.flatMap(({ sets, clears }) => [sets, ...clears]);
+    this.changes = Object.fromEntries(Object.entries(this.changes).filter(([name]) => kept.includes(name)));
     this.changed("rig");
   }
-  // The sliders follow a picked cell.
+  // The sliders follow a picked place: [across, up].
   setPlace(values) {
-    Object.assign(this.changes, values);
-    for (const slider of this.sliders) if (values[slider.name] !== undefined) slider.set(values[slider.name]);
+    file.sides.forEach((side, n) => {
+      Object.assign(this.changes, changeOf(side, values[n]));
+      for (const slider of this.sliders) if (slider.name === side.sets) slider.set(values[n]);
+    });
+  }
+  // [across, up] of the cell.
+  get place() {
+    const { cell } = this;
+    return file.sides.map(({ sets }) => cell[sets]);
   }
   // For the address.
   values() {
     return this.sliders.filter((one) => one.kind === "rig" && one.moved).map((one) => [one.name, one.value]);
   }
-  take(name, value) {
+  takes(name, value) {
     const slider = this.sliders.find((one) => one.name === name && one.kind === "rig");
-    if (!slider || !Number.isFinite(value)) return;
+    const slack = 1e-6; // an address has nine digits
+    return slider !== undefined && value >= slider.from * (1 - slack) && value <= slider.to * (1 + slack);
+  }
+  take(name, value) {
+    if (!this.takes(name, value)) return;
+    const slider = this.sliders.find((one) => one.name === name && one.kind === "rig");
     slider.set(value);
     Object.assign(this.changes, slider.change(slider.value));
   }
@@ -59,22 +74,29 @@ function rigSliders() {
   return [stop("contact_first", "stop stiffness", "N/m", 1000, 100), stop("contact_second", "stop damping", "Ns/m", 100, 10), damping];
 }
 
-// In Hz and mm; for a map within its axes.
-function placeSliders() {
-  const { hertz, amplitude_m: amplitude } = content;
-  const slider = (name, label, factor, unit) => {
-    const axis = [file.columns, file.rows].find((one) => one.name === name);
-    const middle = content.place[name] ?? content.cell[name] ?? 1;
-    const [from, to] = axis ? [axis.values[0], axis.values.at(-1)] : [0.25 * middle, Math.max(2 * middle, 1)];
-    return {
-      kind: "place", name, label, unit, factor, from: name === "frequency_ratio" ? Math.max(from, 0.05) : Math.max(from, 0), to,
-      value: axis ? (from + to) / 2 : middle, change: (value) => ({ [name]: value }),
-    };
+// Of an axis of a map, within it.
+function axisSlider(axis) {
+  const [first, last] = [axis.values[0], axis.values.at(-1)];
+  const from = axis.sets.startsWith("frequency") ? Math.max(first, 0.05 * (axis.sets === "frequency_ratio" ? 1 : last)) : first;
+  return {
+    kind: "place", name: axis.sets, label: axis.about.replace("excitation ", ""), log: axis.log, from, to: last,
+    unit: axis.factor ? axis.unit : axis.unit && !(axis.name in { frequency_ratio: 1, gap_ratio: 1 }) ? axis.unit : axis.symbol,
+    factor: axis.factor ?? 1, value: axis.log ? Math.sqrt(from * last) : (from + last) / 2, change: (value) => changeOf(axis, value),
   };
-  return [
-    slider("frequency_ratio", "frequency", hertz ?? 1, hertz ? "Hz" : "Ω/ω"),
-    slider("gap_ratio", "gap", amplitude ? 1000 * amplitude : 1, amplitude ? "mm" : "A₀"),
-  ];
+}
+
+// Frequency and gap that all cells share, in Hz and mm where the file tells them.
+function placeSliders() {
+  const { hertz, amplitude_m: amplitude, cell } = content;
+  const slider = (ratio, si, label, factor, unit, siFactor, siUnit) => {
+    const inSi = (cell[ratio] ?? null) === null && (cell[si] ?? null) !== null;
+    const [name, value] = inSi ? [si, cell[si]] : [ratio, content.place[ratio] ?? cell[ratio] ?? 1];
+    return { kind: "rig", name, twin: inSi ? ratio : si, label, unit: inSi ? siUnit : unit, factor: inSi ? siFactor : factor,
+      from: ratio === "frequency_ratio" ? Math.max(0.25 * value, inSi ? 0 : 0.05) : 0, to: Math.max(2 * value, inSi ? 0 : 1), value,
+      change: (one) => ({ [name]: one }) };
+  };
+  const gap = slider("gap_ratio", "gap_m", "gap", amplitude ? 1000 * amplitude : 1, amplitude ? "mm" : "A₀", 1000, "mm");
+  return [slider("frequency_ratio", "frequency_hz", "frequency", hertz ?? 1, hertz ? "Hz" : "Ω/ω", 1, "Hz"), gap];
 }
 
 const SLIDER_STEPS = 400;

@@ -19,13 +19,14 @@ onmessage = async ({ data }) => {
   else newest = data.number; // gives up
 };
 
-async function solveCells({ number, cell, names, cells }) {
+async function solveCells({ number, cell, sides, cells }) {
   const solver = await engine;
   const results = new Float64Array(4 * (cells.length / 2));
   const begun = performance.now();
   let done = 0;
   while (2 * done < cells.length && (done === 0 || performance.now() - begun < TURN_MS)) {
-    solver.begin({ ...cell, [names[0]]: cells[2 * done], [names[1]]: cells[2 * done + 1] }, false);
+    const own = { ...cell, ...changeOf(sides[0], cells[2 * done]), ...changeOf(sides[1], cells[2 * done + 1]) };
+    solver.begin(settled(own), false);
     solver.advance(0);
     const { regime, impacts, period, peak_force_ratio } = solver.answer();
     results.set([regime, impacts, period, peak_force_ratio], 4 * done);

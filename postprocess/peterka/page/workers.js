@@ -32,7 +32,7 @@ class Workers {
     this.looking = ++this.orders;
     this.one.postMessage({ number: this.looking });
   }
-  // A job: {cell, names of the two numbers that differ, take(most) -> {places, cells} or null, give(places, results)}.
+  // A job: {cell, sides: both axes {sets, clears}, take(most) -> {places, cells} or null, give(places, results)}.
   // Jobs are served in their order, the last one begun first; end(job) forgets it.
   begin(job) {
     this.jobs.unshift(job);
@@ -61,14 +61,14 @@ class Workers {
       }
       this.#feed();
     });
-    worker.postMessage({ number, cell: job.cell, names: job.names, cells: batch.cells });
+    worker.postMessage({ number, cell: job.cell, sides: job.sides, cells: batch.cells });
   }
   // One cell as the file would have it.
-  solve(cell, names, values) {
+  solve(cell, sides, values) {
     return new Promise((done) => {
       let waits = true;
       const job = {
-        cell, names, hasMore: () => waits, putBack: () => (waits = true),
+        cell, sides, hasMore: () => waits, putBack: () => (waits = true),
         take: () => {
           waits = false;
           return { places: [0], cells: Float64Array.from(values) };

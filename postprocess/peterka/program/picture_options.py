@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from ..files.opened import OpenedFile
 from ..look.axes import si_scale
 from ..look.coordinates import IN_MILLIMETRES
 from ..look.style import PALETTES, UNITS
+from ..maps.map_file import PeterkaFile
 from ..pictures import open_file
 
 WIDTHS = (40, 500)  # mm
@@ -25,10 +27,10 @@ def add_style_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-title", dest="title", action="store_false", help="leave the title out, for the caption has it")
     parser.add_argument("--limits", metavar="LOW,HIGH", type=numbers_of(2), help="ends of the scale of values or forces, in its own numbers")
     parser.add_argument("--log", action="store_true", help="makes that scale logarithmic")
-    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="grey tells classes apart by lightness and hatching")
+    parser.add_argument("--palette", choices=PALETTES, default=PALETTES[0], help="colour was checked for the three kinds of colour blindness; grey tells classes apart by lightness and hatching")
     parser.add_argument("--units", choices=UNITS, default=UNITS[0], help="units of the scales; default: both")
     parser.add_argument("--zoom", metavar="X0,X1[,Y0,Y1]", type=numbers_of(2, 4),
-                        help="part of the axes, with its ends, whichever unit the job has: in ratios, or in Hz and mm with --units si")
+                        help="part of the axes, exactly from end to end, whichever unit the job has: in ratios, or in Hz and mm with --units si")
 
 
 def style_of(arguments: argparse.Namespace) -> dict[str, object]:
@@ -76,7 +78,8 @@ def numbers_of(*counts: int) -> Callable[[str], tuple[float, ...]]:
 
 
 def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> OpenedFile:
-    """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom."""
+    """The part of a map, basin or sweep between (x0, x1, y0, y1), or between x0 and x1; the file itself without a zoom. Cells of a
+    plane that lie over an end are shown in part, so that a picture ends where it was asked to."""
     if not zoom:
         return file
     axes = _axes(file)
@@ -86,14 +89,37 @@ def zoomed(file: OpenedFile, zoom: tuple[float, ...] | None, in_si: bool) -> Ope
 
     assert isinstance(file.data, CheckedFile)
     data = dataset_of(file.data)
+    ends = {}
     for axis, low, high in zip(axes, zoom[::2], zoom[1::2]):
         scale = si_scale(file, axis.name) if in_si or axis.name in IN_MILLIMETRES else None
-        inside = _inside(axis.values * (scale[1] if scale else 1.0), low, high)
-        data = data.isel({axis.stored: inside})
+        factor = scale[1] if scale else 1.0
+        ends[axis.name] = low / factor, high / factor
+        data = data.isel({axis.stored: _shown(file, axis, *ends[axis.name])})
         left = data.sizes[axis.stored]
         if left < 2:
             raise file.refusal(f"has {left} points of {axis.name} from {low:g} to {high:g}; --zoom has to leave 2")
-    return open_file(data)
+    part = open_file(data)
+    if isinstance(part, PeterkaFile):
+        part.rows, part.columns = (_cut(axis, ends.get(axis.name)) for axis in (part.rows, part.columns))
+    return part
+
+
+def _shown(file, axis, low, high):
+    """The slice of the points of an axis whose cells, or which themselves in a sweep, lie from `low` to `high`."""
+    if not isinstance(file, PeterkaFile):
+        return _inside(file.values, low, high)
+    rounding = ROUNDING * np.diff(axis.edges)
+    first = np.count_nonzero(axis.edges[1:] <= low + rounding)
+    return slice(first, max(first, np.count_nonzero(axis.edges[:-1] < high - rounding)))
+
+
+def _cut(axis, ends):
+    """An axis whose outer cells end there."""
+    if ends is None:
+        return axis
+    edges = axis.edges.copy()
+    edges[0], edges[-1] = max(edges[0], ends[0]), min(edges[-1], ends[1])
+    return replace(axis, edges=edges)
 
 
 def _inside(values, low, high):

@@ -1,69 +1,71 @@
-"""How far measured forces are from a sweep: each from the nearest branch of its gap, as a table."""
+"""How far measured forces are from a sweep: each from every branch and every other attractor of its gap, as a table."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
 from ..measurements import tables
+from ..measurements.map_residuals import known
+from ..measurements.matches import Known, Match, Place, around, distance, matches
 from ..measurements.points import Point
-from .sweep_file import Branch, SweepFile
+from .sweep_file import OF_ATTRACTORS, SweepFile
 
 
-@dataclass(frozen=True)
-class Residual:
-    """`force` of the branch that is nearest at the point's frequency [F/(m g)], between the sweep's own frequencies linear."""
-
-    point: Point
-    branch: Branch
-    force: float
-
-    @property
-    def share(self) -> float | None:
-        """Of the computed force by which the measured one is above it; None where nothing impacts."""
-        assert self.point.force is not None
-        return self.point.force / self.force - 1 if self.force > 0 else None
+def residuals(file: SweepFile, points: Iterable[Point]) -> list[list[Match]]:
+    """[Match] of each point with a force, in their order; those outside the sweep have none."""
+    slots = {gap: _slots(file, file.at_gap(gap)) for gap in file.gaps}
+    ends = file.values[0], file.values[-1]
+    return [matches(point, _places(file, point, slots)) for point in points
+            if point.force is not None and ends[0] <= point.frequency <= ends[1]]
 
 
-def residuals(file: SweepFile, points: Iterable[Point]) -> list[Residual]:
-    """[Residual] of the points with a force, in their order; those outside the sweep have none."""
-    return [found for point in points if point.force is not None
-            for found in [_nearest(file, point)] if found is not None]
-
-
-def table(file: SweepFile, found: Sequence[Residual]) -> list[str]:
-    """Lines; in Hz and N where the file tells the rig."""
+def table(file: SweepFile, found: Sequence[Sequence[Match]]) -> list[str]:
+    """Lines; in Hz, mm and N where the file tells the rig."""
     hertz = 1.0 if file.axis_name == "frequency_hz" else file.positive("natural_frequency_hz")
-    newtons = file.newtons
-    units = "Hz" if hertz else "Omega/omega", "N" if newtons else "F/(m g)"
-    heads = (f"frequency [{units[0]}]", "gap/A0", f"measured [{units[1]}]", f"computed [{units[1]}]", "branch", "off by", "label")
-    rows = []
-    for one in found:
-        forces = one.point.force or 0.0, one.force
-        rows.append((f"{one.point.frequency * (hertz or 1):.5g}", f"{one.branch.gap_ratio:.4g}",
-                     *(f"{force * (newtons or 1):.4g}" for force in forces), one.branch.direction,
-                     tables.share(one.point, one.force), tables.name_of(one.point)))
-    return tables.lines(heads, rows)
+    metres = 1.0 if file.gap_name == "gap_m" else file.positive("cart_amplitude_m")
+    return tables.table([each for each in found if each], tables.Units(hertz, metres and 1000 * metres, file.newtons))
 
 
-def _nearest(file, point):
-    branches = [branch for gap in file.gaps if point.gap in (None, gap) for branch in file.at_gap(gap)]
-    forces = [(branch, _force(file, branch, point.frequency)) for branch in branches]
-    forces = [(branch, force) for branch, force in forces if np.isfinite(force)]
-    if not forces:
-        return None
-    return Residual(point, *min(forces, key=lambda found: abs(found[1] - point.force)))
+def _slots(file, branches):
+    """({dataset: (slots, points)}, those on which a branch is (points, branches)) of a gap; None without [starts]."""
+    return (file.attractors(branches[0]), np.column_stack([file.start_attractor(branch) for branch in branches])) if file.slots else None
 
 
-def _force(file, branch, frequency):
-    """Of a branch at this frequency, from both points around it; NaN outside the sweep, where one has no force, and across a
-    jump, where nothing lies between."""
-    x = file.values
-    after = int(np.searchsorted(x, frequency))
-    if after < len(x) and x[after] == frequency:
-        return float(branch.force[after])
-    jump = branch.jump[after - 1 if branch.direction == "down" else after] if 0 < after < len(x) else True
-    if jump:
-        return np.nan
-    weight = (frequency - x[after - 1]) / (x[after] - x[after - 1])
-    return float((1 - weight) * branch.force[after - 1] + weight * branch.force[after])
+def _places(file, point, slots):
+    gap = point.gap if point.gap is not None else file.gaps[0]
+    ends = around(file.values, point.frequency)
+    first, last = ends[0][0], ends[-1][0]
+    return [Place(weight, (distance(point.frequency, file.values[at]), 0.0),
+                  _merged([_on_branch(branch, at, first, last) for branch in file.at_gap(gap)]) + _beside(slots[gap], at))
+            for at, weight in ends]
+
+
+def _on_branch(branch, at, first, last):
+    """Its motion at a point; that goes on to the other one, but across a jump."""
+    motion = known(branch.regime[at], branch.impacts[at], branch.period[at], branch.force[at])
+    jumps = first != last and branch.jump[first if branch.direction == "down" else last]
+    return None if motion is None else replace(motion, key=(branch.row, at if jumps else None),
+                                               words=f"{motion.words} {branch.direction}", goes_on=True)
+
+
+def _merged(motions):
+    """Both branches of a gap are often on the same orbit: told once."""
+    found: list[Known] = []
+    for motion in filter(None, motions):
+        same = next((n for n, one in enumerate(found) if (one.force, one.key[1]) == (motion.force, motion.key[1])), None)
+        if same is None:
+            found.append(motion)
+        else:
+            found[same] = replace(found[same], words=f"{found[same].words} and {motion.words.rpartition(' ')[2]}")
+    return found
+
+
+def _beside(slots, at):
+    """The attractors of a point on which no branch is."""
+    if slots is None:
+        return []
+    cells, taken = slots
+    motions = [known(*(cells[name][slot, at] for name in OF_ATTRACTORS))
+               for slot in range(len(cells["basin_share"])) if slot not in taken[at]]
+    return [motion for motion in motions if motion is not None]

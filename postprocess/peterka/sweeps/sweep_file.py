@@ -3,8 +3,8 @@ direction, each with the classes and peak forces of a map and with samples of it
 
 Layout versions 2 and 3, on [branch][frequency_ratio], or another axis of its job: regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)],
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
-impact_displacement [x/A0 at first touch]. With [starts], on [attractor][branch][frequency_ratio]: basin_share and
-attractor_peak_force_ratio f64; and samples of all attractors' motions, attractor_stroboscopic_displacement and
+impact_displacement [x/A0 at first touch]. With [starts], on [attractor][branch][frequency_ratio]: basin_share, attractor_peak_force_ratio f64,
+attractor_regime int8, attractor_impacts and attractor_period int32, start_attractor int32 without the first; and samples of all attractors' motions, attractor_stroboscopic_displacement and
 attractor_impact_displacement. What cannot be drawn raises NotDrawable.
 """
 
@@ -25,7 +25,8 @@ MAX_SAMPLES = 2**27
 DIRECTIONS = ("up", "down", "independent")
 CELLS = {"regime": INTEGER, "impacts": INTEGER, "period": INTEGER, "peak_force_ratio": REAL, "jump": INTEGER}
 SAMPLED = ("stroboscopic_displacement", "impact_displacement")
-OF_ATTRACTORS = ("basin_share", "attractor_peak_force_ratio")
+OF_ATTRACTORS = {"attractor_regime": INTEGER, "attractor_impacts": INTEGER, "attractor_period": INTEGER,
+                 "attractor_peak_force_ratio": REAL, "basin_share": REAL}
 MAX_SLOTS = 64
 WITHOUT_PERIOD = (CHAOTIC, UNRESOLVED)
 _GAPS = ("gap_ratio", "gap_m")
@@ -105,8 +106,18 @@ class SweepFile(OpenedFile):
 
     def attractor_forces(self, branch: Branch) -> Reals:
         """(slots, points) [F/(m g)]; NaN in empty slots and where an attractor has none."""
-        share, force = (np.asarray(self.data.values(name, (slice(None), branch.row)), dtype=float) for name in OF_ATTRACTORS)
-        return np.where(share > 0, force, np.nan)
+        slots = self.attractors(branch)
+        return np.where(slots["attractor_regime"] >= 0, np.asarray(slots["attractor_peak_force_ratio"], dtype=float), np.nan)
+
+    def attractors(self, branch: Branch) -> dict[str, np.ndarray]:
+        """{dataset: (slots, points)} of OF_ATTRACTORS, at the points of a branch."""
+        slots = {name: self.data.values(name, (slice(None), branch.row)) for name in OF_ATTRACTORS}
+        check_labels(self.data, {name.removeprefix("attractor_"): values for name, values in slots.items()})
+        return slots
+
+    def start_attractor(self, branch: Branch) -> Integers:
+        """The slot in which a branch is at each of its points, (points,); below 0 in none."""
+        return np.asarray(self.data.values("start_attractor", branch.row))
 
     def check_content(self) -> None:
         """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
@@ -175,8 +186,9 @@ class SweepFile(OpenedFile):
         slots = self.data.dataset("basin_share", None, REAL).shape[:1]
         if not slots or not 1 <= slots[0] <= MAX_SLOTS or slots[0] * np.prod(shape) > MAX_SAMPLES:
             raise self.refusal(f"keeps {slots[0] if slots else 'no'} attractors at each point; 1 to {MAX_SLOTS} can be drawn")
-        for name in OF_ATTRACTORS:
-            self.data.dataset(name, slots + shape, REAL)
+        for name, kinds in OF_ATTRACTORS.items():
+            self.data.dataset(name, slots + shape, kinds)
+        self.data.dataset("start_attractor", shape, INTEGER)
         return slots[0]
 
     def _branch(self, row: int, gap: float | None, direction: str, shape: tuple[int, ...]) -> Branch:

@@ -13,7 +13,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..look import axes, style
-from ..look.classes import CLASSES, INDEX, classify
+from ..look.classes import CLASSES, INDEX, classify, named
 from ..look.coordinates import IN_MILLIMETRES, label
 from ..look.fills import fill
 from ..measurements import marks
@@ -90,17 +90,8 @@ def draw_measured(ax: Axes, measured: Measurements, gap: float | None, quantity:
     everyone = [point for point in measured.points if getattr(point, quantity) is not None]
     marks.draw(ax, marked, ("frequency", quantity), everyone)
     ax.set_xlim(low, high)
-    for point in marked:
-        if point.label:
-            note(ax, point.frequency, getattr(point, quantity), point.label, -8)
     marks.vertical_marks(ax, [point for point in points if point.force is None and point.displacement is None])
-
-
-def note(ax: Axes, frequency: float, height: float, text: str, above: float) -> None:
-    """Writes beside a point and so much [pt] above it, on the side where the panel has room."""
-    across = ax.transAxes.inverted().transform(ax.transData.transform((frequency, height)))[0]
-    ax.annotate(text, (frequency, height), xytext=(5 if across < 0.75 else -5, above), textcoords="offset points",
-                ha="left" if across < 0.75 else "right", va="center", fontsize=7, path_effects=axes.outline(2), zorder=8)
+    marks.name(ax, marked, ("frequency", quantity), 7)
 
 
 def head_notes(ax: Axes, notes: Sequence[tuple[float, float, str, str]], top: float, bottom: float = 0.0) -> None:
@@ -170,19 +161,24 @@ def _classes(branch):
     return classify(branch.regime, branch.impacts, branch.period)
 
 
+def _shown(file):
+    """As which class each is shown in all panels."""
+    return named(np.bincount(np.concatenate([_classes(branch) for branch in file.branches]), minlength=len(CLASSES)))
+
+
 def _class_handles(file):
-    present = np.unique(np.concatenate([_classes(branch) for branch in file.branches]))
+    present = np.unique(_shown(file)[np.concatenate([_classes(branch) for branch in file.branches])])
     missing = INDEX["not computed yet"]
     return [axes.legend_patch(CLASSES[i].label, CLASSES[i].colour, hatched=i == missing) for i in present]
 
 
 def _show_classes(ax, file, gap):
     """A row of classes for each branch, the first one at the bottom, each with the mark of its direction."""
-    edges = _edges(file.values)
+    edges, shown = _edges(file.values), _shown(file)
     for place, branch in enumerate(file.at_gap(gap)):
         strip = ax.inset_axes([0, 1 + STRIP * place, 1, STRIP])
         strip.set(xlim=ax.get_xlim(), ylim=(0, 1), xticks=[], yticks=[])
-        numbers = _classes(branch)
+        numbers = shown[_classes(branch)]
         changes = np.flatnonzero(np.diff(numbers)) + 1
         for first, last in zip([0, *changes], [*changes, len(numbers)]):
             entry = CLASSES[numbers[first]]

@@ -62,8 +62,8 @@ def _finished(figure, ax, file, extra=""):
     unit = trace_look.displacement(file, 0.0)[1]
     if _shows_stop(file):
         ax.axvline(trace_look.displacement(file, gap)[0], **trace_look.STOP_LINE | {"linewidth": 1.2, "zorder": 1})
-    ax.set_xlabel(f"$x - y$ ({unit})")
-    ax.set_ylabel(r"$\dot{x} - \dot{y}$ (m/s)")
+    ax.set_xlabel(f"$u = x - y$ ({unit})")
+    ax.set_ylabel(r"$\dot{u}$ (m/s)")
     trace_look.grid(ax)
     trace_look.write_title(figure, file, extra, ax)
     return ax
@@ -80,4 +80,4 @@ def _shows_stop(file):
 
 
 def _stop_handle(file):
-    return [Line2D([], [], label="stop, $x - y$ = gap", **trace_look.STOP_LINE)] if _shows_stop(file) else []
+    return [Line2D([], [], label="stop, $u$ = gap", **trace_look.STOP_LINE)] if _shows_stop(file) else []
