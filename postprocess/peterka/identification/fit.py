@@ -76,7 +76,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
         problem = release_problem(recording, guess, begun, samples, mass, given, one)
         value = _begun(problem, begun, one, given)
         try:
-            if not np.isfinite(one.cost):  # from a swing, which tells the way, but not to a sample
+            if "damping_ratio" not in one.value:  # from a swing, which tells the way, but not to a sample
                 value = solved(coarse(problem), value).value
             found.append(solved(problem, value))
         except (ValueError, np.linalg.LinAlgError):

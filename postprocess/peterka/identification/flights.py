@@ -1,28 +1,33 @@
-"""Springs and gap from when impacts come and how fast they are: least squares of events alone, which find the way from far off.
+"""Springs and gap from when impacts come and how fast they are, by scanning: without steps, and without a place to begin.
 
-A free flight that leaves the gap at speed w and comes back after T has omega T = 2 pi - 2 atan2(w, omega gap).
+A flight that begins at u0 with speed -w is at u0 A(s) - w B(s) after s, with A = exp(-zeta omega s) (cos + zeta/sqrt(1 - zeta^2) sin) and
+B = exp(-zeta omega s) sin/(omega sqrt(1 - zeta^2)), both of omega sqrt(1 - zeta^2) s. It begins where the stop's force falls to 0, at
+u0 = gap + ci w/ki, and ends at the gap: so the first flight's time tells the gap for any springs, and the further flights' times and
+speeds, each from the last one's end, which springs these are.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.optimize import least_squares
 
-from .motion import Cart, Rig, motion
 from .starts import Begin
 
-ANGLES = np.pi * np.linspace(0.6, 1.98, 24)  # omega T of flights that are tried: below pi the springs press against the stop
-LEAST_TIME, LEAST_SPEED = 1e-3, 1e-3  # errors of events, in contacts and relative, that aren't believed
-NOT_THERE = 30.0  # standard deviations by which an impact is off that doesn't come at all
-FIRST = {"omega": (0.0, 1.5), "damping_ratio": (0.01, 0.05), "gap": (0.0, 3.0)}  # mean and standard deviation of what isn't given
-NAMES = ("stiffness", "stop_ratio", "touch", "speed", "omega", "damping_ratio", "gap")
+ANGLES = np.pi * np.linspace(0.6, 1.99, 1200)  # omega T of the first flight: below pi the springs press against the stop
+RATIOS = np.concatenate([[0.0], np.geomspace(5e-4, 0.3, 60)])  # damping ratios of the springs
+STARTS = 12  # places from which least squares begin
+FAR = 3.0  # as far as they may go: so many times APART, and standard deviations
+APART = 0.02  # relative, of omegas that are two
+LEAST_TIME, LEAST_SPEED = 0.02, 0.02  # errors of events, in contacts and relative, that aren't believed
+LOST = 30.0  # standard deviations, beyond which farther off is no worse
 
 
 @dataclass(frozen=True)
 class Start:
-    """`value` {parameter as in NAMES: ki over the first guess's logarithm, touch in contacts, ...}, for springs of this `omega` [rad/s] and a
-    `swing` [m] in which the gap is told; `cost` of the events."""
+    """`value` {parameter: first value}, for springs of this `omega` [rad/s] and a `swing` [m] in which the gap is told; `cost` of the
+    events, infinite where they don't tell it."""
 
     omega: float
     swing: float
@@ -34,44 +39,78 @@ def from_events(begun: Begin, mass: float, given: Mapping[str, float]) -> list[S
     """The Starts that fit the impacts' times and speeds, the best first; none where there are fewer than two impacts."""
     if len(begun.impacts) < 2 or begun.alone is None:
         return []
-    found = []
-    flight = begun.impacts[1].touch - begun.impacts[0].touch - begun.contact
-    speed = begun.impacts[1].speed  # as fast as it left
-    omegas: list[float] = [given["omega"]] if "omega" in given else (ANGLES / flight).tolist()
-    for omega in omegas:
-        swing = begun.impacts[0].speed / omega
-        gap = given.get("gap", speed / (omega * np.tan(np.pi - omega * flight / 2)))
-        found.append(_solved(begun, mass, given, omega, swing, gap / swing))
-    return sorted(found, key=lambda one: one.cost)
+    first, second = begun.impacts[:2]
+    flight = second.touch - first.touch - begun.contact
+    if not flight > 0:
+        return []
+    omegas = np.array([given["omega"]]) if "omega" in given else ANGLES / flight
+    ratios = np.array([given["damping_ratio"]]) if "damping_ratio" in given else RATIOS
+    lag = 2 * begun.stop_ratio * np.sqrt(mass / begun.stiffness)
+    off = _Off(begun, lag, given.get("gap"))
+    omega, ratio = (grid.ravel() for grid in np.meshgrid(omegas, ratios, indexing="ij"))
+    with np.errstate(all="ignore"):  # springs with which it doesn't come back
+        cost = np.sum(np.square(np.nan_to_num(off(omega, ratio, 0.0)[0], nan=LOST).clip(-LOST, LOST)), axis=0)
+        found: list[Start] = []
+        tried: list[float] = []
+        for at in np.argsort(cost):
+            if all(abs(np.log(omega[at] / one)) > APART for one in tried):
+                tried.append(omega[at])
+                found.append(_nearest(off, first.speed, omega[at], ratio[at], given))
+            if len(tried) == STARTS:
+                break
+    kept: list[Start] = []
+    for one in sorted(found, key=lambda one: one.cost):
+        if all(abs(np.log(one.omega / other.omega)) > 0.5 * APART for other in kept):
+            kept.append(one)
+    return kept
 
 
-def _solved(begun, mass, given, omega, swing, gap):
-    first, impacts = begun.impacts[0], begun.impacts[:len(begun.alone.problem.legs)]
-    until = impacts[-1].touch + 0.3 * (impacts[-1].touch - first.touch)
-    errors = [(max(begun.alone.error(f"touch {at}"), LEAST_TIME), max(begun.alone.error(f"speed {at}"), LEAST_SPEED))
-              for at in range(len(impacts))]
-    free = [name for name in NAMES if name not in given]
-    fixed = {"gap": given.get("gap", 0.0) / swing, "omega": 0.0, "damping_ratio": given.get("damping_ratio", 0.0)}
-    before = {**FIRST, "stiffness": (0.0, max(begun.alone.error("stiffness"), 0.01)),
-              "stop_ratio": (begun.stop_ratio, max(begun.alone.error("stop_ratio"), 0.01)), "omega": (0.0, 1.5)}
+def _nearest(off, speed, omega, ratio, given):
+    """The Start that least squares find from these springs, and from the stop's restitution."""
+    def left(chosen):
+        return np.nan_to_num(off(*springs(chosen), chosen[2])[0], nan=LOST).clip(-LOST**2, LOST**2)
 
-    def off(chosen):
-        value = {**fixed, **dict(zip(free, chosen))}
-        stiffness = begun.stiffness * np.exp(value["stiffness"])
-        rig = Rig(mass, stiffness, 2 * abs(value["stop_ratio"]) * np.sqrt(stiffness * mass), omega * np.exp(value["omega"]),
-                  value["damping_ratio"], swing * value["gap"])
-        touch = first.touch + begun.contact * value["touch"]
-        moved = motion(rig, Cart(), touch, first.speed * np.exp(value["speed"]), until, len(impacts))
-        touches = [piece for piece in moved.pieces if piece.contact]
-        rows = [(value[name] - mean) / deviation for name, (mean, deviation) in before.items() if name in free]
-        for impact, (time, speed), piece in zip(impacts, errors, touches):
-            rows += [(piece.begin - impact.touch) / (begun.contact * time),
-                     np.log(max(piece.at(piece.begin)[1], 1e-9) / impact.speed) / speed]
-        return np.clip([*rows, *[NOT_THERE] * (2 * (len(impacts) - len(touches)))], -1e6, 1e6)
+    def springs(chosen):
+        return (omega if "omega" in given else omega * np.exp(APART * chosen[0]),
+                ratio if "damping_ratio" in given else abs(ratio + APART * chosen[1]))
 
-    begin = {"stop_ratio": begun.stop_ratio, "damping_ratio": 0.01, "gap": gap}
-    lower = [{"stop_ratio": 0.0, "damping_ratio": -0.2, "gap": -3.0}.get(name, -3.0) for name in free]
-    upper = [{"stop_ratio": 50.0, "damping_ratio": 0.5, "gap": 30.0}.get(name, 3.0) for name in free]
-    answer = least_squares(off, np.clip([begin.get(name, 0.0) for name in free], lower, upper), bounds=(lower, upper), diff_step=1e-6,
-                           x_scale="jac", loss="soft_l1", max_nfev=60)
-    return Start(omega, swing, {**fixed, **dict(zip(free, answer.x))}, float(answer.cost))
+    answer = least_squares(left, np.zeros(3), loss="soft_l1", bounds=(-FAR, FAR))
+    omega_there, ratio_there = springs(answer.x)
+    swing = speed / omega_there
+    gap = given.get("gap", off(omega_there, ratio_there, answer.x[2])[1])
+    return Start(float(omega_there), float(swing), {"damping_ratio": float(ratio_there), "gap": float(gap / swing)}, float(answer.cost))
+
+
+@dataclass(frozen=True)
+class _Off:
+    """`lag`: ci/ki [s]."""
+
+    begun: Begin
+    lag: float
+    told_gap: float | None
+
+    def __call__(self, omega: Any, ratio: Any, back: Any) -> tuple[Any, Any]:
+        """([what is off, in standard deviations], gap [m]) with these springs, and with a restitution by so many standard deviations higher."""
+        impacts, gap, rows = self.begun.impacts, None, [back + 0 * omega]
+        restitution = self.begun.restitution * np.exp(LEAST_SPEED * back)
+        speed = impacts[0].speed + 0 * omega
+        for before, after in zip(impacts, impacts[1:]):
+            leaving = restitution * speed
+            a, b, a_rate, b_rate = _flight(omega, ratio, after.touch - before.touch - self.begun.contact)
+            if gap is None:
+                gap = leaving * (b - self.lag * a) / (a - 1)
+                if self.told_gap is not None:
+                    rows.append((gap - self.told_gap) * omega / (impacts[0].speed * LEAST_SPEED))
+            place = (gap + self.lag * leaving) * a - leaving * b
+            speed = (gap + self.lag * leaving) * a_rate - leaving * b_rate
+            late = (gap - place) / speed
+            rows.append(late / max(after.touch_error, before.touch_error, LEAST_TIME * self.begun.contact))
+            rows.append(np.log(speed / after.speed) / max(after.speed_error, LEAST_SPEED))
+        return np.array(rows), gap
+
+
+def _flight(omega, ratio, since):
+    """A, B and their derivatives."""
+    decay, swinging = np.exp(-ratio * omega * since), omega * np.sqrt(1 - ratio**2)
+    cosine, sine = decay * np.cos(swinging * since), decay * np.sin(swinging * since) / swinging
+    return cosine + ratio * omega * sine, sine, -omega**2 * sine, cosine - ratio * omega * sine

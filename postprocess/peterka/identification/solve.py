@@ -23,6 +23,7 @@ FEWEST = 4  # residuals, of which a level is told
 CLOSE = 1e-8  # relative change at which least squares end
 COARSE, BLIND = 0.02, 0.1  # of a signal's range, of a contact
 STEP = 1e-6  # of parameters, which are of order 1, for slopes
+WHITE = 0.01  # standard deviations, for slopes along principal axes
 
 
 @dataclass(frozen=True)
@@ -86,8 +87,9 @@ def solved(problem: Problem, value: dict[str, float], most: int = 60, rounds: in
             return np.concatenate([*(_leg(problem, then, number, settled[number], rows[number], off)
                                      for number in range(len(problem.legs))), _priors(problem, then)])
 
-        def slopes(chosen, left=left, rows=rows, upper=upper):
-            return _slopes(problem, left, chosen, upper, [*rows, len(problem.prior)])
+        def slopes(chosen, left=left, rows=rows, lower=lower, upper=upper):
+            rough = _slopes(problem, left, chosen, upper, [*rows, len(problem.prior)])
+            return rough if problem.pushed else _sharper(left, chosen, lower, upper, rough)
 
         answer = least_squares(left, chosen, slopes, bounds=(lower, upper), x_scale="jac", xtol=CLOSE, ftol=CLOSE, gtol=CLOSE,
                                max_nfev=most)
@@ -221,6 +223,21 @@ def _slopes(problem, left, chosen, upper, rows):
                 found[edges[-2]:, column] = [1 / deviation if names[column] == name else 0.0
                                              for name, (_, deviation) in problem.prior.items()]
     return found
+
+
+def _sharper(left, chosen, lower, upper, rough):
+    """The same slopes from central differences along the principal axes that rough ones tell, by WHITE standard deviations each. Springs, gap
+    and speed make up for each other to a part in 1e4 and less, which differences along each of them by itself don't resolve."""
+    size = np.maximum(np.sqrt(np.sum(rough**2, axis=0)), 1e-30)
+    _, strengths, axes = np.linalg.svd(rough / size, full_matrices=False)
+    strengths = np.maximum(strengths, 1e-12 * strengths[0])
+    found = []
+    for strength, axis in zip(strengths, axes):
+        step = WHITE * axis / (strength * size)
+        if np.any(chosen - np.abs(step) < lower) or np.any(chosen + np.abs(step) > upper):
+            return rough
+        found.append((left(chosen + step) - left(chosen - step)) / (2 * WHITE))
+    return np.transpose(found) @ (strengths[:, None] * axes * size)
 
 
 def _priors(problem, value):

@@ -21,16 +21,19 @@ SCANNED_RATIOS, SCANNED_LENGTHS, SCANNED_TOUCHES = (0.02, 0.1, 0.25, 0.5), np.li
 MOST_ALONE = 8  # impacts that begin with a fit by themselves
 WAVES: tuple[Any, ...] = (np.cos, np.sin)
 SWINGS = 400  # omegas tried for a swing that is seen
+ROUGH = 0.3  # error of a touch, in contacts, and of a speed that the height of a pulse tells
 FIRST_PUSH = 0.03  # standard deviation of the push by springs and cart during an impact, over what the stop does
 
 
 @dataclass(frozen=True)
 class Impact:
-    """A pulse of a Guess as an impact: touch [s] from the recording's begin, speed [m/s]."""
+    """A pulse of a Guess as an impact: touch [s] from the recording's begin, speed [m/s], and their errors, [s] and relative."""
 
     touch: float
     speed: float
     number: int
+    touch_error: float
+    speed_error: float
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,8 @@ def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
     if guess.sharp and guess.contact >= SEEN:
         stiffness, ratio, touch, speed = _scanned(recording, guess, mass)
         contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))[1]
-    impacts = [Impact(touch + recording.step * (one.first - hardest.first), speed * one.height / hardest.height, number)
+    impacts = [Impact(touch + recording.step * (one.first - hardest.first), speed * one.height / hardest.height, number,
+                      ROUGH * contact, ROUGH)
                for number, one in enumerate(guess.pulses)]
     if guess.sharp and guess.contact >= SEEN:
         alone = _alone(recording, guess, mass, stiffness, ratio, contact, sorted(
@@ -81,7 +85,8 @@ def begin(recording: Recording, guess: Guess, mass: float) -> Begin:
         for number, leg in enumerate(legs):
             at = next(at for at, one in enumerate(impacts) if one.touch == leg.touch)
             impacts[at] = replace(impacts[at], touch=leg.touch + contact * alone.value[f"touch {number}"],
-                                  speed=float(leg.speed * np.exp(alone.value[f"speed {number}"])))
+                                  speed=float(leg.speed * np.exp(alone.value[f"speed {number}"])),
+                                  touch_error=contact * alone.error(f"touch {number}"), speed_error=alone.error(f"speed {number}"))
     restitution, contact = pulse(mass, stiffness, 2 * ratio * np.sqrt(stiffness * mass))
     return Begin(stiffness, ratio, contact, restitution, impacts, alone)
 
