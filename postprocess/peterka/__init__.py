@@ -11,6 +11,7 @@ arrays     kinds of arrays, for hints
 files      any file of peterka, checked before anything in it is believed: HDF5, seals, headers, numbers of regimes
 look       what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
 measurements   points that somebody measured, and how they look over sweeps and maps
+rig_sketch   the rig with its coordinates and their signs, for the README
 maps       maps and basins: the checked file, reduction to what a picture can show, the pictures, two files compared
 sweeps     sweeps: frequency response and bifurcation, measured points over them
 traces     one cell in time: motion, phase plane, impact, spectra
