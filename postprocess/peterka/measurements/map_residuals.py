@@ -1,25 +1,39 @@
 """How far measured forces are from a map: each from every motion that the cells around its point know, as a table."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..files.regimes import NAMES, NOT_COMPUTED, NO_IMPACT, PERIODIC
-from ..maps.map_file import SLOTS, PeterkaFile
+from ..look.drawn import Plane
 from . import tables
 from .matches import Known, Match, Place, around, distance, matches
 from .points import AXES, Point
 
 CELL = ("regime", "impacts", "period", "peak_force_ratio")
+SLOTS = ("attractor_regime", "attractor_impacts", "attractor_period", "attractor_peak_force_ratio", "basin_share")
 
 
-def residuals(file: PeterkaFile, points: Iterable[Point]) -> list[list[Match]]:
+class Map(Plane, Protocol):
+    """A map, whose cells are read in bands of rows; with so many slots for the attractors of a cell."""
+
+    @property
+    def newtons(self) -> float | None: ...
+
+    @property
+    def slots(self) -> int: ...
+
+    def band(self, names: Iterable[str], first: int, last: int) -> dict[str, NDArray[Any]]: ...
+
+
+def residuals(file: Map, points: Iterable[Point]) -> list[list[Match]]:
     """[Match] of each point with a force, in their order."""
     return [matches(point, _places(file, point), _beyond(file, point)) for point in points if point.force is not None]
 
 
-def table(file: PeterkaFile, found: list[list[Match]]) -> list[str]:
+def table(file: Map, found: list[list[Match]]) -> list[str]:
     """Lines; in Hz, mm and N where the file tells the rig."""
     along = file.rows.name, file.columns.name
     metres = 1.0 if "gap_m" in along else file.positive("cart_amplitude_m")
