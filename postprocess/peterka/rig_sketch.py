@@ -43,7 +43,7 @@ def draw() -> Figure:
         _arrow(ax, 4.7, 3.9, 1.35, "$F$ on hammer", None)
         ax.text(7.35, 2.35, "$u = x - y$:\nhammer, seen from the cart\n\n$\\delta = u - \\mathrm{gap}$:\npenetration\n\n"
                             "all positive to the right,\nvelocities, too", va="center", fontsize=6.5)
-        ax.plot([0.2, 9.8], [0.6, 0.6], color="black", linewidth=0.8)
+        ax.plot([0.2, 9.8], [0.655, 0.655], color="black", linewidth=0.8)
         for wheel in (1.4, 6.2):
             ax.plot(wheel, 0.75, marker="o", markersize=6, markerfacecolor=AIR, markeredgecolor="black", markeredgewidth=0.9)
         return figure

@@ -12,6 +12,7 @@ namespace {
 constexpr int phases_of_a_cycle = 48;
 constexpr int longest_orbit = 8;  // of an orbit: a neighbourhood of one of its points is seldom worth more
 constexpr int halvings = 10;
+constexpr int bisections = 3;  // of the last halving
 constexpr int smaller_sizes = 6;
 constexpr double of_what_was_tried = 0.5;
 
@@ -56,13 +57,21 @@ std::optional<double> largest_safe_kick(KickedOrbit& orbit, const regime::Attrac
     regime::CycleDesk desk;
     const regime::StroboscopicMap map(oscillator, found.settings, desk);
     const Home home(orbit, *places, map, found.result);
-    double size = most;
-    for (int halved = 0; halved <= halvings; ++halved, size /= 2) {
-        bool all = true;
-        for (int n = smaller_sizes; n > 0 && all; --n) all = home.takes(size * n / smaller_sizes);
-        if (all) return of_what_was_tried * size;
+    const auto takes = [&](double size) {
+        int n = smaller_sizes;
+        while (n > 0 && home.takes(size * n / smaller_sizes)) --n;
+        return n == 0;
+    };
+    double safe = most;
+    int halved = 0;
+    while (!takes(safe) && ++halved <= halvings) safe /= 2;
+    if (halved > halvings) return std::nullopt;
+    double beyond = 2 * safe;
+    for (int n = 0; n < bisections && halved > 0; ++n) {
+        const double middle = std::sqrt(safe * beyond);
+        (takes(middle) ? safe : beyond) = middle;
     }
-    return std::nullopt;
+    return of_what_was_tried * safe;
 }
 
 }  // namespace peterka::attractors

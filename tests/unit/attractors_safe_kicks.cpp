@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "regime/same_attractor.hpp"
+#include "regime/stroboscopic_map.hpp"
 #include "rig.hpp"
 
 namespace peterka::attractors {
@@ -56,6 +59,80 @@ TEST(SafeKicks, LeadBackAtAllPhases) {
         ASSERT_TRUE(bound.has_value()) << frequency;
         EXPECT_GT(*bound, 1e-3) << frequency;
         expect_all_come_back(settled, *bound);
+    }
+}
+
+// Whether kicks of this size, at the phases that are tried, end their period there.
+bool land_in(const regime::Neighbourhood& place, const Settled& settled, double size) {
+    regime::CycleDesk desk;
+    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, desk);
+    KickedOrbit orbit(settled.oscillator, settled.found);
+    for (int n = 0; n < 48 * orbit.period(); ++n) {
+        for (const double change : {size, -size}) {
+            const auto end = orbit.round({n / 48.0, change});
+            if (!end || !place.contains(map.scaled(*end))) return false;
+        }
+    }
+    return true;
+}
+
+// The same with another point of the orbit as its first one.
+Settled from_next_point(Settled settled) {
+    const auto next = KickedOrbit(settled.oscillator, settled.found).after({1, 0});
+    EXPECT_TRUE(next.has_value());
+    settled.found.result.orbit_displacement = (*next)[0] + settled.oscillator.gap;
+    settled.found.result.orbit_velocity = (*next)[1];
+    return settled;
+}
+
+// Places on all sides of the orbit's point, so that each lets in fewer kicks of some phases and one direction.
+void expect_half_of_what_lands_in_places_of(Settled settled) {
+    regime::CycleDesk desk;
+    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, desk);
+    const regime::CellResult& orbit = settled.found.result;
+    const regime::Point point = map.scaled(
+        scene::State<double>(orbit.orbit_displacement - settled.oscillator.gap, orbit.orbit_velocity));
+    for (int side = 0; side < 8; ++side) {
+        const double angle = std::numbers::pi / 4 * side;
+        const regime::Point aside(std::cos(angle), std::sin(angle));
+        const regime::Neighbourhood place(point + 0.009 * aside, Eigen::Matrix2d::Identity(), 0.01);
+        settled.known = {};
+        settled.known.add(settled.oscillator, settled.found, std::vector{place});
+        const auto bound = safe(settled, 0.1);
+        ASSERT_TRUE(bound.has_value()) << side;
+        EXPECT_TRUE(land_in(place, settled, 2 * *bound)) << side;
+        EXPECT_FALSE(land_in(place, settled, 2.2 * *bound)) << side;
+    }
+}
+
+TEST(SafeKicks, AreHalfOfWhatLandsInThePlace) {
+    expect_half_of_what_lands_in_places_of(settled_at(2, 0));
+    const Settled doubled = settled_at(2.67323, 0);
+    EXPECT_EQ(doubled.found.result.period, 2);
+    expect_half_of_what_lands_in_places_of(doubled);
+    expect_half_of_what_lands_in_places_of(from_next_point(doubled));
+}
+
+TEST(SafeKicks, AreOfTheOrbitsOwnPlace) {
+    Settled settled = settled_at(2, 0);
+    FoundAttractor other = settled.found;
+    other.result.orbit_displacement += 1;
+    regime::CycleDesk desk;
+    const auto places = complete(regime::find_places(desk, settled.oscillator, settled.found, 1), desk);
+    settled.known = {};
+    settled.known.add(settled.oscillator, other, places.neighbourhoods);
+    EXPECT_FALSE(safe(settled, 4).has_value());
+}
+
+TEST(SafeKicks, AreNotTriedOnLongOrbits) {
+    Settled settled = settled_at(2, 0);
+    regime::CycleDesk desk;
+    const auto places = complete(regime::find_places(desk, settled.oscillator, settled.found, 1), desk);
+    for (const int period : {8, 9}) {  // the same orbit, gone round so many times
+        settled.found.result.period = period;
+        settled.known = {};
+        settled.known.add(settled.oscillator, settled.found, places.neighbourhoods);
+        EXPECT_EQ(safe(settled, 4).has_value(), period == 8);
     }
 }
 
