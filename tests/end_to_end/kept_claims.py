@@ -21,23 +21,23 @@ kind = "map"
 [hammer]
 mass_kg = 0.298
 natural_frequency_hz = 4.5
-damping_ratio = {float(zeta)!r}
-cubic_stiffness_n_per_m3 = {float(cubic)!r}
+damping_ratio = {zeta!r}
+cubic_stiffness_n_per_m3 = {cubic!r}
 [cart]
 amplitude_m = 0.89e-3
 [contact]
 {stop}
 [axes.frequency_ratio]
-from = {float(eta)!r}
-to = {float(eta_to)!r}
+from = {eta!r}
+to = {eta_to!r}
 points = {points}
 [axes.gap_ratio]
-from = {float(gap)!r}
-to = {float(gap_to)!r}
+from = {gap!r}
+to = {gap_to!r}
 points = {points}
 [start]
-displacement_ratio = {float(x)!r}
-velocity_ratio = {float(v)!r}
+displacement_ratio = {x!r}
+velocity_ratio = {v!r}
 [output]
 fields = ["sensitivity", "multiplier", "orbit"]
 """

@@ -22,7 +22,7 @@ kind = "map"
 [hammer]
 mass_kg = 0.298
 natural_frequency_hz = 4.5
-damping_ratio = {float(zeta)!r}
+damping_ratio = {zeta!r}
 [cart]
 amplitude_m = 0.89e-3
 [contact]
