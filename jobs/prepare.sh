@@ -17,7 +17,7 @@ packages=(g++ cmake ninja-build git
     python3 python3-numpy python3-h5py python3-xarray python3-h5netcdf python3-matplotlib python3-scipy python3-xxhash
     "${words[@]}")
 tests=OFF
-has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pip python3-pytest); }
+has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pip python3-pytest python3-setuptools); }
 
 # Arb, with which tests compare, is part of FLINT from Debian 13 on.
 if ! has_option --program; then

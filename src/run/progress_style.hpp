@@ -10,7 +10,7 @@ namespace peterka {
 
 inline ProgressStyle progress_style(const parallel::Session& session, const RunPlan& plan) {
     if (!session.is_root() || plan.quiet) return ProgressStyle::silent;
-    return stderr_is_watched() ? ProgressStyle::bar : ProgressStyle::lines;
+    return Terminal::of_stderr() ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 }  // namespace peterka

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <utility>
 
 #include "support/readable.hpp"
 #include "support/tell.hpp"
-#include "support/terminal.hpp"
 
 namespace peterka {
 namespace {
@@ -78,6 +78,8 @@ std::string progress_line(const ProgressCounts& counts, double seconds, int colu
 
 Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_before, std::string_view what)
     : style_(style), counts_{cells, cells_before, cells_before} {
+    if (style_ == ProgressStyle::bar)
+        if (auto terminal = Terminal::of_stderr()) terminal_.emplace(std::move(*terminal));
     if (style_ == ProgressStyle::lines) {
         tell("peterka: {} cells to {}, {} already in the file\n", readable_count(cells - cells_before), what,
              readable_count(cells_before));
@@ -88,7 +90,7 @@ Progress::Progress(ProgressStyle style, std::int64_t cells, std::int64_t cells_b
 Progress::~Progress() {
     if (style_ != ProgressStyle::bar) return;
     print();
-    std::fputc('\n', stderr);
+    if (terminal_) terminal_->write("\n");
 }
 
 void Progress::add(std::int64_t cells) {
@@ -101,13 +103,13 @@ void Progress::add(std::int64_t cells) {
 
 void Progress::print() const {
     if (style_ == ProgressStyle::bar) {
+        if (!terminal_) return;
         // raw: back to the line's start
-        const std::string line = "\r" + progress_line(counts_, since_start_.seconds(), stderr_columns());
-        static_cast<void>(std::fputs(line.c_str(), stderr));
+        terminal_->write("\r" + progress_line(counts_, since_start_.seconds(), terminal_->columns()));
     } else {
         tell("peterka: {}\n", progress_text(counts_, since_start_.seconds()));
+        std::fflush(stderr);
     }
-    std::fflush(stderr);
 }
 
 }  // namespace peterka

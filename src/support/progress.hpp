@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "support/stopwatch.hpp"
+#include "support/terminal.hpp"
 
 namespace peterka {
 
@@ -45,6 +47,7 @@ class Progress {
     void print() const;
 
     ProgressStyle style_;
+    std::optional<Terminal> terminal_;  // of the bar
     ProgressCounts counts_;
     Stopwatch since_start_;
     double next_print_seconds_ = 0;

@@ -6,19 +6,18 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace peterka {
 namespace {
 
-// Open MPI 4's is orterun, or a link to it; that of 5 becomes PRRTE's.
+// Open MPI 4's is orterun, or a link to it; that of 5 becomes PRRTE's prterun, in Debian 13 a link to prte.
 bool is_launcher(const std::string& program) {
-    return program.starts_with("mpirun") || program.starts_with("orterun") || program.starts_with("prterun");
+    return program.starts_with("mpirun") || program.starts_with("orterun") || program == "prterun" ||
+           program == "prte";
 }
 
-// The terminal to which mpirun on this machine, our parent, hands our stderr on; a daemon on another machine
-// has none.
+// Of mpirun on this machine, our parent; a daemon on another machine has none.
 std::optional<std::string> terminal_of_mpirun() {
     if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return std::nullopt;
     std::error_code unreadable;
@@ -30,24 +29,34 @@ std::optional<std::string> terminal_of_mpirun() {
     return target;
 }
 
-int columns_of(int terminal) {
-    constexpr int usual = 80;
-    winsize size{};
-    return ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
-}
-
 }  // namespace
 
-bool stderr_is_watched() {
-    return isatty(STDERR_FILENO) != 0 || terminal_of_mpirun().has_value();
+std::optional<Terminal> Terminal::of_stderr() {
+    if (isatty(STDERR_FILENO) != 0) return Terminal(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0));
+    const auto elsewhere = terminal_of_mpirun();
+    if (!elsewhere) return std::nullopt;
+    // One that is stopped doesn't stop the run.
+    const int opened = open(elsewhere->c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+    if (opened < 0) return std::nullopt;
+    return Terminal(opened);
 }
 
-int stderr_columns() {
-    const auto elsewhere = isatty(STDERR_FILENO) != 0 ? std::nullopt : terminal_of_mpirun();
-    const int opened = elsewhere ? open(elsewhere->c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC) : -1;
-    const int columns = columns_of(opened < 0 ? STDERR_FILENO : opened);
-    if (opened >= 0) close(opened);
-    return columns;
+Terminal::~Terminal() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+int Terminal::columns() const {
+    constexpr int usual = 80;
+    winsize size{};
+    return ioctl(descriptor_, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+void Terminal::write(std::string_view text) const {
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor_, text.data(), text.size());
+        if (written <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
 }
 
 }  // namespace peterka

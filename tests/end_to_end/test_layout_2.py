@@ -59,13 +59,17 @@ def with_a_heap_that_crashes_hdf5(path):
 
 
 def test_hdf5_breaks_down_over_a_damaged_one_in_a_process_of_its_own(old):
+    """HDF5 1.10 does. 1.14 goes on, with texts that are none: then kind, seal or version is what isn't right."""
+    breaks_down = h5py.version.hdf5_version_tuple < (1, 14)
     with_a_heap_that_crashes_hdf5(old)
-    with pytest.raises(importlib.import_module("peterka.files.opened").NotDrawable, match="HDF5 breaks down over it"):
+    reason = "HDF5 breaks down over it" if breaks_down else "is of kind None"
+    with pytest.raises(importlib.import_module("peterka.files.opened").NotDrawable, match=reason):
         pictures.open_file(old)
     jobs.write(old.parent, jobs.trace_of(old, "row = 0\ncolumn = 1"))
-    for job, code in (("job.toml", 2), ("layout_2.toml", 3)):
+    for job, code, otherwise in (("job.toml", 2, "is damaged: something outside its cells"), ("layout_2.toml", 3, "has layout version 2")):
         run = launch.run("run", job, cwd=old.parent)
-        assert run.returncode == code and "is damaged: HDF5 breaks down over it" in run.stderr, run.stderr
+        reason = "is damaged: HDF5 breaks down over it" if breaks_down else otherwise
+        assert run.returncode == code and reason in run.stderr, run.stderr
 
 
 def test_one_that_another_program_has_written_anew_is_read(old, small_map_file):

@@ -44,8 +44,8 @@ def test_displacements_are_in_mm_and_forces_in_newtons(tmp_path):
     with h5py.File(path) as file:
         samples = np.stack([file["time"][()], file["force_ratio"][()] * WEIGHT], axis=1)
         peaks = np.stack([file["impacts/touch_time"][()], 3 * [PEAK * WEIGHT]], axis=1)
-        points = np.concatenate([samples, peaks])  # of the line: each sample, and at each impact its peak
-        np.testing.assert_allclose(np.stack(list(line(force, 0)), axis=1), points[np.argsort(points[:, 0])])
+        points = np.concatenate([peaks, samples])  # of the line: at each impact its peak, before a sample of that time
+        np.testing.assert_allclose(np.stack(list(line(force, 0)), axis=1), points[np.argsort(points[:, 0], kind="stable")])
         np.testing.assert_allclose(list(line(force, 1))[1], 3 * [PEAK * WEIGHT])
         np.testing.assert_allclose(list(line(acceleration, 0))[1], file["hammer_acceleration"][()])
     assert force.get_xlabel() == "time (s)" and displacements.get_xlim() == (0, pytest.approx(3 / HZ))

@@ -2,8 +2,12 @@
 #include "support/progress.hpp"
 
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 namespace peterka {
@@ -66,17 +70,43 @@ TEST(Progress, SilentIsSilent) {
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
+// What a terminal of 80 columns gets to see while it is stderr.
+template <class Work>
+std::string shown_on_a_terminal(const Work& work) {
+    int ours = -1;
+    int its = -1;
+    termios raw{};
+    cfmakeraw(&raw);
+    const winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+    EXPECT_EQ(openpty(&ours, &its, nullptr, &raw, &size), 0);
+    std::fflush(stderr);
+    const int before = dup(STDERR_FILENO);
+    dup2(its, STDERR_FILENO);
+    work();
+    dup2(before, STDERR_FILENO);
+    std::string shown(4096, '\0');
+    const ssize_t length = read(ours, shown.data(), shown.size());
+    shown.resize(static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
+    for (const int descriptor : {ours, its, before}) close(descriptor);
+    return shown;
+}
+
 TEST(Progress, ABarEndsWithTheLastCountAndANewLine) {
-    ::testing::internal::CaptureStderr();
-    {
+    const std::string printed = shown_on_a_terminal([] {
         Progress progress(ProgressStyle::bar, 4, 0);
         for (int cell = 0; cell < 4; ++cell) progress.add(1);
-    }
-    const std::string printed = ::testing::internal::GetCapturedStderr();
+    });
+    ASSERT_NE(printed.rfind('\r'), std::string::npos) << printed;
     const std::string last = printed.substr(printed.rfind('\r'));
     EXPECT_NE(last.find("[##############################] 100.0 %"), std::string::npos) << printed;
     EXPECT_EQ(printed.back(), '\n');
-    EXPECT_LT(last.size(), 82U);  // fits a terminal of 80 columns
+    EXPECT_LT(last.size(), 82U);  // fits it
+}
+
+TEST(Progress, ABarThatNobodyWatchesIsNotThere) {
+    ::testing::internal::CaptureStderr();
+    { Progress(ProgressStyle::bar, 4, 0).add(4); }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -239,7 +239,8 @@ def is_number(value: object) -> TypeGuard[int | float]:
 
 def shown(value: object) -> str:
     """A value out of the file, short and in one line, for a message."""
-    return re.sub(r"\s+", " ", repr(value))[:60]
+    plain = value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value  # numpy 2 would name its type
+    return re.sub(r"\s+", " ", repr(plain))[:60]
 
 
 def _first_line(error):

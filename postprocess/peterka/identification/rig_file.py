@@ -15,7 +15,7 @@ KNOWN_WITHIN = 0.5  # a damping ratio with a larger relative error would be chan
 def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | None = None) -> str:
     """Of an Identified; `sources`: the names of what it was found from."""
     lines = ["# Found by identify.py from " + harmless(", ".join(sources), 400) + ", with standard errors.", "", "[hammer]",
-             f"mass_kg = {found.mass!r}"]
+             f"mass_kg = {float(found.mass)!r}"]
     frequency, ratio, gap = (found.number(key) for key in (FREQUENCY, DAMPING_RATIO, GAP))
     lines += [_line("natural_frequency_hz", frequency, "Hz") if frequency and told(frequency) else
               "# natural_frequency_hz =               what was measured doesn't tell it: give it here"]
@@ -24,7 +24,7 @@ def rig_text(found: Identified, sources: Iterable[str], amplitude_m: float | Non
     else:
         better = f" better than {number_text(ratio)}" if ratio else " it"
         lines += [f"# damping_ratio =               what was measured doesn't tell{better}: give it here"]
-    lines += ["", *(["[cart]", f"amplitude_m = {amplitude_m!r}", ""] if amplitude_m else []), "[contact]",
+    lines += ["", *(["[cart]", f"amplitude_m = {float(amplitude_m)!r}", ""] if amplitude_m else []), "[contact]",
               'law = "kelvin_voigt"', _line("stiffness_n_per_m", found.number(STIFFNESS), "N/m"),
               _line("damping_ns_per_m", found.number(DAMPING), "Ns/m")]
     if gap and gap.error is not None:
