@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from peterka.identification import solve
 from identification_coverage import coverage_faults, pulls_of
 from simulated_hammer import Hammer, driven, noisy, simulate, write
 
@@ -75,3 +76,17 @@ def test_errors_are_those_of_repetition():
     faults, words = coverage_faults(pulls)
     assert max(abs(value) for one in pulls for value in one.values()) < 4.5, words
     assert not [fault for fault in faults if "bias" not in fault], words
+
+
+def test_slopes_resolve_what_parameters_make_up_for():
+    """Two parameters whose sum alone is well told, by residuals with some digits: forward differences lose the difference's error."""
+    true = 1e3 * np.array([[1.0, 1.0], [1.0, 1.0 + 1e-4]])
+
+    def left(chosen):
+        return np.round(true @ chosen, 6)
+
+    rough = np.transpose([(left(1e-6 * axis) - left(0 * axis)) / 1e-6 for axis in np.eye(2)])
+    bounds = np.full(2, -10.0), np.full(2, 10.0)
+    errors = [np.sqrt(np.diag(np.linalg.pinv(slopes.T @ slopes))) for slopes in (true, solve._sharper(left, np.zeros(2), *bounds, rough))]
+    np.testing.assert_allclose(errors[1], errors[0], rtol=0.01)
+    assert solve._sharper(left, np.zeros(2), np.full(2, -1e-9), np.full(2, 1e-9), rough) is rough  # no room for a step

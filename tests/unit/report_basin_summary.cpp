@@ -42,10 +42,10 @@ TEST(BasinSummary, TellsTwoOrbitsOfTheSameNameApart) {
     ASSERT_NE(third, std::string::npos) << text;
     EXPECT_LT(first, second) << text;
     EXPECT_LT(second, third) << text;
-    EXPECT_NE(text.find("peak force 31.5 weights = 92.055 N, at phase 0 x - y = -280.4 um and 50.33 mm/s"),
+    EXPECT_NE(text.find("peak force 31.5 weights = 92.055 N, at phase 0 u = -280.4 um, u' = 50.33 mm/s"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("peak force 31.25 weights = 91.3244 N, at phase 0 x - y = -278.1 um and 50.33 mm/s"),
+    EXPECT_NE(text.find("peak force 31.25 weights = 91.3244 N, at phase 0 u = -278.1 um, u' = 50.33 mm/s"),
               std::string::npos)
         << text;
 }
@@ -53,7 +53,7 @@ TEST(BasinSummary, TellsTwoOrbitsOfTheSameNameApart) {
 // A rigid stop has no peak force.
 TEST(BasinSummary, NamesTheOrbitAloneWhereThereIsNoForce) {
     const std::string text = basin_summary(small_basin(), std::vector{periodic(1, 1, -0.0, 7)});
-    EXPECT_NE(text.find("   at phase 0 x - y ="), std::string::npos) << text;
+    EXPECT_NE(text.find("   at phase 0 u ="), std::string::npos) << text;
     EXPECT_EQ(text.find("force"), std::string::npos) << text;
 }
 

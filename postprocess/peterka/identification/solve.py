@@ -23,7 +23,7 @@ FEWEST = 4  # residuals, of which a level is told
 CLOSE = 1e-8  # relative change at which least squares end
 COARSE, BLIND = 0.02, 0.1  # of a signal's range, of a contact
 STEP = 1e-6  # of parameters, which are of order 1, for slopes
-WHITE = 0.01  # standard deviations, for slopes along principal axes
+WHITE, FAR = 0.01, 0.01  # standard deviations, and change of a parameter, for slopes along principal axes
 
 
 @dataclass(frozen=True)
@@ -226,18 +226,19 @@ def _slopes(problem, left, chosen, upper, rows):
 
 
 def _sharper(left, chosen, lower, upper, rough):
-    """The same slopes from central differences along the principal axes that rough ones tell, by WHITE standard deviations each. Springs, gap
-    and speed make up for each other to a part in 1e4 and less, which differences along each of them by itself don't resolve."""
+    """The same slopes from central differences along the principal axes that rough ones tell, by WHITE standard deviations each, but
+    by no more than FAR. Springs, gap and speed make up for each other to a part in 1e4 and less, which differences along each of them
+    by itself don't resolve."""
     size = np.maximum(np.sqrt(np.sum(rough**2, axis=0)), 1e-30)
     _, strengths, axes = np.linalg.svd(rough / size, full_matrices=False)
-    strengths = np.maximum(strengths, 1e-12 * strengths[0])
     found = []
-    for strength, axis in zip(strengths, axes):
-        step = WHITE * axis / (strength * size)
-        if np.any(chosen - np.abs(step) < lower) or np.any(chosen + np.abs(step) > upper):
+    for strength, way in zip(strengths, axes / size):
+        room = np.min(np.minimum(chosen - lower, upper - chosen) / np.maximum(np.abs(way), 1e-300))
+        step = min(WHITE / max(strength, 1e-300), FAR / np.max(np.abs(way)), room)
+        if room * np.max(np.abs(way)) < STEP:
             return rough
-        found.append((left(chosen + step) - left(chosen - step)) / (2 * WHITE))
-    return np.transpose(found) @ (strengths[:, None] * axes * size)
+        found.append((left(chosen + step * way) - left(chosen - step * way)) / (2 * step))
+    return np.transpose(found) @ (axes * size)
 
 
 def _priors(problem, value):
