@@ -24,8 +24,7 @@ std::string orbit_in_words(const quantities::StoredCell& cell, const scene::Scal
                                                 readable_amount(cell.peak_force * scales.weight_n, "N", 6))
                                   : "";
     return fmt::format(
-        "{}at phase 0 u = {}, u' = {}", force,
-        readable_amount(cell.orbit_displacement * scales.length_m, "m"),
+        "{}at phase 0 u = {}, u' = {}", force, readable_amount(cell.orbit_displacement * scales.length_m, "m"),
         readable_amount(cell.orbit_velocity * scales.length_m * scales.frequency_rad_per_s, "m/s"));
 }
 
