@@ -20,6 +20,7 @@ constexpr int kicks_of_a_step = 32;   // along the border
 constexpr double first_step = 0.125;  // relative in size
 constexpr double last_step = 1e-4;
 constexpr double no_surprise = 5;  // times as many as are expected
+constexpr std::int64_t most_cycles_of_searches = 2'000'000;
 
 // The fraction of n times an irrational number: even in every stretch of n.
 double fraction(std::uint64_t n, double irrational) {
@@ -63,6 +64,7 @@ void KickScan::take(std::span<const Way> ways) {
 }
 
 void KickScan::take_one(const KickTried& kick, const Way& way) {
+    spent_ += way.cycles;
     const auto keep_smaller = [&kick](std::optional<KickTried>& smallest) {
         if (!smallest || kick.size() < smallest->size()) smallest = kick;
     };
@@ -109,10 +111,20 @@ void KickScan::choose_stage(double before) {
         if (fell < step_ / 4) step_ /= 2;
         if (step_ < last_step) stage_ = Stage::done;
     }
+    if (spent_ < most_cycles_of_searches || stage_ == Stage::border) return;
+    stage_ = stage_ == Stage::rounds && smallest_ ? Stage::border : Stage::done;
+}
+
+double KickScan::tried() const {
+    return smallest_ ? smallest_->size() : largest_of_level(level_ - 1);
+}
+
+double KickScan::largest_of_level(int level) const {
+    return largest_ * std::ldexp(1.0, std::clamp(level, 0, levels - 1) + 1 - levels);
 }
 
 std::vector<KickTried> KickScan::growing() {
-    const double most = largest_ * std::ldexp(1.0, level_ + 1 - levels);
+    const double most = largest_of_level(level_);
     const int count = kicks_of_a_level * std::min(period_, most_cycles);
     std::vector<KickTried> kicks;
     kicks.reserve(static_cast<std::size_t>(count));

@@ -5,7 +5,9 @@
 // and near the smallest that didn't: these lie next to the border of the basin. A kick that ends elsewhere is
 // the new bound. When some rounds in a row have found none that is clearly smaller, the last one is moved along
 // the border, in ever smaller steps of phase and size, to where the border comes nearest. Basins have borders
-// as thin as one likes: a tongue that is thinner than the kicks lie apart may be missed.
+// as thin as one likes: a tongue that is thinner than the kicks lie apart may be missed. Where ways back are
+// long, over a chaos that dies late or along an orbit that hardly attracts, their sum has a limit, two million
+// cycles for each orbit: then sizes grow no further, or the last rounds are left out.
 //
 // A kick that is on chaos for as long as it is followed counts as one that ends elsewhere, but not where those
 // that came back from there show that it dies: where, with the mean of their lives, some of so many would stay
@@ -41,7 +43,7 @@ class KickScan {
     // Ends elsewhere, if found().
     [[nodiscard]] const KickTried& smallest() const { return *smallest_; }
     // Up to this size kicks were tried at all phases.
-    [[nodiscard]] double tried() const { return bound(); }
+    [[nodiscard]] double tried() const;
 
   private:
     enum class Stage { growing, rounds, border, done };
@@ -63,18 +65,20 @@ class KickScan {
     [[nodiscard]] Slow& place_of(const KickTried& kick);
     [[nodiscard]] const Slow& slow_one();
     [[nodiscard]] double bound() const { return smallest_ ? smallest_->size() : largest_; }
+    [[nodiscard]] double largest_of_level(int level) const;
     double random();
 
     int period_;
     double largest_;
     Stage stage_ = Stage::growing;
-    int level_ = 0;                      // of growing sizes
+    int level_ = 0;                      // of growing sizes: the next one
     int in_vain_ = 0;                    // rounds that found none that is clearly smaller
     double step_ = 0;                    // along the border, relative in size
     std::optional<KickTried> settled_;   // the smallest that ends on another motion
     std::optional<KickTried> chaotic_;   // the smallest that stays on chaos
     std::optional<KickTried> smallest_;  // of these, as far as they count
     bool dies_ = false;                  // chaos, so that kicks that stay on it don't count
+    std::int64_t spent_ = 0;             // by all searches [cycles]
     std::int64_t stayed_ = 0;            // on chaos
     std::int64_t shortest_stay_ = 0;     // [cycles]
     std::int64_t returned_ = 0;          // from chaos

@@ -89,12 +89,12 @@ double cycles_of_starts(const job::Job& job) {
     return 47 * count + 50 * std::min(count, 12.0);
 }
 
-// What kicks took on the same window (16 x 16 cells), in cycles of the batch: 160,000 cycles for all attractors
-// of a cell, and 20,000 for its own motion, each with three times its time, for most kicks lead back in one or
-// two cycles. A thousand where an orbit contracts at once, a million where its period is long.
+// What kicks took on the plane of the paper's rig of 170 mm (16 x 16 cells, 16 starts), in cycles of the batch:
+// 850,000 for all attractors of a cell, of which long chaotic ways back take most; and 34,000 for its own
+// motion, each with twice its time, for the kicks of one orbit fill its lanes less evenly.
 double cycles_of_kicks(const job::Job& job) {
     if (!job.output.has(job::OptionalField::critical_kick)) return 0;
-    return job.starts.count > 0 ? 470'000 : 75'000;
+    return job.starts.count > 0 ? 850'000 : 68'000;
 }
 
 // What such a cycle takes, with all that goes with it, on one core with AVX-512, as measured (with AVX2 the

@@ -153,6 +153,24 @@ TEST(KickScan, BeginsWithTheSmallestSizes) {
     EXPECT_GT(scan.next(ways).size(), 32U);  // rounds
 }
 
+// Two million cycles, and what was begun by then.
+TEST(KickScan, EndsWhereWaysBackAreLong) {
+    const auto [far, kicks_far] = scanned_ways(16, 256, [](const KickTried&) {
+        return KickScan::Way{End::back, 2500};
+    });
+    EXPECT_FALSE(far.found());
+    EXPECT_EQ(kicks_far, 2 * 32 * 16);
+    EXPECT_EQ(far.tried(), 2);  // the second level
+
+    const auto [near, kicks_near] = scanned_ways(16, 256, [](const KickTried& kick) {
+        return KickScan::Way{kick.size() < 1.3 ? End::back : End::elsewhere, 2500};
+    });
+    ASSERT_TRUE(near.found());
+    EXPECT_NEAR(near.smallest().size(), 1.3, 0.001);  // along the border all the same
+    EXPECT_EQ(near.tried(), near.smallest().size());
+    EXPECT_LT(kicks_near, 2 * 32 * 16 + 20 * 32);
+}
+
 TEST(KickScan, TriesTheSameKicksEachTime) {
     const Border border = [](double phase, bool) { return 0.5 + 0.1 * phase; };
     const auto one = scanned(3, 4, border);
