@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -84,10 +86,15 @@ std::string shown_on_a_terminal(const Work& work) {
     dup2(its, STDERR_FILENO);
     work();
     dup2(before, STDERR_FILENO);
-    std::string shown(4096, '\0');
-    const ssize_t length = read(ours, shown.data(), shown.size());
-    shown.resize(static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
-    for (const int descriptor : {ours, its, before}) close(descriptor);
+    close(before);
+    close(its);
+    // What was written gets here in parts, then an error, for nobody writes any more.
+    std::string shown;
+    std::array<char, 4096> part{};
+    for (ssize_t length = 0; (length = read(ours, part.data(), part.size())) > 0;) {
+        shown.append(part.data(), static_cast<std::size_t>(length));
+    }
+    close(ours);
     return shown;
 }
 
