@@ -98,6 +98,7 @@ bool KickScan::chaos_dies() const {
 // before: the bound, before the last kicks.
 void KickScan::choose_stage(double before) {
     const double fell = 1 - bound() / before;
+    if (stage_ != Stage::border) step_ = first_step;
     if (fell < 0) {  // what was found doesn't count any more, and beyond it fewer were tried
         stage_ = smallest_ ? Stage::rounds : Stage::growing;
         in_vain_ = 0;
@@ -106,7 +107,6 @@ void KickScan::choose_stage(double before) {
     } else if (stage_ == Stage::rounds) {
         in_vain_ = fell > clearly ? 0 : in_vain_ + 1;
         if (in_vain_ == rounds_in_vain) stage_ = smallest_ ? Stage::border : Stage::done;
-        step_ = first_step;
     } else {
         if (fell < step_ / 4) step_ /= 2;
         if (step_ < last_step) stage_ = Stage::done;
