@@ -226,7 +226,7 @@ def words_agree(one, other):
 
 def lines_of(numbers):
     """Of each curve its points (n, 2), over the lengths of the axes."""
-    sides = [name.removeprefix("point_") for name in numbers if name.startswith("point_") and name.removeprefix("point_") in numbers]
+    sides = [name.removeprefix("point_") for name in numbers if name.startswith("point_") and np.ndim(numbers.get(name.removeprefix("point_"))) == 1]
     points = np.column_stack([numbers[f"point_{side}"] / np.ptp(numbers[side]) for side in sides])
     assert len(sides) == 2
     return [points[first:first + count] for first, count in zip(numbers["curve_first"], numbers["curve_points"])]
