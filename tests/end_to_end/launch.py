@@ -28,11 +28,12 @@ def command(*arguments, ranks=None, binary=BINARY):
     return [*launcher, str(binary), *map(str, arguments)]
 
 
-def run(*arguments, cwd, ranks=None, binary=BINARY):
-    """Runs to the end; gives returncode, stdout and stderr."""
+def run(*arguments, cwd, ranks=None, binary=BINARY, alone=False):
+    """Runs to the end; gives returncode, stdout and stderr. `alone`: without the daemon that Open MPI 4 starts beside a program
+    that no mpirun started, which takes longer than a small job."""
     return subprocess.run(
         command(*arguments, ranks=ranks, binary=binary),
-        cwd=cwd, env=ENVIRONMENT, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
+        cwd=cwd, env=ENVIRONMENT | ({"OMPI_MCA_ess_singleton_isolated": "1"} if alone else {}), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=HANGING,
     )
 
 

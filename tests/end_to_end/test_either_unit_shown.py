@@ -1,6 +1,6 @@
-"""What shows and tells of files asks for no unit: over axes in Hz, m and m/s each program says and draws what it does over ratios."""
+"""What test_axes_and_units.py has no row for: parts of a plane, borders over sweeps, places verified and measured points, over axes
+in Hz, m and m/s as over ratios."""
 
-import json
 import re
 import subprocess
 import sys
@@ -11,12 +11,9 @@ import pytest
 
 import jobs
 import launch
-from either_unit import FEATURES, RATIOS, SI, rig
+from either_unit import RATIOS, SI, rig
 
 POSTPROCESS = Path(__file__).parents[2] / "postprocess"
-# without chaos, which rounding leads elsewhere
-DRAWN = {"basin": "basin", "sweep along the gap": "response", "curves": "curves_over_map,edge_distance_gap",
-         "map over a damper": "map,force_all", "map over starts": "map", "map over the amplitude": "map", "map": "force_1_1"}
 REGULAR = {
     "plane": lambda unit: rig("map") + unit.axis("frequency", 1.6, 2.1, 11) + unit.axis("gap", 0.3, 0.9, 9),
     "sweep": lambda unit: (rig("sweep") + unit.axis("frequency", 1.7, 2.0, 16) + '[sweep]\nsamples = 2\ndirection = "both"\n'
@@ -35,7 +32,7 @@ def files(tmp_path_factory):
         stem = re.sub(r"\W+", "_", name)
         path = folders[unit] / f"{stem}.h5"
         if not path.exists():
-            jobs.write(folders[unit], {**FEATURES, **REGULAR}[name](unit), f"{stem}.toml")
+            jobs.write(folders[unit], REGULAR[name](unit), f"{stem}.toml")
             finished = launch.run("run", f"{stem}.toml", "--quiet", cwd=folders[unit])
             assert finished.returncode == 0, finished.stderr
         return path
@@ -58,16 +55,6 @@ def both(files, name, folder, program_name, *arguments):
         path = files(name, unit)
         told.append(program(program_name, here, path, *arguments).replace(str(path), path.name))
     return told
-
-
-@pytest.mark.parametrize("units", ["both", "si"])
-@pytest.mark.parametrize("name", DRAWN)
-def test_pictures_are_the_same(files, tmp_path, name, units):
-    one, other = both(files, name, tmp_path, "draw", "--only", DRAWN[name], "--formats", "png", "--units", units)
-    assert one == other and one
-    for picture in one.split():
-        first, second = ((tmp_path / unit / picture).read_bytes() for unit in ("ratios", "si"))
-        assert first == second, picture
 
 
 def test_a_part_is_named_in_ratios_or_in_si_units(files, tmp_path):
@@ -114,47 +101,11 @@ def test_borders_are_drawn_over_a_sweep_in_any_mixture(files, tmp_path):
     assert told[0] and all(lines == told[0] for lines in told)
 
 
-def test_maps_in_either_unit_are_compared(files, tmp_path):
-    text = program("compare", tmp_path, files("plane", RATIOS), files("plane", SI))
-    assert "99 cells that both files hold" in text
-    assert re.search(r"same regime and z\s+99\s+100\.000 %", text)
-
-
 def test_maps_over_hz_of_different_rigs_are_compared_at_the_same_hz(files, tmp_path):
     jobs.write(tmp_path, REGULAR["plane"](SI).replace("natural_frequency_hz = 4.5", "natural_frequency_hz = 4.6"))
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     text = program("compare", tmp_path, files("plane", SI), tmp_path / "job.h5")
     assert "99 cells that both files hold" in text and "frequency_hz" in text
-
-
-def test_the_page_shows_the_same_plane_and_rig(files, tmp_path, monkeypatch):
-    """Without its engine, which takes a minute to build: the numbers that it is given are here."""
-    monkeypatch.setattr(sys, "path", [str(POSTPROCESS), *sys.path])
-    from peterka.maps.map_file import PeterkaFile
-    from peterka.page import page
-    from peterka.page.engine import cell_numbers
-
-    for name in ("plane", "basin", "map"):
-        contents = []
-        for unit in (RATIOS, SI):
-            with PeterkaFile(files(name, unit)) as file:
-                contents.append((page._header(file, 1), cell_numbers(file)))
-        (first, numbers), (second, others) = contents
-        for side in ("rows", "columns"):
-            assert np.allclose(first[side].pop("values"), second[side].pop("values"), rtol=1e-14, atol=1e-15)
-        assert json.dumps(first["rows"]) == json.dumps(second["rows"]) and first["columns"] == second["columns"]
-        assert numbers.keys() == others.keys()
-        for key, value in numbers.items():
-            assert (value is None) == (others[key] is None), key
-            assert value is None or np.isclose(value, others[key], rtol=1e-14), key
-
-
-def test_cells_are_exported_with_the_same_names_and_numbers(files, tmp_path):
-    both(files, "plane", tmp_path, "export", "--as", "csv", "--output-dir", ".")
-    one, other = ((tmp_path / unit / "plane.csv").read_text().splitlines() for unit in ("ratios", "si"))
-    assert one[0] == other[0] and one[0].startswith("frequency_hz,frequency_ratio,gap_mm,gap_ratio,") and len(one) == len(other) == 100
-    for first, second in zip(one[1:], other[1:]):
-        assert np.allclose([float(cell) for cell in first.split(",")[:4]], [float(cell) for cell in second.split(",")[:4]], rtol=1e-12)
 
 
 def test_where_to_operate_is_the_same_place(files, tmp_path):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Reals
+from ..arrays import Mask, Reals
 
 PLACE = ("frequency_ratio", "gap_ratio", "frequency_hz", "gap_m")  # coordinates that belong to [operating_point]
 
@@ -21,12 +21,20 @@ class Swing:
     damping_ratio: Reals
     gap_ratio: Reals
 
-    def stays_free(self) -> np.ndarray:
-        """Whether the steady motion without a stop keeps away from it, as linear springs have it."""
-        square = np.square(self.frequency_ratio)
-        with np.errstate(divide="ignore"):
-            amplitude = square / np.sqrt((1 - square) ** 2 + (2 * self.damping_ratio) ** 2 * square)
-        return amplitude < self.gap_ratio
+    def room(self) -> Reals:
+        """Between the steady motion without a stop, as linear springs have it, and the stop, over A0; below 0 where it strikes."""
+        return self.gap_ratio - edge_of_no_impact(self.frequency_ratio, self.damping_ratio)
+
+    def stays_free(self) -> Mask:
+        """Whether the steady motion without a stop keeps away from it."""
+        return self.room() > 0
+
+
+def edge_of_no_impact(frequency_ratio: Reals, damping_ratio: Reals | float) -> Reals:
+    """Amplitude of the steady motion without a stop relative to the cart, over A0."""
+    square = np.square(frequency_ratio)
+    with np.errstate(divide="ignore"):
+        return square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)
 
 
 class UnreadableJob(ValueError):

@@ -15,13 +15,13 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
+from ..files.job_numbers import edge_of_no_impact
 from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
 from ..look import axes, style, units
 from ..look.classes import CLASSES, INDEX, class_of, classify
 from ..look.fills import Fill, fill
 from ..look.picture import picture
 from .map_file import PeterkaFile
-from .peterka_map import edge_of_no_impact
 from .reduce import class_picture
 
 WIDTH = 3.7  # in

@@ -2,18 +2,20 @@
 
 Along the dashed line the free swing of the hammer grazes the stop in its steady state, gap/A0 = P: the amplitude P of the
 free hammer relative to the cart, P = r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = Omega/omega. Below it no orbit can
-stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio.
+stay free of impacts; above it impacting orbits may survive. It needs the root attribute damping_ratio, over other axes the job.
 
 White dots lie over cells with chatter: on a rigid stop, an endless sequence of ever smaller impacts that ends in rest and
 counts as one impact. Dots, since lines across a class look like stripes of another one.
 """
 
 import numpy as np
+from contourpy import contour_generator
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from ..arrays import Integers, Reals
+from ..arrays import Integers
+from ..files.job_numbers import UnreadableJob, edge_of_no_impact, swing_of, tables_of
 from ..look import axes
 from ..look.classes import CLASSES, INDEX
 from ..look.picture import picture
@@ -24,6 +26,7 @@ from .reduce import class_picture, orbit_picture
 
 WIDTH = 3.7  # in
 LINE_POINTS = 2000
+CONTOUR_POINTS = 600  # along each axis
 DOTS = 48  # along a side
 CHATTER_LOOK = {"marker": "o", "markersize": 1.7, "color": "white", "markeredgecolor": "black", "markeredgewidth": 0.3,
                 "linestyle": "none", "clip_on": False}
@@ -36,14 +39,17 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     reduced, counts = orbit_picture(file, ["regime", "impacts", "period"])
     orbits, regimes = legend_entries(counts, file.observed_chaos)
     chatter, chatter_entry = _chatter(file)
-    others = regimes + chatter_entry + _edge_entry(file) + marks.handles(measured.points)
+    edge = _edge_of_no_impact(file)
+    grazing = [Line2D([], [], label="free swing grazes the stop", **EDGE_LOOK)] if edge else []
+    others = regimes + chatter_entry + grazing + marks.handles(measured.points)
     legends = [(orbits, 3, "$z = p/q$ (share of the map)"), (others, 2, None)]
     figure, ax, _ = axes.stack(WIDTH, reduced.image, legends, ax=ax)
     axes.show_classes(ax, reduced, [entry.colour for entry in CLASSES], INDEX["not computed yet"])
     axes.label_axes(ax, file)
     if chatter:
         ax.plot(*_dots(chatter), **CHATTER_LOOK)
-    _draw_edge_of_no_impact(ax, file)
+    for line in edge:
+        ax.plot(*line.T, **EDGE_LOOK)
     if measured.points:
         marks.draw_over_map(ax, file, measured.points)
     axes.name_areas(ax, reduced, _names_to_write(counts))
@@ -51,12 +57,6 @@ def draw(file: PeterkaFile, ax: Axes | None = None, *, measured: Measurements = 
     axes.write_title(figure, file, axes.operating_point(file), ax=ax)
     marks.name_over_map(ax, file, measured.points)
     return ax
-
-
-def edge_of_no_impact(frequency_ratio: Reals, damping_ratio: float) -> Reals:
-    """P of the module's text: amplitude of the impact-free motion relative to the cart, over A0."""
-    square = np.square(frequency_ratio)
-    return square / np.sqrt((1 - square) ** 2 + (2 * damping_ratio) ** 2 * square)
 
 
 def _names_to_write(counts):
@@ -106,25 +106,25 @@ def _dots(reduced):
     return middles[0][column], middles[1][row]
 
 
-def _draw_edge_of_no_impact(ax, file):
-    """Adds the line where the file gives the damping ratio."""
-    damping_ratio = _damping_ratio(file)
-    if damping_ratio is None:
-        return
-    low, high = file.columns.edges[[0, -1]]
-    ratio = np.geomspace(low, high, LINE_POINTS) if file.columns.log else np.linspace(low, high, LINE_POINTS)
-    with np.errstate(divide="ignore"):
+def _edge_of_no_impact(file):
+    """The line in coordinates of the axes, as arrays (n, 2); [] where there is none, or the file doesn't tell."""
+    across, up = file.columns, file.rows
+    if (across.name, up.name) == ("frequency_ratio", "gap_ratio"):
+        damping_ratio = file.number("damping_ratio")
+        if damping_ratio is None or damping_ratio < 0:
+            return []
+        ratio = _along(across, LINE_POINTS)
         edge = edge_of_no_impact(ratio, damping_ratio)
-    # Far above the picture the line has nothing to show, and its peak of 1/(2 zeta) would only be in the way.
-    ax.plot(ratio, np.where(edge <= 2 * file.rows.edges[-1], edge, np.nan), **EDGE_LOOK)
+        # Far above the picture the line has nothing to show, and its peak of 1/(2 zeta) would only be in the way.
+        return [np.column_stack([ratio, np.where(edge <= 2 * up.edges[-1], edge, np.nan)])]
+    x, y = _along(across, CONTOUR_POINTS), _along(up, CONTOUR_POINTS)
+    try:
+        room = swing_of(tables_of(file.data.attribute("job")), {across.name: x[None, :], up.name: y[:, None]}).room()
+    except UnreadableJob:
+        return []
+    return contour_generator(x, y, np.broadcast_to(np.maximum(room, -1e9), (len(y), len(x)))).lines(0.0)
 
 
-def _edge_entry(file):
-    return [] if _damping_ratio(file) is None else [Line2D([], [], label="free swing grazes the stop", **EDGE_LOOK)]
-
-
-def _damping_ratio(file):
-    if (file.columns.name, file.rows.name) != ("frequency_ratio", "gap_ratio"):
-        return None  # the line is one of that plane
-    value = file.number("damping_ratio")
-    return value if value is not None and value >= 0 else None
+def _along(axis, points):
+    low, high = axis.edges[[0, -1]]
+    return np.geomspace(low, high, points) if axis.log else np.linspace(low, high, points)
