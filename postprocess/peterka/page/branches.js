@@ -144,7 +144,7 @@ class BranchesView extends PlaneView {
     const draw = points.length > MANY_MARKS ? (x, y, size) => pen.fillRect(x - size / 2, y - size / 2, size, size)
       : (x, y, size) => fillMark(pen, shape, x, y, size);
     pen.fillStyle = OUTLINE; // of all of them first: dense points become one outlined band
-    for (const [x, y] of places) draw(x, y, small + 0.9);
+    for (const [x, y] of places) draw(x, y, small + Math.min(0.9, 0.35 * small));
     points.forEach(({ column }, n) => {
       pen.fillStyle = content.classes[file.label(track, column)[3]].colour;
       draw(...places[n], small);

@@ -93,9 +93,9 @@ class CurvesPage extends MapPage {
     return row;
   }
   #fate({ keeps }, curve, sides) {
-    const motion = curves.label(curve);
-    if (sides.every((side) => side.keeps)) return `${motion} goes on on both sides`;
-    return keeps ? "this side keeps the motion" : `what ${motion} becomes on this side`;
+    if (keeps) return sides.every((side) => side.keeps) ? "the motion goes on on both sides" : "this side keeps the motion";
+    const lost = sides.every((side) => !side.keeps) ? `, for ${curves.label(curve)} lives in a narrower strip` : "";
+    return `what becomes of it on this side${lost}`;
   }
   #stepWords([x, y], step, sides) {
     const apart = [file.columns, file.rows].map((axis, n) => {

@@ -60,7 +60,7 @@ def labels(file: SweepFile) -> tuple[dict[str, Any], bytes]:
 
 def starts(file: SweepFile, keep: Keep) -> dict[str, Any]:
     """Of each point where its motion is at forcing phase 0: u in A0, its rate in A0 omega; NaN where there is none."""
-    return {name: _packed(np.stack([_samples(file, track, name)[:, 0] for track in tracks_of(file)]), keep) for name in PLACE}
+    return {name: _packed(np.stack([_start(file, track, name) for track in tracks_of(file)]), keep) for name in PLACE}
 
 
 def jumps(file: SweepFile, keep: Keep) -> dict[str, Any]:
@@ -112,6 +112,16 @@ def _labels_of(file, track):
 
 def _forces(file: SweepFile, track: Track) -> Reals:
     return track.branch.force if track.slot is None else file.attractor_forces(track.branch)[track.slot]
+
+
+def _start(file, track, name):
+    """The first sample; of an attractor that had no room for samples, the orbit where it has one."""
+    first = _samples(file, track, name)[:, 0]
+    orbit = name.replace("stroboscopic", "attractor_orbit")
+    if track.slot is None or not file.data.has(orbit):
+        return first
+    file.data.dataset(orbit, (file.slots, len(file.branches), len(file.values)), REAL)
+    return np.where(np.isfinite(first), first, file.data.values(orbit, (track.slot, track.branch.row)))
 
 
 def _samples(file: SweepFile, track: Track, name: str) -> Reals:

@@ -69,6 +69,9 @@ function agreement(answer, stored) {
   if (stored.regime === NOT_COMPUTED) return { same: null, words: `the file has no result of this ${one} yet` };
   const label = labelWords(stored.regime, stored.impacts, stored.period);
   const same = ["regime", "impacts", "period"].every((name) => stored[name] === answer[name]);
+  if (!same && stored.regime === UNRESOLVED && content.kind === "sweep") {
+    return { same: null, words: "the file left this point unresolved; from there the engine goes on" };
+  }
   if (!same) return { same, words: `differs from the file, which has ${label}` };
   const [live, kept] = [answer.peak_force_ratio, stored.peak_force_ratio];
   if (!Number.isFinite(live) || !Number.isFinite(kept) || kept === 0) return { same, words: `equals the file’s ${one}` };
