@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Writes a map, over any axes, or a basin as one page of HTML with the program's own engine inside.
+"""Writes a map, over any axes, a basin, a sweep or a file of curves as one page of HTML with the program's own engine inside.
 
     explore.py FILE.h5 [--output FILE.html] [--layers NAME,NAME,...] [--every N]
 
 Open the page in a browser, from disk: it needs no server and no network. Point at a cell for its values; click it and
 the engine solves it at once: motion, force, phase plane, what verifies its z. Sliders change the rig and the map is
-computed again while they move. All fields of a map of up to a million cells are in the page, to the last bit; of a
+computed again while they move. Of a sweep the page shows the branches, and with [starts] the other attractors: a click on a
+point gives its motion. Of curves it shows these over their coarse map: a click on one gives, a small step to either side, the
+motion that ends or changes there and what becomes of it. All fields of a map of up to a million cells are in the page, to the last bit; of a
 larger one z and peak force, to so many digits that the page stays below 10 MB, or those that --layers names. --every 4
 takes each 4th row and column of a map of more than 16,777,216 cells.
 The engine is built when it is first needed, which takes a minute, and kept in build/page. Without the compiler for it
@@ -25,13 +27,16 @@ import peterka.program.interpreter  # noqa: E402, F401, I001: before all that ne
 
 from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
 from peterka.files.whole_file import write_text  # noqa: E402
-from peterka.maps.map_file import COORDINATES, PeterkaFile  # noqa: E402
+from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.page.layers import MOST_CELLS  # noqa: E402
 from peterka.page.page import page  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
 from peterka.program.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell,
 )
+from peterka.sweeps.sweep_file import SweepFile  # noqa: E402
+
+SHOWN = ("map", "basin", "sweep", "curves")  # kinds of files
 
 
 def main() -> int:
@@ -40,7 +45,7 @@ def main() -> int:
     output = arguments.output or Path(arguments.file.with_suffix(".html").name)
     try:
         with open_file(arguments.file) as file:
-            text, notes = page(with_plane(file, arguments.every), arguments.every, arguments.layers)
+            text, notes = page(explorable(file, arguments.every), arguments.every, arguments.layers)
     except NotDrawable as refusal:
         complain(refusal)
         return BAD_INPUT
@@ -72,10 +77,16 @@ def read_step(text: str) -> int:
     return int(text)
 
 
-def with_plane(file: OpenedFile, every: int) -> PeterkaFile:
-    """The file, where a page can show each `every`-th row and column of it; else NotDrawable."""
-    if not isinstance(file, PeterkaFile) or file.kind not in COORDINATES:
-        raise file.refusal(f"is of kind {file.kind}; explore.py shows {' and '.join(COORDINATES)} files, draw.py draws "
+def explorable(file: OpenedFile, every: int) -> PeterkaFile | SweepFile:
+    """The file, where a page can show it, or each `every`-th row and column of its cells; else NotDrawable."""
+    if isinstance(file, SweepFile):
+        if every > 1:
+            raise file.refusal("is a sweep, of which a page shows every point; --every takes rows and columns of cells")
+        if len(file.values) < 2:
+            raise file.refusal("is a sweep of one point, through which no branch can be drawn; a trace shows its motion")
+        return file
+    if not isinstance(file, PeterkaFile):
+        raise file.refusal(f"is of kind {file.kind}; explore.py shows {', '.join(SHOWN[:-1])} and {SHOWN[-1]} files, draw.py draws "
                            "this one")
     rows, columns = (-(-size // every) for size in file.shape)
     if rows * columns > MOST_CELLS:

@@ -28,7 +28,7 @@ runs       jobs run by the program, files opened as datasets
 backend    the same files by xarray's own open_dataset, engine="peterka"
 drawing    pictures of datasets, by name
 results_page   the results page in Markdown, of studies and maps
-page       the page of explore.py: a map with the program's own engine inside
+page       the page of explore.py: a map, basin, sweep or curves with the program's own engine inside
 program    what the programs beside this folder share: a Python with the packages, exit codes, arguments, messages
 """
 

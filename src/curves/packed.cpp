@@ -54,8 +54,8 @@ void pack(const Curve& curve, Numbers& to) {
                          as_number(curve.crossings.size())});
     for (const CurvePoint& point : curve.points) {
         pack(point.place, to);
-        to.insert(to.end(), {point.multiplier, point.peak_force, point.residual, point.trace, point.total_speed,
-                             as_number(point.edge)});
+        to.insert(to.end(), {point.multiplier, point.peak_force, point.residual, point.at_phase_0[0],
+                             point.at_phase_0[1], point.trace, point.total_speed, as_number(point.edge)});
     }
     for (const Special& special : curve.specials) {
         to.push_back(as_number(special.kind));
@@ -83,6 +83,7 @@ Curve unpack_curve(NumberReader& from) {
         point.multiplier = from.number();
         point.peak_force = from.number();
         point.residual = from.number();
+        for (double& number : point.at_phase_0) number = from.number();
         point.trace = from.number();
         point.total_speed = from.number();
         point.edge = static_cast<LabelEdge>(from.integer());

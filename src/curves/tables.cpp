@@ -142,6 +142,8 @@ Columns columns_of_points(const Findings& found, const Rig& rig, const AxesOfFil
     of_points.add({"point_multiplier", Number::float64, nan, "1", "Floquet multiplier largest in size, with the sign of its real part; of a grazing, of the orbit without the impact"}, numbers_of(points, [](const CurvePoint& p) { return p.multiplier; }));
     of_points.add({"point_peak_force_ratio", Number::float64, nan, "1", "largest impact force over the hammer's weight"}, numbers_of(points, [&](const CurvePoint& p) { return rig.force_ratio(p.place) * p.peak_force; }));
     of_points.add({"point_residual", Number::float64, nan, "1", "largest error of the defining equations, relative to the hammer's velocity"}, numbers_of(points, [](const CurvePoint& p) { return p.residual; }));
+    of_points.add({"point_orbit_displacement", Number::float64, nan, "1", "the orbit at forcing phase 0 of its first cycle, where the cart is at 0: x/A0"}, numbers_of(points, [&](const CurvePoint& p) { return p.at_phase_0[0] + rig.at(p.place).gap(); }));
+    of_points.add({"point_orbit_velocity", Number::float64, nan, "1", "its velocity relative to the cart there: (x' - y')/(A0 omega)"}, numbers_of(points, [](const CurvePoint& p) { return p.at_phase_0[1]; }));
     of_points.add({"point_edge", Number::int8, -128, "", "whether labels of the coarse map change there, or why not", label_edge_names}, numbers_of(points, [](const CurvePoint& p) { return static_cast<int>(p.edge); }));
     return of_points;
 }

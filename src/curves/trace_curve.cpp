@@ -9,6 +9,7 @@
 #include "curves/branch_event.hpp"
 #include "curves/inflection.hpp"
 #include "curves/reshape.hpp"
+#include "curves/stroboscopic.hpp"
 
 namespace peterka::curves {
 
@@ -261,6 +262,7 @@ CurvePoint curve_point(const Rig& rig, const OrbitPoint& point, CurveKind kind) 
     result.multiplier = product.multiplier();
     result.peak_force = peak_force(rig, point);
     result.residual = residual(point, equations(rig, point, conditions_of(kind)));
+    result.at_phase_0 = stroboscopic_states(rig, point).front().state;
     result.trace = product.matrix.trace();
     for (const Event& event : point.orbit.events) {
         if (event.kind == EventKind::touch) result.total_speed += event.velocity;

@@ -35,6 +35,7 @@ struct CurvePoint {
     double multiplier = 0;  // of the orbit without the grazing impact; largest in size, with its sign
     double peak_force = 0;  // F/(k A0)
     double residual = 0;
+    State<double> at_phase_0{0, 0};  // of the orbit's first cycle: (delta, delta')
     LabelEdge edge = LabelEdge::unknown;
     Orbit orbit;  // not for the way between ranks
     // to tell curves apart

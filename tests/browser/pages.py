@@ -14,14 +14,14 @@ ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ["PETERKA_BINARY"]).resolve()
 LIVE_CELLS = Path(os.environ["LIVE_CELLS"]).resolve()
 HANGING = 120  # seconds after which something is taken to hang
-MARGINS = {"left": 62, "right": 62, "top": 42, "bottom": 40}  # of the map's canvas, in CSS pixels: map.js
+MARGINS = {"left": 62, "right": 62, "top": 42, "bottom": 40}  # of the map's canvas, in CSS pixels: view.js
 
 
-def compute(folder, job, *settings, code=0):
-    """The file of a shipped job with these settings (table.key=value)."""
+def compute(folder, job, *settings, code=0, wall="3600"):
+    """The file of a job with these settings (table.key=value), of a run that ends after so many seconds of `wall`."""
     file = folder / "map.h5"
     chosen = [part for setting in settings for part in ("--set", setting)]
-    run = subprocess.run([BINARY, "run", job, "--output", file, "--quiet", *chosen], cwd=folder, capture_output=True,
+    run = subprocess.run([BINARY, "run", job, "--output", file, "--quiet", "--max-wall", wall, *chosen], cwd=folder, capture_output=True,
                          text=True, timeout=HANGING, stdin=subprocess.DEVNULL)
     assert run.returncode == code, run.stderr
     return file

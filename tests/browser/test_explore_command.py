@@ -18,15 +18,34 @@ from peterka.page import page as page_module  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
 
 
-def test_files_without_a_plane_are_refused_with_a_word(tmp_path):
-    for job in ("sweep_170mm.toml", "trace_170mm_9hz.toml"):
-        settings = ["axes.frequency_ratio.points=8"] if "sweep" in job else []
-        file = pages.compute(tmp_path, JOBS / job, *settings)
-        run = pages.explore(file, "--output", tmp_path / "page.html")
-        assert run.returncode == 2
-        assert re.search(r"map.h5 is of kind (sweep|trace); explore.py shows map and basin files", run.stderr)
-        assert not (tmp_path / "page.html").exists()
-        file.unlink()
+def test_files_of_another_kind_are_refused_with_a_word(tmp_path):
+    file = pages.compute(tmp_path, JOBS / "trace_170mm_9hz.toml")
+    run = pages.explore(file, "--output", tmp_path / "page.html")
+    assert run.returncode == 2
+    assert "map.h5 is of kind trace; explore.py shows map, basin, sweep and curves files" in run.stderr
+    assert not (tmp_path / "page.html").exists()
+
+
+@pytest.mark.parametrize("points, arguments, words", [
+    (8, ["--every", "2"], "is a sweep, of which a page shows every point"),
+    (8, ["--layers", "status"], "has no number of each point named status"),
+    (8, ["--layers", "nothing"], "has no number of each point named nothing"),
+    (1, [], "is a sweep of one point"),
+])
+def test_what_of_a_sweep_cannot_be_shown_is_refused_with_its_reason(tmp_path, points, arguments, words):
+    file = pages.compute(tmp_path, JOBS / "sweep_170mm.toml", f"axes.frequency_ratio.points={points}")
+    run = pages.explore(file, "--output", tmp_path / "page.html", *arguments)
+    assert run.returncode == 2 and words in run.stderr and not (tmp_path / "page.html").exists()
+
+
+@pytest.mark.parametrize("job", ["sweep_170mm.toml", "curves_170mm.toml"])
+def test_a_damaged_file_is_refused_as_a_map_is(tmp_path, job):
+    file = pages.compute(tmp_path, JOBS / job, "axes.frequency_ratio.points=24")
+    with h5py.File(file, "r+") as data:
+        data["peak_force_ratio"][0, 3] += 1e-9
+    run = pages.explore(file, "--output", tmp_path / "page.html")
+    assert run.returncode == 2 and "map.h5" in run.stderr and "checksum" in run.stderr
+    assert not (tmp_path / "page.html").exists()
 
 
 @pytest.mark.parametrize("arguments, words", [

@@ -23,7 +23,7 @@ def branches(tmp_path_factory):
     finished = launch.run("run", "job.toml", "--quiet", cwd=folder)
     assert finished.returncode == 0, finished.stderr
     with h5py.File(folder / "job.h5") as file:
-        data = {name: file[name][()] for name in file if name.startswith(("branch_", "crossing_"))}
+        data = {name: file[name][()] for name in file if name.startswith(("branch_", "crossing_", "curve_", "point_"))}
     parts = [slice(first, first + count) for first, count in zip(data["branch_first"], data["branch_points"])]
     return data, parts
 
@@ -53,10 +53,10 @@ def test_the_loop_of_1_1_closes(branches):
     assert reach == pytest.approx(GAP, abs=1e-9)
 
 
-def after_cycles(eta, cycles, state):
+def after_cycles(eta, cycles, state, gap=GAP):
     """(x - y, x' - y') so many forcing cycles after phase 0, by Runge-Kutta from event to event."""
     def force(u, v):
-        return KAPPA * (u - GAP) + CHI * v
+        return KAPPA * (u - gap) + CHI * v
 
     def flight(t, x):
         return [x[1], -2 * ZETA * x[1] - x[0] + eta**2 * np.sin(eta * t)]
@@ -65,11 +65,11 @@ def after_cycles(eta, cycles, state):
         return [x[1], -2 * ZETA * x[1] - x[0] + eta**2 * np.sin(eta * t) - force(*x)]
 
     def touches(_, x):  # from outside, or again while the hammer has not left
-        return min(x[0] - GAP, force(*x) / KAPPA)
+        return min(x[0] - gap, force(*x) / KAPPA)
     def releases(_, x):
         return force(*x)
     touches.terminal, touches.direction, releases.terminal, releases.direction = True, 1, True, -1
-    time, x, presses = 0.0, np.array(state), state[0] > GAP and force(*state) > 0
+    time, x, presses = 0.0, np.array(state), state[0] > gap and force(*state) > 0
     while time < (end := 2 * np.pi * cycles / eta):
         found = solve_ivp(contact if presses else flight, (time, end), x, method="DOP853", rtol=1e-12, atol=1e-13,
                           events=releases if presses else touches, max_step=0.01 if presses else 0.002)  # weak hops are short
@@ -95,3 +95,18 @@ def test_an_integrator_finds_them_to_be_unstable_orbits(branches):
         assert abs(largest) > 1 and largest.real == pytest.approx(data["branch_multiplier"][at], rel=1e-3)
         tried += 1
     assert tried >= 2
+
+
+@pytest.mark.parametrize("kind", ["fold", "period_doubling", "grazing"])
+def test_an_integrator_stays_on_the_orbits_of_curves(branches, kind):
+    """At a grazing an error decides whether the impact is there, whose speed is the root of that error."""
+    data, _ = branches
+    curves = np.flatnonzero((data["curve_kind"] == ("fold", "period_doubling", "grazing").index(kind)) & (data["curve_period"] <= 2))
+    tried = 0
+    for curve in curves[:4]:
+        at = data["curve_first"][curve] + data["curve_points"][curve] // 2
+        state = np.array([data["point_orbit_displacement"][at], data["point_orbit_velocity"][at]])
+        end = after_cycles(data["point_frequency_ratio"][at], int(data["curve_period"][curve]), state, data["point_gap_ratio"][at])
+        assert end == pytest.approx(state, abs=1e-3 if kind == "grazing" else 1e-6), curve
+        tried += 1
+    assert tried > 1

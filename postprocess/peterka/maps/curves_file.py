@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Reals
 from ..files.checked_hdf5 import INTEGER, REAL
 from .map_file import PeterkaFile
 
@@ -82,6 +83,11 @@ class CurvesFile(PeterkaFile):
             self.data.dataset(f"edge_distance_{axis.stored}", self.shape, REAL)
             self.data.dataset(f"edge_kind_{axis.stored}", self.shape, INTEGER)
 
+    def along_curves(self, name: str) -> list[Reals]:
+        """Of each curve, the numbers that a dataset has of its points."""
+        values = self._column(name, REAL, self.data.dataset("point", None, INTEGER).shape)
+        return [values[part] for part in self._parts]
+
     def _curves(self) -> list[Curve]:
         kinds = self._column("curve_kind", INTEGER)
         impacts, periods, firsts, counts = (
@@ -96,9 +102,9 @@ class CurvesFile(PeterkaFile):
             raise self.refusal("has a curve with points that the file does not have")
         if not (np.isfinite(columns).all() and np.isfinite(rows).all()):
             raise self.refusal("has a point that is not finite")
-        return [
-            Curve(KINDS[kind], int(p), int(q), columns[first:first + count], rows[first:first + count])
-            for kind, p, q, first, count in zip(kinds, impacts, periods, firsts, counts)]
+        self._parts = [slice(first, first + count) for first, count in zip(firsts, counts)]
+        return [Curve(KINDS[kind], int(p), int(q), columns[part], rows[part])
+                for kind, p, q, part in zip(kinds, impacts, periods, self._parts)]
 
     def _specials(self) -> list[Special]:
         kinds = self._column("special_kind", INTEGER)

@@ -1,21 +1,25 @@
-// The view in the address, so that it can be kept and shared: layer, window, the cell looked at, and the rig's changes.
+// The view in the address, so that it can be kept and shared: layer, window, what is looked at, and the rig's changes.
 
 const VERSION = content.page_version; // of the program whose page this is: another one's rig may mean other things
 const rounded = (value) => Number(value.toPrecision(9));
 
-function writeAddress({ layer, view, place, rig, live }) {
+// axes, view: {x, y} of the plane; at: numbers of what is looked at, under their name in the address.
+function writeAddress({ layer, axes, view, at, rig, live }) {
   const parts = new URLSearchParams();
-  if (layer !== "z") parts.set("layer", layer);
-  const whole = (axis, range) => range[0] === axis.edges[0] && range[1] === axis.edges.at(-1);
-  if (!whole(file.columns, view.x)) parts.set("x", view.x.map(rounded).join(","));
-  if (!whole(file.rows, view.y)) parts.set("y", view.y.map(rounded).join(","));
-  if (place) parts.set("at", place.join(","));
+  if (layer !== undefined) parts.set("layer", layer);
+  for (const side of ["x", "y"]) {
+    const whole = view[side][0] === axes[side].edges[0] && view[side][1] === axes[side].edges.at(-1);
+    if (!whole) parts.set(side, view[side].map(rounded).join(","));
+  }
+  for (const [name, numbers] of Object.entries(at)) parts.set(name, numbers.join(","));
   for (const [name, value] of rig) parts.set(name, rounded(value));
   if (rig.length > 0) parts.set("version", VERSION);
   if (live) parts.set("live", "1");
   const text = parts.toString().replaceAll("%2C", ",");
   if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname);
 }
+
+const KNOWN_PARTS = ["layer", "x", "y", "at", "curve", "live", "version"]; // of an address; others are of the rig
 
 function readAddress() {
   const parts = new URLSearchParams(location.hash.slice(1));
@@ -24,6 +28,6 @@ function readAddress() {
     return values.length === 2 && values.every(Number.isFinite) ? values : null;
   };
   const rising = (values) => (values && values[0] < values[1] ? values : null);
-  return { layer: parts.get("layer") ?? "z", x: rising(pair("x")), y: rising(pair("y")), place: pair("at"), live: parts.has("live"), version: parts.get("version"),
-    rig: [...parts] };
+  return { layer: parts.get("layer"), x: rising(pair("x")), y: rising(pair("y")), at: pair("at"), curve: pair("curve"),
+    live: parts.has("live"), version: parts.get("version"), rig: [...parts].filter(([name]) => !KNOWN_PARTS.includes(name)) };
 }

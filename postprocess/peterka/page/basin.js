@@ -7,7 +7,8 @@ function liveBasin(workers, cell, window, changed) {
   const motions = new Motions();
   const at = ([from, to], n) => from + ((n + 0.5) / BASIN_SIZE) * (to - from);
   const plane = new LivePlane({
-    workers, cell, sides: [{ sets: "displacement_ratio", clears: [] }, { sets: "velocity_ratio", clears: [] }], size: BASIN_SIZE, changed,
+    workers, cell, size: BASIN_SIZE, changed,
+    sides: [{ sets: "displacement_ratio", clears: ["displacement_m"] }, { sets: "velocity_ratio", clears: ["velocity_m_per_s"] }],
     valuesAt: (i, j) => {
       const u = at(window.x, i);
       return u > cell.gap_ratio ? null : [u, at(window.y, j) + cell.frequency_ratio];

@@ -25,23 +25,30 @@ class CellPanel {
   }
   // The same cell from another start at forcing phase 0.
   startFrom(u, v, words) {
-    const { cell } = this;
     this.#setView("way");
-    this.#solve({ ...cell, displacement_ratio: u, velocity_ratio: v + cell.frequency_ratio }, null, { u, v, words });
+    this.#solve(startingAt(this.cell, u, v), null, { u, v, words });
   }
   #solve(cell, stored, start = null) {
     Object.assign(this, { cell, stored, start });
     const refusal = whyNot(cell);
     this.element("cell").classList.toggle("cannot", refusal !== null);
-    if (refusal) return this.#showFile(refusal);
+    if (refusal) return this.#tellFile(refusal);
     this.element("cell").dataset.state = "solving";
     this.workers.lookAt(cell, (data) => (data.answer ? this.#take(data) : this.#wait(data.spent)), start !== null);
   }
   #wait(spent) {
     this.element("spent").textContent = `solving: ${spent.toLocaleString("en")} cycles so far`;
   }
-  // Of a cell that the engine can't run: what the file has, and why not more.
-  #showFile(refusal) {
+  // What the file has, and why there is no motion to show.
+  showFile(inFile, refusal) {
+    this.workers.giveUp();
+    this.inFile = inFile;
+    this.#basinOff();
+    this.element("cell").dataset.state = "empty";
+    this.element("cell").classList.add("cannot");
+    this.#tellFile(refusal);
+  }
+  #tellFile(refusal) {
     const { regime, impacts, period, peak_force_ratio: force } = this.inFile;
     this.#headline({ regime, impacts, period, peak_force_ratio: force, weight_n: content.newtons });
     this.element("proof").textContent = refusal;

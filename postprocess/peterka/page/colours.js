@@ -110,8 +110,7 @@ function attractorEntries(layer) {
 
 function countsOf(plane, first = () => {}) {
   const counts = new Map();
-  const cells = file.rows.values.length * file.columns.values.length;
-  for (let cell = 0; cell < cells; ++cell) {
+  for (let cell = 0; cell < toldCells; ++cell) {
     const number = plane.at(cell);
     const count = counts.get(number);
     if (count === undefined) first(number, cell);
@@ -120,7 +119,8 @@ function countsOf(plane, first = () => {}) {
   return counts;
 }
 
-const share = (count) => count / (file.rows.values.length * file.columns.values.length);
+const toldCells = file.toldRows * file.columns.values.length;
+const share = (count) => count / toldCells;
 
 // Cells of each class in the file.
 function fileCounts() {
@@ -128,7 +128,7 @@ function fileCounts() {
   const { raw } = file.labels;
   const table = content.labels.table;
   const labels = new Array(table.length).fill(0);
-  for (let cell = 0; cell < raw.length; ++cell) ++labels[raw[cell]];
+  for (let cell = 0; cell < toldCells; ++cell) ++labels[raw[cell]];
   labels.forEach((count, label) => (counts[table[label][3]] += count));
   return counts;
 }

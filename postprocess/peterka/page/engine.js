@@ -30,6 +30,14 @@ function changeOf(axis, value) {
   return { ...Object.fromEntries(axis.clears.map((name) => [name, null])), [axis.sets]: value };
 }
 
+// A settled cell from another start at forcing phase 0: u in A0, its rate in A0 omega. There x = u, and x' = u' + eta; inside a
+// rigid stop nothing starts.
+function startingAt(cell, u, v) {
+  const rigid = cell.contact_law === 1;
+  return { ...cell, displacement_m: null, velocity_m_per_s: null,
+    displacement_ratio: rigid ? Math.min(u, cell.gap_ratio) : u, velocity_ratio: v + cell.frequency_ratio };
+}
+
 class Engine {
   // The C library's ways out, to which the engine has nothing to say.
   static async from(bytes) {

@@ -9,6 +9,7 @@ import tomllib
 from pathlib import Path
 
 from ..files.coordinates import TWINS, unit_of
+from ..files.job_axes import axes_of_job
 from ..files.opened import OpenedFile
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -140,8 +141,7 @@ def _place(file, job):
 
 
 def _set_by_axes(file):
-    axes = getattr(file, "rows", None), getattr(file, "columns", None)
-    return {numbers_of_axis(file, axis.name)[0] for axis in axes if axis is not None}
+    return {numbers_of_axis(file, name)[0] for name in axes_of_job(file.data.attribute("job"))}
 
 
 def _numbers(job):

@@ -24,6 +24,10 @@ class Axis {
     this.edges[last + 1] = 2 * places[last] - this.edges[last];
     if (["frequency_ratio", "frequency_hz"].includes(this.name) && !this.log) this.edges[0] = Math.max(this.edges[0], 0);
   }
+  // Three cells, as places.
+  get narrowest() {
+    return (3 * (this.edges.at(-1) - this.edges[0])) / this.values.length;
+  }
   place(value) {
     return this.log ? Math.log(value) : value;
   }
@@ -45,13 +49,20 @@ class Axis {
   }
 }
 
+// A map's cells lie in rows and columns; of a sweep the rows are its tracks, branches first, and the cells their points.
+const rowCount = content.rows?.values.length ?? content.tracks.length;
+
 const file = {
   columns: new Axis(content.columns),
-  rows: new Axis(content.rows),
-  // What of a cell both axes set, and clear.
-  sides: [content.columns, content.rows].map(({ sets, clears }) => ({ sets, clears })),
+  rows: content.rows ? new Axis(content.rows) : null,
+  rowCount,
+  // Rows that shares are told of.
+  toldRows: content.branches ?? rowCount,
+  // What of a cell both axes, or the axis of a sweep and the gap of a branch, set, and clear.
+  sides: [content.columns, content.rows ?? content.gap].filter(Boolean).map(({ sets, clears }) => ({ sets, clears })),
   labels: null, // number of the label of each cell
-  layers: content.layers.map((layer) => ({ ...layer, plane: null })),
+  // `first`: the row of a layer's first one; `samples`: how many numbers a cell has.
+  layers: content.layers.map((layer) => ({ first: 0, rows: rowCount, samples: 1, ...layer, plane: null })),
   isBasin: content.kind === "basin",
 
   async loadLabels() {
@@ -68,7 +79,7 @@ const file = {
     return row * this.columns.values.length + column;
   },
   holds(row, column) {
-    return row >= 0 && column >= 0 && row < this.rows.values.length && column < this.columns.values.length;
+    return row >= 0 && column >= 0 && row < this.rowCount && column < this.columns.values.length;
   },
   // [regime, impacts, period, class]
   label(row, column) {
@@ -76,13 +87,17 @@ const file = {
   },
   // As the file has it.
   value(row, column) {
-    if (!this.holds(row, column)) throw new RangeError(`the map has no cell in row ${row}, column ${column}`);
+    if (!this.holds(row, column)) throw new RangeError(`the ${content.kind} has no cell in row ${row}, column ${column}`);
     const [regime, impacts, period] = this.label(row, column);
     return { regime, impacts, period, peak_force_ratio: this.number("peak_force_ratio", row, column) };
   },
-  number(name, row, column) {
-    const layer = this.layers.find((one) => one.name === name);
-    return layer?.plane ? layer.plane.at(this.index(row, column)) : NaN;
+  layer(name) {
+    return this.layers.find((one) => one.name === name);
+  },
+  number(name, row, column, sample = 0) {
+    const layer = this.layer(name);
+    const own = layer?.plane && row >= layer.first && row < layer.first + layer.rows;
+    return own ? layer.plane.at(this.index(row - layer.first, column) * layer.samples + sample) : NaN;
   },
 };
 

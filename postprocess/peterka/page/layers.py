@@ -1,4 +1,5 @@
-"""What the cells of a file say, as planes for a page: their labels, and one layer for each dataset.
+"""What the cells of a file say, or the points of a sweep's branches, as planes for a page: their labels, and one layer for each
+dataset.
 
 A map of up to EXACT_CELLS cells has every dataset that lies on its cells, to the last bit. Of a larger one only labels
 and peak force are taken unless others are asked for, and real numbers are shortened to what `room` bytes hold.
@@ -12,6 +13,7 @@ from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
 from ..files.checked_hdf5 import INTEGER, REAL, NotDrawable
+from ..files.opened import OpenedFile
 from ..look import classes
 from ..maps.map_file import PeterkaFile
 
@@ -26,9 +28,15 @@ TOP_SHARE = 99.9  # of the values: single cells beyond don't stretch the scale
 
 
 def labels(file: PeterkaFile, every: int) -> tuple[dict[str, Any], bytes]:
+    """As numbered_labels, of each cell."""
+    bands = list(_bands(file, LABELS, every))
+    return numbered_labels(file, {name: np.concatenate([band[name] for band in bands]) for name in LABELS})
+
+
+def numbered_labels(file: OpenedFile, cells: dict[str, np.ndarray]) -> tuple[dict[str, Any], bytes]:
     """({"table": [[regime, p, q, class], ...], "shown": [of each class as which it is shown], ...}, bytes): the label of each
-    cell as a number of the table."""
-    key = np.concatenate([_key(band) for band in _bands(file, LABELS, every)])
+    cell as a number of the table. `cells`: {dataset: (rows, columns)} of LABELS."""
+    key = _key(cells)
     found, index, counts = np.unique(key, return_inverse=True, return_counts=True)
     if len(found) > MOST_LABELS:
         raise file.refusal(f"has {len(found)} different z; a page holds {MOST_LABELS}")
@@ -50,12 +58,12 @@ def datasets(file: PeterkaFile, asked: Sequence[str] | None) -> list[str]:
 def layers_of(file: PeterkaFile, name: str, every: int, room: int) -> list[tuple[dict[str, Any], bytes]] | None:
     """[({description}, bytes), ...] of a dataset: one, or one per slot of [slot][row][column]. None where it isn't a
     number per cell."""
-    shape = _shape(file, name)
+    shape = shape_of(file, name)
     if shape == file.shape:
-        return [_layer(file, name, name, file.data.values(name, slice(None))[::every, ::every], room)]
+        return [layer(file, name, name, file.data.values(name, slice(None))[::every, ::every], room)]
     if shape is not None and len(shape) == 3 and shape[1:] == file.shape and 0 < shape[0] <= 16:
         slots = range(shape[0])
-        return [_layer(file, name, f"{name}[{slot}]", file.data.values(name, slot)[::every, ::every], room)
+        return [layer(file, name, f"{name}[{slot}]", file.data.values(name, slot)[::every, ::every], room)
                 for slot in slots]
     return None
 
@@ -65,8 +73,9 @@ def viridis() -> list[str]:
     return [to_hex(colour) for colour in colormaps["viridis"](np.linspace(0, 1, 256))]
 
 
-def _layer(file, dataset, name, values, room):
-    description = {
+def layer(file: OpenedFile, dataset: str, name: str, values: np.ndarray, room: int = 0) -> tuple[dict[str, Any], bytes]:
+    """({description}, bytes) of values of a dataset, (rows, columns), under a name: exact, or to what `room` bytes hold."""
+    description: dict[str, Any] = {
         "name": name,
         "title": TITLES.get(dataset, dataset.replace("_", " ")) + name[len(dataset):].replace("[", " ").replace("]", ""),
         "about": str(file.data.attribute("long_name", dataset) or ""),
@@ -82,7 +91,7 @@ def _layer(file, dataset, name, values, room):
     return description | {"plane": plane} | _span(values), packed
 
 
-def _shape(file, name):
+def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
     """None where it is no dataset of numbers."""
     try:
         return file.data.dataset(name, None, INTEGER + REAL).shape

@@ -40,3 +40,28 @@ function entriesInto(parent, entries) {
   }
   parent.append(list);
 }
+
+// Marks of branches with their words: [shape, words].
+function marksInto(parent, marks) {
+  const list = Object.assign(document.createElement("ul"), { className: "entries" });
+  for (const [shape, words] of marks) {
+    const entry = document.createElement("li");
+    entry.append(Object.assign(document.createElement("b"), { textContent: { up: "▲", down: "▼" }[shape] ?? (shape === "known" ? "·" : "●") }), document.createTextNode(` ${words}`));
+    list.append(entry);
+  }
+  parent.append(list);
+}
+
+// Lines of curves with their words: {words, colour, dash}.
+function linesInto(parent, lines) {
+  const list = Object.assign(document.createElement("ul"), { className: "entries" });
+  for (const { words, colour, dash } of lines) {
+    const entry = document.createElement("li");
+    const line = Object.assign(document.createElement("i"), { className: "line" });
+    line.style.borderTopColor = colour;
+    line.style.borderTopStyle = dash.length === 0 ? "solid" : dash[0] > 2 ? "dashed" : "dotted";
+    entry.append(line, document.createTextNode(words));
+    list.append(entry);
+  }
+  parent.append(list);
+}

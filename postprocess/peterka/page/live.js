@@ -84,17 +84,19 @@ class LivePlane {
 
 const LIVE_SIZE = 128;
 
+// The value at a place of an axis, or of what lies beyond its end: nothing below 0 where the axis has no such value.
+function valueInside(axis, place) {
+  const value = axis.value(place);
+  const least = axis.name.includes("frequency") || axis.log ? 1e-6 * axis.values.at(-1) : 0;
+  return axis.values[0] >= 0 ? Math.max(value, least) : value;
+}
+
 // The window of the map, computed again for this rig.
 function liveMap(workers, cell, view, layer, changed) {
-  const inside = (axis, place) => {
-    const value = axis.value(place);
-    const least = axis.name.includes("frequency") || axis.log ? 1e-6 * axis.values.at(-1) : 0;
-    return axis.values[0] >= 0 ? Math.max(value, least) : value;
-  };
   const at = ([from, to], n) => from + ((n + 0.5) / LIVE_SIZE) * (to - from);
   const plane = new LivePlane({
     workers, cell, sides: file.sides, size: LIVE_SIZE, changed,
-    valuesAt: (i, j) => [inside(file.columns, at(view.x, i)), inside(file.rows, at(view.y, j))],
+    valuesAt: (i, j) => [valueInside(file.columns, at(view.x, i)), valueInside(file.rows, at(view.y, j))],
     colour: liveColour(layer),
   });
   plane.view = { x: [...view.x], y: [...view.y] };

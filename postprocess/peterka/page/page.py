@@ -1,5 +1,5 @@
-"""A map or basin file as one page of HTML that needs neither a server nor a network: its cells, the engine, and the
-scripts that show them, all inside. Whatever comes out of the file is data there, never HTML."""
+"""A map, basin, sweep or file of curves as one page of HTML that needs neither a server nor a network: its cells, the engine, and
+the scripts that show them, all inside. Whatever comes out of the file is data there, never HTML."""
 
 import base64
 import html
@@ -7,21 +7,25 @@ import json
 import re
 import zlib
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from ..look import classes
 from ..look.axes import si_scale
 from ..look.coordinates import IN_MILLIMETRES, label
 from ..maps import basin_map, field_map
-from ..maps.map_file import PeterkaFile
+from ..maps.curves_file import CurvesFile
+from ..maps.map_file import PeterkaFile, axis_of
+from ..sweeps.sweep_file import SweepFile
 
-from . import layers
+from . import edges, layers, tracks
 from .engine import NoEngine, cell_numbers, module, numbers_of_axis, version
 
 FOLDER = Path(__file__).resolve().parent
 # in this order, in one scope; those of WORKER once more in a scope of their own
-SCRIPTS = ["planes.js", "file.js", "engine.js", "colours.js", "plot.js", "map.js", "workers.js", "live.js", "basin.js",
-           "stage.js", "charts.js", "words.js", "cell.js", "rig.js", "legend.js", "address.js", "main.js"]
+SCRIPTS = ["planes.js", "file.js", "engine.js", "colours.js", "plot.js", "view.js", "map.js", "branches.js", "curves.js",
+           "workers.js", "live.js", "basin.js", "sides.js", "stage.js", "charts.js", "words.js", "cell.js", "rig.js", "legend.js",
+           "address.js", "page.js", "map_page.js", "sweep_page.js", "curves_page.js", "main.js"]
 WORKER = ["engine.js", "worker.js"]
 ROOM = 7_200_000  # bytes for all planes of a large map: 10 MB once they are text
 AXES = {
@@ -34,14 +38,15 @@ AXES = {
 }
 
 
-def page(file: PeterkaFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
-    """(text of the page, sentences for the user) of an open PeterkaFile."""
+def page(file: PeterkaFile | SweepFile, every: int = 1, asked: Sequence[str] | None = None) -> tuple[str, list[str]]:
+    """(text of the page, sentences for the user) of an open file. `every` n-th row and column of its cells, and the layers that
+    are `asked` for, or those that have room."""
     blobs: list[str] = []
     notes: list[str] = []
     content = _header(file, every)
-    content["labels"], packed = layers.labels(file, every)
-    content["labels"]["blob"] = _keep(blobs, packed)
-    content["layers"] = _layers(file, every, asked, ROOM - len(packed), blobs)
+    content |= _of_sweep(file, asked, blobs) if isinstance(file, SweepFile) else _of_cells(file, every, asked, blobs)
+    if isinstance(file, CurvesFile):
+        content["curves"] = edges.edges(file, partial(_keep, blobs))
     content["classes"] = [{"label": entry.label, "colour": entry.colour, "orbit": entry.orbit} for entry in classes.CLASSES]
     content["viridis"] = layers.viridis()
     content["shades"] = [[weight, {"white": 255, "black": 0}[towards]] for weight, towards in basin_map.SHADES]
@@ -74,19 +79,44 @@ def _header(file, every):
         "hertz": file.positive("natural_frequency_hz"),
         "amplitude_m": file.positive("cart_amplitude_m"),
         "place": {name: file.number(name) for name in ("frequency_ratio", "gap_ratio")},
-        "rows": _axis(file, file.rows, every),
-        "columns": _axis(file, file.columns, every),
     }
 
 
-def _axis(file, axis, every):
+def _of_cells(file, every, asked, blobs):
+    labels, packed = layers.labels(file, every)
+    return {
+        "rows": _axis(file, file.rows, every),
+        "columns": _axis(file, file.columns, every),
+        "labels": labels | {"blob": _keep(blobs, packed)},
+        "layers": _layers(file, every, asked, ROOM - len(packed), blobs),
+    }
+
+
+def _of_sweep(file, asked, blobs):
+    """`gap`: the coordinate of which each track has a value; None where that is the axis, or each point has one of its own."""
+    keep = partial(_keep, blobs)
+    labels, packed = tracks.labels(file)
+    return tracks.described(file) | {
+        "columns": _axis(file, axis_of(file.axis_name, file.values)),
+        "gap": None if None in file.gaps else _coordinate(file, file.gap_name),
+        "labels": labels | {"blob": keep(packed)},
+        "layers": [description | {"blob": keep(packed)} for description, packed in tracks.datasets(file, asked)],
+        "starts": tracks.starts(file, keep),
+        "jumps": tracks.jumps(file, keep),
+    }
+
+
+def _axis(file, axis, every=1):
+    return _coordinate(file, axis.name) | {"log": axis.log, "values": axis.values[::every].tolist()}
+
+
+def _coordinate(file, name):
     """`factor`: from the values to `unit`, None where the file doesn't tell; `sets`, `clears`: numbers of a cell (engine.py)."""
-    symbol, about, unit = AXES.get(axis.name) or _plain_words(axis.name)
-    scale = si_scale(file, axis.name)
+    symbol, about, unit = AXES.get(name) or _plain_words(name)
+    scale = si_scale(file, name)
     factor = scale and (1000 * scale[1] if unit == "mm/s" else scale[1])
-    sets, clears = numbers_of_axis(file, axis.name)
-    return {"name": axis.name, "symbol": symbol, "about": about, "unit": unit, "factor": factor, "log": axis.log, "sets": sets,
-            "clears": clears, "values": axis.values[::every].tolist()}
+    sets, clears = numbers_of_axis(file, name)
+    return {"name": name, "symbol": symbol, "about": about, "unit": unit, "factor": factor, "sets": sets, "clears": clears}
 
 
 def _plain_words(name):

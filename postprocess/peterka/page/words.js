@@ -65,14 +65,21 @@ function multiplierWords(multipliers) {
 
 // {same, words}: whether a live result is that of the file's cell.
 function agreement(answer, stored) {
-  if (stored.regime === NOT_COMPUTED) return { same: null, words: "the file has no result of this cell yet" };
+  const one = content.kind === "sweep" ? "point" : "cell";
+  if (stored.regime === NOT_COMPUTED) return { same: null, words: `the file has no result of this ${one} yet` };
   const label = labelWords(stored.regime, stored.impacts, stored.period);
   const same = ["regime", "impacts", "period"].every((name) => stored[name] === answer[name]);
+  if (!same && stored.regime === UNRESOLVED && content.kind === "sweep") {
+    return { same: null, words: "the file left this point unresolved; from there the engine goes on" };
+  }
   if (!same) return { same, words: `differs from the file, which has ${label}` };
   const [live, kept] = [answer.peak_force_ratio, stored.peak_force_ratio];
-  if (!Number.isFinite(live) || !Number.isFinite(kept) || kept === 0) return { same, words: "equals the file’s cell" };
+  if (!Number.isFinite(live) || !Number.isFinite(kept) || kept === 0) return { same, words: `equals the file’s ${one}` };
+  if (answer.regime >= CHAOTIC && answer.regime !== SUSTAINED_CONTACT && content.kind === "sweep") {
+    return { same, words: "equals the file’s point; of such a motion another stretch is seen" };
+  }
   const off = Math.abs(live - kept) / kept;
-  return { same, words: `equals the file’s cell, force to ${off === 0 ? "the last bit" : digits(off, 1)}` };
+  return { same, words: `equals the file’s ${one}, force to ${off === 0 ? "the last bit" : digits(off, 1)}` };
 }
 
 // Why the engine of the page can't run a cell; null where it can.

@@ -25,8 +25,8 @@ async function solveCells({ number, cell, sides, cells }) {
   const begun = performance.now();
   let done = 0;
   while (2 * done < cells.length && (done === 0 || performance.now() - begun < TURN_MS)) {
-    const own = { ...cell, ...changeOf(sides[0], cells[2 * done]), ...changeOf(sides[1], cells[2 * done + 1]) };
-    solver.begin(settled(own), false);
+    const changes = sides.map((side, n) => changeOf(side, cells[2 * done + n]));
+    solver.begin(settled(Object.assign({ ...cell }, ...changes)), false);
     solver.advance(0);
     const { regime, impacts, period, peak_force_ratio } = solver.answer();
     results.set([regime, impacts, period, peak_force_ratio], 4 * done);

@@ -63,7 +63,7 @@ class Workers {
     });
     worker.postMessage({ number, cell: job.cell, sides: job.sides, cells: batch.cells });
   }
-  // One cell as the file would have it.
+  // One cell as the file would have it, where `sides` have these values, none or one each.
   solve(cell, sides, values) {
     return new Promise((done) => {
       let waits = true;
@@ -71,7 +71,7 @@ class Workers {
         cell, sides, hasMore: () => waits, putBack: () => (waits = true),
         take: () => {
           waits = false;
-          return { places: [0], cells: Float64Array.from(values) };
+          return { places: [0], cells: Float64Array.from(values.length > 0 ? values : [NaN, NaN]) }; // two a cell
         },
         give: (_, [regime, impacts, period, peak_force_ratio]) => {
           this.end(job);

@@ -1,0 +1,160 @@
+// What every page does: shows the layers of a file, begins the engine, follows the address and the keys. What is particular to a
+// kind of file, its page adds: layers, makeView(), paint(layer), sizeWords(), readOut(target), pick(target), placeOfAddress(),
+// goTo(address), pickSomething().
+
+const element = (id) => document.getElementById(id);
+
+class Page {
+  async begin() {
+    element("title").textContent = content.title;
+    element("facts").textContent = factsWords(this.sizeWords());
+    await this.load();
+    this.layer = this.layers[0];
+    this.view = this.makeView({ hover: (target) => this.readOut(target), pick: (target) => this.pick(target), moved: () => this.moved() });
+    this.readOut(null);
+    this.paint(this.layer);
+    this.view.drawNow();
+    this.beginMarks();
+    performance.mark("first-picture");
+    await new Promise((done) => setTimeout(done));
+    this.drawLegend();
+    this.#fillLayers();
+    await this.#beginEngine();
+    await this.#loadForce();
+    this.#listen();
+    await this.#followAddress();
+    document.documentElement.dataset.ready = "true";
+  }
+  // What the first picture needs.
+  load() {
+    return file.loadLabels();
+  }
+  beginMarks() {}
+  beginRig() {}
+  async #loadForce() {
+    const force = file.layer("peak_force_ratio");
+    if (force) await file.loadLayer(force);
+  }
+  async #beginEngine() {
+    element("missing").textContent = content.missing ? `No live cells: ${content.missing}` : "";
+    if (content.cell === null || content.engine === null) return document.body.classList.add("no-engine");
+    const bytes = await blobOf(content.engine);
+    this.workers = new Workers(bytes, element("worker").textContent);
+    document.body.classList.toggle("cannot-run", whyNot(content.cell) !== null);
+    this.panel = new CellPanel(element, this.workers);
+    this.beginRig();
+  }
+  #fillLayers() {
+    const select = element("layer");
+    for (const layer of this.layers) {
+      select.append(Object.assign(document.createElement("option"), { value: layer.name, textContent: layer.title }));
+    }
+    select.addEventListener("change", () => this.showLayer(select.value));
+  }
+  async showLayer(name) {
+    const layer = this.layers.find((one) => one.name === name) ?? this.layers[0];
+    this.layer = layer;
+    element("layer").value = layer.name;
+    if (layer.blob !== undefined) await file.loadLayer(layer);
+    if (this.layer !== layer) return; // another one was chosen meanwhile
+    this.paint(layer);
+    this.drawLegend();
+    this.view.draw();
+    this.moved();
+  }
+  drawLegend() {
+    drawLegend(element("legend"), this.layer, this.view.patch?.kinds);
+  }
+  // What the file has of a target, and of it a number of the layer shown, in words.
+  forceWords(force) {
+    return force > 0 ? `${content.newtons ? `${digits(force * content.newtons, 4)} N · ` : ""}${digits(force, 4)} m g` : "";
+  }
+  layerWords(row, column, sample = 0) {
+    const { layer } = this;
+    const value = file.number(layer.name, row, column, sample);
+    const words = layer.words?.[value]?.replaceAll("_", " ") ?? digits(value, 5);
+    return `${layer.title} ${words}${layer.unit && layer.unit !== "1" ? ` ${layer.unit}` : ""}`;
+  }
+
+  moved() {
+    this.writeAddress();
+  }
+  writeAddress() {
+    if (!this.listens) return;
+    const { layer, layers, view, rig } = this;
+    writeAddress({ layer: layer === layers[0] ? undefined : layer.name, axes: view.axes, view: view.view, at: this.placeOfAddress(),
+      rig: rig?.values() ?? [], live: Boolean(rig && element("live").checked && !rig.differs) });
+  }
+  async #followAddress() {
+    const address = readAddress();
+    element("address-state").textContent = this.#strangeWords(address);
+    for (const [name, value] of this.rig ? address.rig : []) this.rig.take(name, Number(value));
+    if (address.layer !== null) await this.showLayer(address.layer);
+    if (address.x || address.y) this.view.show(address.x ?? this.view.view.x, address.y ?? this.view.view.y);
+    if (!this.goTo(address) && !this.hasPicked) this.pickSomething();
+    this.followed(address);
+    this.listens = true;
+  }
+  followed() {}
+  // What of an address this page doesn't follow, for it was made by another version or for another file.
+  #strangeWords({ rig, version }) {
+    const strange = rig.filter(([name, value]) => !this.rig?.takes(name, Number(value)));
+    const parts = strange.map(([name, value]) => `${name} = ${value} isn't of this page's rig and is left out`);
+    if (version !== null && version !== VERSION) parts.unshift(`the address was made by version ${version}, this page by ${VERSION}`);
+    return parts.length > 0 ? `${parts.join("; ")}.` : "";
+  }
+  #listen() {
+    element("whole").addEventListener("click", () => this.view.whole());
+    element("closer").addEventListener("click", () => this.view.zoom(1.5));
+    element("farther").addEventListener("click", () => this.view.zoom(1 / 1.5));
+    element("theme").addEventListener("click", () => this.#turnTheme());
+    element("keys").addEventListener("click", () => element("help").showModal());
+    addEventListener("hashchange", () => this.#followAddress());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#repaint());
+    addEventListener("keydown", (event) => this.#key(event));
+  }
+  #key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || /INPUT|SELECT|BUTTON/.test(event.target.tagName)) return;
+    if (event.key === " " && this.panel) this.panel.togglePlay();
+    else if (event.key === "Escape" && element("cell").dataset.state === "solving") this.panel.cancel();
+    else if (event.key === "l") this.#nextLayer();
+    else if (event.key === "?") element("help").showModal();
+    else return;
+    event.preventDefault();
+  }
+  #nextLayer() {
+    const names = this.layers.map((layer) => layer.name);
+    this.showLayer(names[(names.indexOf(this.layer.name) + 1) % names.length]);
+  }
+  #turnTheme() {
+    const root = document.documentElement;
+    const dark = (root.dataset.theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
+    root.dataset.theme = dark ? "light" : "dark";
+    this.#repaint();
+  }
+  #repaint() {
+    this.view.draw();
+    this.panel?.charts.draw();
+    this.panel?.stage.draw();
+  }
+  // Of the engine for scripts: refuses as an error.
+  async ready() {
+    await this.begun;
+    if (!this.workers) throw new Error(content.missing);
+    const refusal = whyNot(content.cell);
+    if (refusal) throw new Error(refusal);
+  }
+}
+
+// A coordinate in both of its units, to so many digits.
+function bothUnits({ symbol, factor, unit }, value, count = 5) {
+  return `${symbol} ${digits(value, count)}${factor ? ` · ${digits(value * factor, Math.max(count, 5) - 1)} ${unit}` : ""}`;
+}
+
+function factsWords(size) {
+  const computed = content.computed < 1 ? `${(Math.floor(1000 * content.computed) / 10).toFixed(1)} % computed` : "";
+  const every = content.every > 1 ? `each ${content.every}th row and column` : "";
+  const force = content.layers.find((layer) => layer.name === "peak_force_ratio")?.plane.digits;
+  const short = force ? `force to ${force} digits` : "";
+  return [content.name, size, computed, every, short, content.source, content.commit].filter(Boolean).join(" · ");
+}

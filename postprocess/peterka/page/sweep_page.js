@@ -1,0 +1,120 @@
+// The page of a sweep: its branches gap by gap; a click on a point gives its motion, found from where the file has it at forcing
+// phase 0.
+
+class SweepPage extends Page {
+  layers = file.layers;
+  picked = null; // {track, column, sample}
+
+  async load() {
+    await file.loadLabels();
+    await file.loadLayer(file.layer("peak_force_ratio"));
+    const columns = file.columns.values.length;
+    const plane = async ({ plane: packed, blob }) => planeOf(packed, await blobOf(blob), columns);
+    file.jumps = await plane(content.jumps);
+    this.starts = await Promise.all([content.starts.stroboscopic_displacement, content.starts.stroboscopic_velocity].map(plane));
+    const shares = file.layer("basin_share");
+    if (shares) await file.loadLayer(shares);
+  }
+  makeView(tell) {
+    document.body.classList.add("of-sweep");
+    this.#fillGaps();
+    element("whole").textContent = "Whole sweep";
+    element("map-top").setAttribute("aria-label", "Branches of a sweep: left and right arrows walk along a branch, up and down from one to the next, Enter solves a point, plus and minus zoom, 0 shows the whole sweep");
+    return new BranchesView(element("map"), element("map-top"), tell);
+  }
+  #fillGaps() {
+    element("gap-choice").hidden = content.gaps.length < 2;
+    const select = element("gap");
+    content.gaps.forEach((gap, n) => select.append(Object.assign(document.createElement("option"),
+      { value: n, textContent: gap === null ? "" : bothUnits(content.gap, gap) })));
+    select.addEventListener("change", () => this.showGap(Number(select.value)));
+  }
+  showGap(gap) {
+    element("gap").value = gap;
+    this.view.setGap(gap);
+    if (this.picked) this.view.mark(this.picked);
+    this.view.draw();
+  }
+  sizeWords() {
+    return `${content.branches.toLocaleString("en")} branches of ${file.columns.values.length.toLocaleString("en")} points`;
+  }
+  paint(layer) {
+    this.view.setLayer(layer);
+  }
+  drawLegend() {
+    const parent = element("legend");
+    parent.replaceChildren();
+    entriesInto(parent, classEntries());
+    const ways = new Map(content.tracks.map(({ slot, direction, words }) => (slot === null ? [direction, words] : ["known", "an attractor that is known"])));
+    marksInto(parent, [...ways]);
+  }
+
+  pick(target) {
+    const { track, column } = target;
+    this.picked = target;
+    if (content.tracks[track].gap !== this.view.gap) this.showGap(content.tracks[track].gap);
+    this.view.mark(target);
+    this.writeAddress();
+    if (!this.panel) return;
+    element("cell").hidden = false;
+    element("place").textContent = this.#placeWords(target).join(" · ");
+    const inFile = file.value(track, column);
+    const cell = this.#cellOf(target);
+    if (cell === null) return this.panel.showFile(inFile, "The file has no motion of this point to begin with.");
+    this.panel.show(cell, inFile, inFile);
+  }
+  // On the motion that the file has there; null where it has none.
+  #cellOf({ track, column }) {
+    const [u, v] = this.starts.map((plane) => plane.at(file.index(track, column)));
+    if (Number.isNaN(u)) return null;
+    const values = [file.columns.values[column], ...(content.gap ? [content.gaps[content.tracks[track].gap]] : [])];
+    const changes = file.sides.map((side, n) => changeOf(side, values[n]));
+    return startingAt(settled(Object.assign({ ...content.cell }, ...changes)), u, v);
+  }
+  #placeWords({ track, column }) {
+    const { gap, slot, words } = content.tracks[track];
+    const share = file.number("basin_share", track, column);
+    const starts = share > 0 ? `${percent(share)} of the starts end on it` : "none of the starts ends on it";
+    return [bothUnits(file.columns, file.columns.values[column]), content.gap ? bothUnits(content.gap, content.gaps[gap]) : "",
+      slot === null ? words : `attractor ${slot + 1}: ${starts}`].filter(Boolean);
+  }
+  readOut(target) {
+    const out = element("readout");
+    if (!target) return (out.textContent = "Point at a branch for its values; click a point and the engine finds its motion.");
+    const { track, column, sample } = target;
+    const { regime, impacts, period, peak_force_ratio: force } = file.value(track, column);
+    const parts = [...this.#placeWords(target), labelWords(regime, impacts, period), this.forceWords(force)];
+    if (content.tracks[track].slot === null && file.jumps.at(file.index(track, column)) === 1) parts.push("the force jumps on the way here");
+    if (this.layer.name !== "peak_force_ratio" && this.layer.name !== "basin_share") parts.push(this.layerWords(track, column, sample));
+    out.textContent = parts.filter(Boolean).join("   ");
+  }
+
+  get hasPicked() {
+    return this.picked !== null;
+  }
+  placeOfAddress() {
+    return this.picked ? { at: [this.picked.track, this.picked.column] } : {};
+  }
+  goTo({ at }) {
+    if (at === null || !file.holds(...at) || file.label(...at)[0] === NOT_COMPUTED) return false;
+    this.pick({ track: at[0], column: at[1], sample: 0 });
+    return true;
+  }
+  // Something to look at: the periodic point of the first branch that strikes hardest.
+  pickSomething() {
+    const { length } = file.columns.values;
+    let [most, hardest] = [-1, null];
+    for (let column = 0; column < length; ++column) {
+      const { regime, peak_force_ratio: force } = file.value(0, column);
+      if (regime === PERIODIC && !(force <= most)) [most, hardest] = [force, column];
+    }
+    if (hardest !== null) this.pick({ track: 0, column: hardest, sample: 0 });
+  }
+  // For scripts: a promise of what the engine finds from the motion that the file has.
+  async solve(track, column) {
+    file.value(track, column); // says so where there is no such point
+    const cell = this.#cellOf({ track, column });
+    if (cell === null) throw new Error("the file has no motion of this point to begin with");
+    return this.workers.solve(cell, [], []);
+  }
+}

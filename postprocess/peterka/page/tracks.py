@@ -1,0 +1,143 @@
+"""What a page shows of a sweep: *tracks* of points along its axis. Each branch is one; where the sweep has [starts], each of
+the attractors kept at a gap's points is another, for it may be on no branch.
+
+Every point that has a motion has a place of it, too, at forcing phase 0: from there the page's engine finds the same one.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Reals
+from ..files.checked_hdf5 import INTEGER, REAL
+from ..sweeps.sweep_file import Branch, SweepFile
+from ..sweeps.sweep_panels import direction_words
+
+from . import layers, planes
+
+PLACE = ("stroboscopic_displacement", "stroboscopic_velocity")
+SAMPLED = (*PLACE, "impact_displacement", "impact_velocity")
+MOST_SAMPLES = 2**22  # of one layer; more are left out
+FORCE = "peak_force_ratio"
+OTHERWISE_SHOWN = (*layers.LABELS, FORCE, "jump", "start_attractor")
+
+Keep = Callable[[bytes], int]
+
+
+@dataclass(frozen=True)
+class Track:
+    """A branch, or with its gap the `slot` of an attractor."""
+
+    branch: Branch
+    slot: int | None = None
+
+
+def tracks_of(file: SweepFile) -> list[Track]:
+    """Branches first, in their order, then the slots of each gap in turn."""
+    branches = [Track(branch) for branch in file.branches]
+    return branches + [Track(file.at_gap(gap)[0], slot) for gap in file.gaps for slot in range(file.slots)]
+
+
+def described(file: SweepFile) -> dict[str, Any]:
+    """Of each track its gap, in `gaps`, and its direction in words, or its slot."""
+    directions = {branch.direction: direction_words(file, branch.direction) for branch in file.branches}
+    return {
+        "gaps": file.gaps,
+        "branches": len(file.branches),
+        "tracks": [{"gap": file.gaps.index(track.branch.gap_ratio), "slot": track.slot,
+                    "direction": track.branch.direction, "words": directions[track.branch.direction]}
+                   for track in tracks_of(file)],
+    }
+
+
+def labels(file: SweepFile) -> tuple[dict[str, Any], bytes]:
+    """As layers.numbered_labels, of each point of each track."""
+    cells = [_labels_of(file, track) for track in tracks_of(file)]
+    return layers.numbered_labels(file, {name: np.stack([one[name] for one in cells]) for name in layers.LABELS})
+
+
+def starts(file: SweepFile, keep: Keep) -> dict[str, Any]:
+    """Of each point where its motion is at forcing phase 0: u in A0, its rate in A0 omega; NaN where there is none."""
+    return {name: _packed(np.stack([_start(file, track, name) for track in tracks_of(file)]), keep) for name in PLACE}
+
+
+def jumps(file: SweepFile, keep: Keep) -> dict[str, Any]:
+    """Of each point of each branch, 1 where the force jumps on the way to it."""
+    description, packed = planes.integers(np.stack([branch.jump for branch in file.branches]).astype(np.int8))
+    return {"plane": description, "blob": keep(packed)}
+
+
+def datasets(file: SweepFile, asked: Sequence[str] | None) -> list[tuple[dict[str, Any], bytes]]:
+    """[({description}, bytes), ...]: the peak force of all tracks, and what else the file has of its points, or was asked for.
+    `first`: the track of a layer's first row; `samples`: how many numbers a point has."""
+    found = [_layer(file, FORCE, np.stack([_forces(file, track) for track in tracks_of(file)]))]
+    for name in asked if asked is not None else [*SAMPLED, *file.data.names()]:
+        one = _dataset(file, name) if name not in OTHERWISE_SHOWN else None
+        if one is None and asked is not None and name != FORCE:
+            raise file.refusal(f"has no number of each point named {name}")
+        if one is not None and all(one[0]["name"] != other["name"] for other, _ in found):
+            found.append(one)
+    return found
+
+
+def _dataset(file, name):
+    """None where it is no number of each point, or has words of its own, which no axis can show."""
+    shape = (len(file.branches), len(file.values))
+    found = layers.shape_of(file, name)
+    if found is None or file.data.attribute("flag_meanings", name) is not None:
+        return None
+    if name == "basin_share":
+        shares = file.data.values(name, slice(None))
+        return _layer(file, name, np.stack([shares[track.slot, track.branch.row] for track in tracks_of(file)
+                                            if track.slot is not None]), first=shape[0])
+    if name in SAMPLED and found[:2] == shape and found[0] * found[1] * found[2] <= MOST_SAMPLES:
+        samples = np.stack([_samples(file, track, name) for track in tracks_of(file)])
+        used = max(1, int(np.isfinite(samples).sum(axis=2).max()))
+        return _layer(file, name, samples[:, :, :used].reshape(len(samples), -1), samples=used)
+    return _layer(file, name, file.data.values(name, slice(None))) if found == shape else None
+
+
+def _layer(file, name, values, first=0, samples=1):
+    description, packed = layers.layer(file, name, name, values)
+    return description | {"first": first, "rows": len(values), "samples": samples}, packed
+
+
+def _labels_of(file, track):
+    if track.slot is None:
+        return {name: getattr(track.branch, name) for name in layers.LABELS}
+    return {name: file.attractors(track.branch)[f"attractor_{name}"][track.slot] for name in layers.LABELS}
+
+
+def _forces(file: SweepFile, track: Track) -> Reals:
+    return track.branch.force if track.slot is None else file.attractor_forces(track.branch)[track.slot]
+
+
+def _start(file, track, name):
+    """The first sample; of an attractor that had no room for samples, the orbit where it has one."""
+    first = _samples(file, track, name)[:, 0]
+    orbit = name.replace("stroboscopic", "attractor_orbit")
+    if track.slot is None or not file.data.has(orbit):
+        return first
+    file.data.dataset(orbit, (file.slots, len(file.branches), len(file.values)), REAL)
+    return np.where(np.isfinite(first), first, file.data.values(orbit, (track.slot, track.branch.row)))
+
+
+def _samples(file: SweepFile, track: Track, name: str) -> Reals:
+    """(points, samples) of the motion at each point of a track, the first ones first, NaN behind them."""
+    row, shape = track.branch.row, (len(file.branches), len(file.values), *file.data.dataset("sample", None, INTEGER).shape)
+    file.data.dataset(name, shape, REAL)
+    if track.slot is None:
+        return np.asarray(file.data.values(name, row), dtype=float)
+    kind = name.partition("_")[0]
+    file.data.dataset(f"attractor_{name}", shape, REAL)
+    file.data.dataset(f"{kind}_attractor", shape, INTEGER)
+    own = file.data.values(f"{kind}_attractor", row) == track.slot
+    values = np.where(own, file.data.values(f"attractor_{name}", row), np.nan)
+    return np.take_along_axis(values, np.argsort(~own, axis=1, kind="stable"), axis=1)
+
+
+def _packed(values, keep):
+    description, packed = planes.reals(values)
+    return {"plane": description, "blob": keep(packed)}

@@ -1,0 +1,188 @@
+// A plane on a canvas: axes in ratios and in Hz and mm, pan and zoom by pointer, wheel and keys, what lies under the pointer and
+// what is picked. A second canvas on top holds what moves. What the plane shows, its children draw and find:
+// drawContent(), drawMarks(), targetAt(event) and walk(right, up, from).
+
+class PlaneView {
+  // axes: {x, y}, each with edges, place(value), value(place), narrowest, and words and factor of its scales.
+  constructor(below, above, axes, tell) {
+    this.base = new Plot(below, { left: 62, right: 62, top: 42, bottom: 40 });
+    this.top = new Plot(above, this.base.margins);
+    this.axes = axes;
+    this.tell = tell; // {hover(target or null), pick(target), moved()}
+    this.hover = null;
+    this.picked = null; // {x, y}: places
+    this.reset();
+    this.#listen(above);
+    new ResizeObserver(() => this.draw()).observe(below);
+  }
+  reset() {
+    const whole = (axis) => [axis.edges[0], axis.edges.at(-1)];
+    this.view = { x: whole(this.axes.x), y: whole(this.axes.y) };
+  }
+  draw() {
+    this.waits ??= requestAnimationFrame(() => {
+      this.waits = null;
+      this.drawNow();
+    });
+  }
+  drawNow() {
+    this.base.frame(this.view.x, this.view.y);
+    this.drawContent();
+    this.#drawAxes();
+    this.drawTop();
+  }
+  drawTop() {
+    this.top.frame(this.view.x, this.view.y);
+    this.drawMarks();
+    if (this.picked) this.#markPicked();
+  }
+  #drawAxes() {
+    const { left, top, width, height } = this.base.area;
+    const { pen, letter } = this.base;
+    pen.strokeStyle = ink("ink");
+    pen.strokeRect(left - 0.5, top - 0.5, width + 1, height + 1);
+    pen.fillStyle = ink("ink");
+    this.#ticks(this.axes.x, 1, width / (60 * letter), (at) => [at, top + height, 0, 5]);
+    this.#ticks(this.axes.y, 1, height / (45 * letter), (at) => [left, at, -5, 0]);
+    if (this.axes.x.factor) this.#ticks(this.axes.x, this.axes.x.factor, width / (60 * letter), (at) => [at, top, 0, -5]);
+    if (this.axes.y.factor) this.#ticks(this.axes.y, this.axes.y.factor, height / (45 * letter), (at) => [left + width, at, 5, 0]);
+    this.base.write(12);
+    pen.textAlign = "center";
+    pen.textBaseline = "alphabetic";
+    pen.fillText(this.axes.x.symbol, left + width / 2, top + height + 34 * letter);
+    if (this.axes.x.factor) pen.fillText(`${this.axes.x.about} (${this.axes.x.unit})`, left + width / 2, 13 * letter);
+    this.base.sideways(this.axes.y.symbol, 10 * letter, top + height / 2);
+    if (this.axes.y.factor) this.base.sideways(`${this.axes.y.about} (${this.axes.y.unit})`, left + width + 53 * letter, top + height / 2);
+  }
+  #ticks(axis, factor, count, place) {
+    const alongX = axis === this.axes.x;
+    const [low, high] = (alongX ? this.view.x : this.view.y).map((at) => axis.value(at) * factor);
+    const { values, step } = axis.log ? logTicks(low, high, count) : ticksBetween(low, high, count);
+    const pen = this.base.pen;
+    for (const value of values) {
+      const at = axis.place(value / factor);
+      const [x, y, dx, dy] = place(Math.round(alongX ? this.base.across(at) : this.base.up(at)) + 0.5);
+      pen.beginPath();
+      pen.moveTo(x, y);
+      pen.lineTo(x + dx, y + dy);
+      pen.stroke();
+      pen.textAlign = dx === 0 ? "center" : dx < 0 ? "right" : "left";
+      pen.textBaseline = dy === 0 ? "middle" : dy < 0 ? "bottom" : "top";
+      pen.fillText(tickText(value, step), x + 1.6 * dx, y + 1.6 * dy);
+    }
+  }
+  #markPicked() {
+    const [x, y] = [this.top.across(this.picked.x), this.top.up(this.picked.y)];
+    this.top.clipped((pen) => {
+      for (const [colour, width] of [["#FFFFFF", 4], ["#000000", 1.6]]) {
+        pen.strokeStyle = colour;
+        pen.lineWidth = width;
+        pen.beginPath();
+        pen.arc(x, y, 7, 0, 2 * Math.PI);
+        for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+          pen.moveTo(x + 7 * dx, y + 7 * dy);
+          pen.lineTo(x + 13 * dx, y + 13 * dy);
+        }
+        pen.stroke();
+      }
+    });
+  }
+
+  // Moves a view so that it stays on both axes, and no narrower than these want.
+  show(x, y) {
+    const fit = ([from, to], axis) => {
+      const [low, high] = [axis.edges[0], axis.edges.at(-1)];
+      const width = Math.min(Math.max(to - from, axis.narrowest), high - low);
+      const middle = (from + to) / 2;
+      const start = Math.min(Math.max(middle - width / 2, low), high - width);
+      return [start, start + width];
+    };
+    this.view = { x: fit(x, this.axes.x), y: fit(y, this.axes.y) };
+    this.draw();
+    this.tell.moved();
+  }
+  zoom(factor, x, y) {
+    const around = ([from, to], at) => [at - (at - from) / factor, at + (to - at) / factor];
+    const middle = ([from, to]) => (from + to) / 2;
+    this.show(around(this.view.x, x ?? middle(this.view.x)), around(this.view.y, y ?? middle(this.view.y)));
+  }
+  pan(across, up) {
+    const moved = ([from, to], share) => [from + share * (to - from), to + share * (to - from)];
+    this.show(moved(this.view.x, across), moved(this.view.y, up));
+  }
+  setHover(target) {
+    this.hover = target;
+    this.drawTop();
+    this.tell.hover(target);
+  }
+  setPicked(x, y) {
+    this.picked = { x, y };
+    this.drawTop();
+  }
+  // So that a place lies inside of the view.
+  follow(x, y) {
+    const beyond = ([from, to], at) => (at < from || at > to ? (at - (from + to) / 2) / (to - from) : 0);
+    const [across, up] = [beyond(this.view.x, x), beyond(this.view.y, y)];
+    if (across !== 0 || up !== 0) this.pan(across, up);
+  }
+
+  #listen(canvas) {
+    const pointers = new Map();
+    let travelled = 0;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, event);
+      travelled = 0;
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const before = pointers.get(event.pointerId);
+      if (!before) return this.setHover(this.targetAt(event));
+      const { width, height } = this.base.area;
+      travelled += Math.hypot(event.clientX - before.clientX, event.clientY - before.clientY);
+      if (pointers.size === 1 && travelled > 4) {
+        this.pan((before.clientX - event.clientX) / width, (event.clientY - before.clientY) / height);
+      } else if (pointers.size === 2) this.#pinch(pointers, before, event);
+      pointers.set(event.pointerId, event);
+    });
+    const release = (event) => {
+      if (pointers.delete(event.pointerId) && travelled <= 4 && event.type === "pointerup") this.#click(event);
+    };
+    canvas.addEventListener("pointerup", release);
+    canvas.addEventListener("pointercancel", release);
+    canvas.addEventListener("pointerleave", () => this.setHover(null));
+    canvas.addEventListener("wheel", (event) => {
+      const at = this.base.valuesAt(event);
+      if (!at) return;
+      event.preventDefault();
+      this.zoom(Math.exp(-Math.max(-60, Math.min(60, event.deltaY)) / 250), at[0], at[1]);
+    }, { passive: false });
+    canvas.addEventListener("keydown", (event) => this.#key(event));
+  }
+  #click(event) {
+    const target = this.targetAt(event);
+    if (target) this.tell.pick(target);
+  }
+  #pinch(pointers, before, event) {
+    const [other] = [...pointers.values()].filter((one) => one.pointerId !== event.pointerId);
+    const apart = (one) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+    const at = this.base.valuesAt(other);
+    if (at && apart(before) > 0) this.zoom(apart(event) / apart(before), at[0], at[1]);
+  }
+  // Arrows walk from one to the next, ten at once with Shift; Enter solves it; + and - zoom, 0 shows the whole.
+  #key(event) {
+    const step = event.shiftKey ? 10 : 1;
+    const steps = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
+    if (steps[event.key]) this.walk(...steps[event.key]);
+    else if (event.key === "Enter" && this.hover) this.tell.pick(this.hover);
+    else if (event.key === "+" || event.key === "=") this.zoom(1.5);
+    else if (event.key === "-") this.zoom(1 / 1.5);
+    else if (event.key === "0") this.whole();
+    else return;
+    event.preventDefault();
+  }
+  whole() {
+    this.reset();
+    this.draw();
+    this.tell.moved();
+  }
+}
