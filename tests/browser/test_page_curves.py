@@ -118,14 +118,15 @@ def test_a_click_on_a_curve_shows_the_motions_on_both_sides(browser, curves_file
     assert browser.complaints() == []
 
 
-def middles(kept):
-    return [[curve, int(count) // 2] for curve, count in enumerate(kept["curve_points"])]
+def along(kept, *shares):
+    """[curve, point] of each curve, at these shares of its points."""
+    return [[curve, int(share * (count - 1))] for curve, count in enumerate(kept["curve_points"]) for share in shares]
 
 
 def test_one_side_of_almost_each_curve_keeps_its_motion(browser, curves_file, curves_page):
     kept = stored(curves_file)
     browser.open(curves_page)
-    all_sides = browser.promise(f"Promise.all({middles(kept)}.map((at) => peterka.beside(...at)))")
+    all_sides = browser.promise(f"Promise.all({along(kept, 0.5)}.map((at) => peterka.beside(...at)))")
     one = 0
     for curve, sides in enumerate(all_sides):
         one += sum(side["keeps"] for side in sides) == 1
@@ -154,8 +155,8 @@ def test_over_any_axes(browser, tmp_path, over):
     words = browser.text("edge").replace("−", "-")
     assert all(word not in words for word in ("NaN", "undefined", "null"))
     assert "mm" in browser.text("edge-step") or over == "the stop"
-    all_sides = browser.promise(f"Promise.all({middles(kept)}.map((at) => peterka.beside(...at)))")
-    assert len(all_sides) > 2 and np.mean([sum(side["keeps"] for side in sides) == 1 for sides in all_sides]) > 0.8
+    all_sides = browser.promise(f"Promise.all({along(kept, 0.2, 0.4, 0.5, 0.6, 0.8)}.map((at) => peterka.beside(...at)))")
+    assert len(all_sides) >= 5 and np.mean([sum(side["keeps"] for side in sides) == 1 for sides in all_sides]) > 0.8
     assert browser.complaints() == []
 
 
