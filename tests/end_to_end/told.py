@@ -90,14 +90,15 @@ def drawn(*names, units):
 def look(figure):
     from matplotlib.collections import PathCollection
     from matplotlib.image import AxesImage
-    from matplotlib.lines import Line2D
     from matplotlib.text import Text
 
     shown = {"words": [text.get_text() for text in figure.findobj(Text) if text.get_visible() and text.get_text()]}
-    for kind, numbers in ((Line2D, lambda line: line.get_transform().transform(line.get_xydata())),
-                          (PathCollection, lambda points: points.get_offset_transform().transform(points.get_offsets()))):
-        for n, artist in enumerate(artist for artist in figure.findobj(kind) if artist.get_visible()):
-            shown[f"{kind.__name__} {n}"] = np.asarray(numbers(artist), dtype=float)
+    lines = [line for axes in figure.axes for line in axes.lines]  # ticks have lines as well: theirs are not data
+    for name, artists, numbers in (("line", lines, lambda line: line.get_transform().transform(line.get_xydata())),
+                                   ("points", figure.findobj(PathCollection),
+                                    lambda points: points.get_offset_transform().transform(points.get_offsets()))):
+        for n, artist in enumerate(artist for artist in artists if artist.get_visible()):
+            shown[f"{name} {n}"] = np.asarray(numbers(artist), dtype=float)
     for n, image in enumerate(figure.findobj(AxesImage)):
         shown[f"image {n}"] = np.ma.filled(np.ma.asarray(image.get_array(), dtype=float), np.nan)
     return shown
