@@ -14,7 +14,7 @@ cd "$(dirname "$0")/.."
 packages=(g++ cmake ninja-build git
     libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libsundials-dev libeigen3-dev libfmt-dev libxxhash-dev
     libcli11-dev libtomlplusplus-dev libhwy-dev
-    python3 python3-numpy python3-h5py python3-xarray python3-h5netcdf python3-matplotlib python3-scipy python3-xxhash
+    python3 python3-numpy python3-h5py python3-xarray python3-h5netcdf python3-matplotlib python3-contourpy python3-scipy python3-xxhash
     "${words[@]}")
 tests=OFF
 has_option --program || { tests=ON packages+=(libgtest-dev python3-netcdf4 python3-pip python3-pytest python3-setuptools); }
