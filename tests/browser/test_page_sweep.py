@@ -225,6 +225,18 @@ def test_gaps_and_layers_are_chosen_and_keys_walk_along_a_branch(browser, starts
     assert browser.complaints() == []
 
 
+def test_of_a_rigid_stop_which_has_no_force_the_motions_place_comes_first(browser, tmp_path):
+    browser.open(pages.written(sweep_of(tmp_path, OVER["Hz, a rigid stop"])))
+    assert browser.ask("document.getElementById('layer').value") == "stroboscopic_displacement"
+    browser.settle()
+    shown = browser.ask("document.getElementById('map').toDataURL()")
+    browser.driver.execute_script("const s = document.getElementById('layer'); s.value = 'peak_force_ratio'; s.dispatchEvent(new Event('change'))")
+    browser.until(lambda: "layer=peak_force_ratio" in browser.ask("location.hash"), "the force is not shown")
+    browser.settle()
+    assert browser.ask("document.getElementById('map').toDataURL()") != shown
+    assert browser.complaints() == []
+
+
 def test_an_unfinished_sweep_is_shown_as_far_as_it_is_computed(browser, tmp_path):
     file = pages.compute(tmp_path, JOBS / "sweep_170mm.toml", "axes.frequency_ratio.points=2000", code=5, wall="1e-9")
     browser.open(pages.written(file))

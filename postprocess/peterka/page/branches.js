@@ -39,8 +39,8 @@ class Heights {
 
 class BranchesView extends PlaneView {
   constructor(below, above, tell) {
-    super(below, above, { x: file.columns, y: new Heights(file.layer("peak_force_ratio")) }, tell);
-    this.layer = file.layer("peak_force_ratio");
+    super(below, above, { x: file.columns, y: new Heights(file.layers[0]) }, tell);
+    this.layer = file.layers[0];
     this.gap = 0; // which of the file's
   }
   // The layer's numbers are heights now.

@@ -7,7 +7,7 @@ class SweepPage extends Page {
 
   async load() {
     await file.loadLabels();
-    await file.loadLayer(file.layer("peak_force_ratio"));
+    await Promise.all([file.layers[0], file.layer("peak_force_ratio")].map((layer) => file.loadLayer(layer)));
     const columns = file.columns.values.length;
     const plane = async ({ plane: packed, blob }) => planeOf(packed, await blobOf(blob), columns);
     file.jumps = await plane(content.jumps);

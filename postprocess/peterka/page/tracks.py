@@ -70,16 +70,18 @@ def jumps(file: SweepFile, keep: Keep) -> dict[str, Any]:
 
 
 def datasets(file: SweepFile, asked: Sequence[str] | None) -> list[tuple[dict[str, Any], bytes]]:
-    """[({description}, bytes), ...]: the peak force of all tracks, and what else the file has of its points, or was asked for.
+    """[({description}, bytes), ...]: the peak force of all tracks, first but where no point has one, as on a rigid
+    stop; and what else the file has of its points, or was asked for.
     `first`: the track of a layer's first row; `samples`: how many numbers a point has."""
-    found = [_layer(file, FORCE, np.stack([_forces(file, track) for track in tracks_of(file)]))]
+    forces = np.stack([_forces(file, track) for track in tracks_of(file)])
+    found = [_layer(file, FORCE, forces)]
     for name in asked if asked is not None else [*SAMPLED, *file.data.names()]:
         one = _dataset(file, name) if name not in OTHERWISE_SHOWN else None
         if one is None and asked is not None and name != FORCE:
             raise file.refusal(f"has no number of each point named {name}")
         if one is not None and all(one[0]["name"] != other["name"] for other, _ in found):
             found.append(one)
-    return found
+    return found if np.any(forces > 0) else [*found[1:], found[0]]
 
 
 def _dataset(file, name):
