@@ -10,6 +10,7 @@ from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
 from picture_samples import Drawn, colour_named, orbit, write_map
+from picture_texts import drawn_texts, faults_of_layout
 from sealing import SealedFile
 
 
@@ -61,8 +62,18 @@ def test_a_kick_that_was_not_found_says_whether_another_motion_is_known(tmp_path
     kinds = attractor_maps.KIND_COLOURS
     assert colours[0][0] == kinds[attractor_maps.NO_ORBIT]
     assert colours[1][:2] == [kinds[attractor_maps.NONE_FOUND], kinds[attractor_maps.ALONE]]
-    assert drawn.legend_texts() == ["no orbit", "one motion alone is known, and no kick up to 4.5 m/s leads elsewhere",
+    assert drawn.legend_texts() == ["no orbit", "one motion alone known, no kick up to 4.5 m/s",
                                     "no kick found up to 4.5 m/s", "not computed yet"]
+
+
+def test_words_about_small_kicks_stay_on_the_canvas(tmp_path, monkeypatch):
+    path = write_attractors(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        file["critical_kick_tried"][...] = file["critical_kick_tried"][()] * 2.7e-5
+    with PeterkaFile(path) as file:
+        figure = attractor_maps.draw_kick(file).figure
+    assert faults_of_layout(figure, monkeypatch) == []
+    assert "one motion alone known, no kick up to 0.000121 m/s" in [text for text, _ in drawn_texts(figure, monkeypatch)]
 
 
 def test_a_map_without_starts_has_the_kicks_of_its_cells(tmp_path):

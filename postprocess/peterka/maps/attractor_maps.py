@@ -90,7 +90,7 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
     reduced = _reduced(file, names, values, np.fmin)
     top = float(np.nanpercentile(reduced.image, 99.9)) if counts[THROWN] else 1.0
     tried = _least_tried(file)
-    texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone is known, and no kick up to {tried:.3g} m/s leads elsewhere",
+    texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone known, no kick up to {tried:.3g} m/s",
              NONE_FOUND: f"no kick found up to {tried:.3g} m/s", WAITING: "not computed yet"}
     handles = [axes.legend_patch(text, KIND_COLOURS[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
