@@ -5,6 +5,7 @@ import re
 
 import h5py
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 import jobs
 import kept_claims
@@ -139,18 +140,47 @@ BORDER = re.compile(r"([\d.e+-]+) (fold|period doubling|grazing)")
 
 
 def borders_told(folder, rig, gap):
-    """(impacts, period, Omega/omega) of each border that the summary tells at a gap; no impact is 0, 1."""
+    """(impacts, period, Omega/omega, orbits) of each border that the summary tells at a gap; no impact is 0, 1. Orbits are those
+    (x - y, x' - y') of its curves there."""
     axes = "".join(jobs.axis(name, *map(repr, window_of(rig)[name]), POINTS) for name in SIDES)
     jobs.write(folder, RIG.format(kind="curves", **rig) + axes + f"[curves]\ngap_ratio = [{float(gap)!r}]\n")
     finished = launch.run("run", "job.toml", "--fresh", cwd=folder)
     assert finished.returncode == 0, finished.stderr
+    with h5py.File(folder / "job.h5") as file:
+        data = {name: file[name][()] for name in file if isinstance(file[name], h5py.Dataset)}
     for line in finished.stdout.split("Borders at gap/A0")[1].splitlines()[1:]:
         label = re.match(r"  (no impact|\d+/\d+) ", line)
         if label is None:
             break
         impacts, period = (0, 1) if label[1] == "no impact" else map(int, label[1].split("/"))
         for frequency, _ in BORDER.findall(line):
-            yield impacts, period, float(frequency) / 4.5
+            yield impacts, period, float(frequency) / 4.5, orbits_at(data, float(frequency) / 4.5, gap)
+
+
+def orbits_at(data, frequency, gap):
+    """Of each curve that crosses a gap at a frequency: the orbit (x - y, x' - y') there, by cubics between its stored points."""
+    orbits = []
+    for curve in set(data["crossing_curve"][np.abs(data["crossing_frequency_ratio"] - frequency) < 1e-6]):
+        first, count = (int(data[f"curve_{name}"][curve]) for name in ("first", "points"))
+        points = np.stack([data[f"point_{name}"][first:first + count]
+                           for name in ("frequency_ratio", "gap_ratio", "orbit_displacement", "orbit_velocity")], axis=1)
+        lengths = np.cumsum(np.linalg.norm(np.diff(points[:, :2], axis=0, prepend=points[:1, :2]), axis=1))
+        at = CubicSpline(lengths, points)
+        for length in CubicSpline(lengths, points[:, 1]).solve(gap, extrapolate=False):
+            if abs(at(length)[0] - frequency) < 1e-3 * frequency:
+                orbits.append(at(length)[2:])
+    return orbits
+
+
+def ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits):
+    """Whether a motion of the label that begins beside a frequency, on an orbit of the curve there, ends when it is dragged over it."""
+    for away in (sign * size for size in (1e-3, 1e-4, 1e-5) for sign in (-1, 1)):
+        begin = {"frequency_ratio": frequency * (1 + away), "gap_ratio": gap}
+        for orbit in orbits:
+            found = end_of_motion(folder, rig, begin, "frequency_ratio", frequency * (1 - away), orbit, (PERIODIC, impacts, period))
+            if found is not None and abs(found[0] - abs(frequency * away)) <= found[1]:
+                return True
+    return False
 
 
 def motions_with_label(folder, rig, gap, frequencies, impacts, period, starts):
@@ -177,9 +207,11 @@ def ends_there(folder, rig, gap, impacts, period, frequency):
     return False
 
 
-def is_border(folder, rig, gap, impacts, period, frequency):
-    """Whether a motion of the label ends there, or is on one side of a frequency only, within a small or a smaller distance."""
-    if impacts and ends_there(folder, rig, gap, impacts, period, frequency):
+def is_border(folder, rig, gap, impacts, period, frequency, orbits):
+    """Whether a motion of the label ends there, dragged from where starts find it or from the orbit of its curve, or is on one
+    side of a frequency only, within a small or a smaller distance."""
+    if impacts and (ends_there(folder, rig, gap, impacts, period, frequency)
+                    or ends_on_its_curve(folder, rig, gap, impacts, period, frequency, orbits)):
         return True
     for beside in (1e-3, 1e-4, 1e-5, 1e-6):
         below, above = motions_with_label(folder, rig, gap, [frequency * (1 - beside), frequency * (1 + beside)], impacts, period, starts=512)

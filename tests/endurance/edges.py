@@ -46,7 +46,7 @@ def borders(folder, rig):
         for place in [told for told in edges_of_motions.borders_told(folder, rig, gap) if told[0] > 0]:
             found.append(edges_of_motions.is_border(folder, rig, gap, *place))
             if not found[-1]:
-                print(f"gap/A0 {gap:.6g}: {place} is no border", flush=True)
+                print(f"gap/A0 {gap:.6g}: {place[:3]} is no border", flush=True)
     return found
 
 
@@ -61,7 +61,7 @@ def main():
     wrong = len(told) - told.count(None) - unknown
     parts.row(f"distance to the edge of a cell's motion, against dragging it there: cells of {RIGS} random rigs", len(told),
               f"{wrong} wrong, {unknown} say that they don't know")
-    parts.row(f"a border of a regime, against dragging a motion there and what 512 starts find on either side: {RIGS} random rigs", len(bordering),
+    parts.row(f"a border of a regime, against dragging a motion there, from starts and from the curve's own orbit, and what 512 starts find on either side: {RIGS} random rigs", len(bordering),
               f"{bordering.count(False)} where none ends and as many have the label on both sides")
     return 1 if wrong > 0 or unknown > 0.02 * len(told) else 0
 
