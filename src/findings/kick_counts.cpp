@@ -21,6 +21,7 @@ void add_one(KickCounts& counts, const cell::Kick& kick, bool is_alone) {
                 .smallest = is_thrown ? kick.size : 0,
                 .phase = is_thrown ? kick.phase : 0,
                 .least_tried = is_thrown ? 0 : kick.tried,
+                .most_tried = is_thrown ? 0 : kick.tried,
                 .bounded = std::isnan(kick.lower) ? 0 : 1,
                 .least_bound = std::isnan(kick.lower) ? 0 : kick.lower});
 }
@@ -34,6 +35,7 @@ void KickCounts::add(const KickCounts& other) {
     bounded += other.bounded;
     if (is_smaller(other.least_bound, least_bound)) least_bound = other.least_bound;
     if (is_smaller(other.least_tried, least_tried)) least_tried = other.least_tried;
+    most_tried = std::max(most_tried, other.most_tried);
     if (other.smallest == smallest) phase = std::min(phase, other.phase);
     if (!is_smaller(other.smallest, smallest)) return;
     smallest = other.smallest;

@@ -16,6 +16,7 @@ struct KickCounts {
     double smallest = 0;       // kick of those that are thrown [m/s]; 0 where there are none
     double phase = 0;          // of it, in forcing cycles
     double least_tried = 0;    // of those without one [m/s]; 0 where there are none
+    double most_tried = 0;     // of these, too
     std::int64_t bounded = 0;  // with a verified lower bound
     double least_bound = 0;    // of these [m/s]; 0 where there are none
 

@@ -12,6 +12,14 @@ std::string line(std::int64_t cells, std::int64_t all, const std::string& what) 
     return cells == 0 ? "" : fmt::format("  {:>9} of these cells: {}\n", readable_share(cells, all), what);
 }
 
+// Long chaotic ways back end the search sooner, so cells may differ by much.
+std::string none_found(const findings::KickCounts& counts) {
+    const std::string least = readable_amount(counts.least_tried, "m/s", 3);
+    const std::string most = readable_amount(counts.most_tried, "m/s", 3);
+    return least == most ? fmt::format("none found up to {}", least)
+                         : fmt::format("none found up to {} to {}, by cell", least, most);
+}
+
 }  // namespace
 
 std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts) {
@@ -25,11 +33,8 @@ std::string kicks_summary(const job::Job& job, const findings::KickCounts& count
            line(counts.thrown, counts.kicked,
                 fmt::format("a kick leads elsewhere, the smallest one found {} at phase {:.3f} cycles",
                             readable_amount(counts.smallest, "m/s", 3), counts.phase)) +
-           line(counts.kicked - counts.thrown - counts.alone, counts.kicked,
-                fmt::format("none found up to {}", readable_amount(counts.least_tried, "m/s", 3))) +
-           line(counts.alone, counts.kicked,
-                fmt::format("one motion alone is known, and none found up to {}",
-                            readable_amount(counts.least_tried, "m/s", 3))) +
+           line(counts.kicked - counts.thrown - counts.alone, counts.kicked, none_found(counts)) +
+           line(counts.alone, counts.kicked, "one motion alone is known, and " + none_found(counts)) +
            line(counts.bounded, counts.kicked,
                 fmt::format("small kicks are verified to lead back, up to {} in each",
                             readable_amount(counts.least_bound, "m/s", 3)));

@@ -53,6 +53,7 @@ TEST(KickCounts, AreOfTheOrbitWithTheLargestShareInAnyGrouping) {
     EXPECT_EQ(counts.smallest, 0.33);
     EXPECT_EQ(counts.phase, 0.25);
     EXPECT_EQ(counts.least_tried, 4.5);
+    EXPECT_EQ(counts.most_tried, 4.5);
     KickCounts grouped;
     grouped.add({});
     grouped.add(counts);
@@ -60,6 +61,7 @@ TEST(KickCounts, AreOfTheOrbitWithTheLargestShareInAnyGrouping) {
     EXPECT_EQ(grouped.smallest, 0.33);
     EXPECT_EQ(grouped.phase, 0.25);
     EXPECT_EQ(grouped.least_tried, 4.5);
+    EXPECT_EQ(grouped.most_tried, 4.5);
     EXPECT_EQ(grouped.bounded, 2);
     EXPECT_EQ(grouped.least_bound, 0.012);
 }
@@ -77,6 +79,18 @@ TEST(KicksSummary, TellsApartWhatThrowsWhatDoesNotAndOneMotionAlone) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("25.0 % of these cells: one motion alone is known, and none found up to 4.5 m/s"),
+              std::string::npos)
+        << text;
+}
+
+TEST(KicksSummary, TellsFromWhereToWhereCellsWereTried) {
+    KickCounts counts = counts_of_some();
+    for (const double tried : {0.0126, 101.0, 3.0}) add_kick(counts, std::vector{attractor({.tried = tried})});
+    const std::string text = kicks_summary(job_with_kicks(16), counts);
+    EXPECT_NE(text.find("14.3 % of these cells: none found up to 12.6 mm/s to 101 m/s, by cell"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("one motion alone is known, and none found up to 12.6 mm/s to 101 m/s, by cell"),
               std::string::npos)
         << text;
 }

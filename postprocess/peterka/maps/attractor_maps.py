@@ -89,9 +89,10 @@ def draw_kick(file: PeterkaFile, ax: Axes | None = None) -> Axes | None:
         return None
     reduced = _reduced(file, names, values, np.fmin)
     top = float(np.nanpercentile(reduced.image, 99.9)) if counts[THROWN] else 1.0
-    tried = _least_tried(file)
-    texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone known, no kick up to {tried:.3g} m/s",
-             NONE_FOUND: f"no kick found up to {tried:.3g} m/s", WAITING: "not computed yet"}
+    least, most = (f"{size:.3g}" for size in _tried_without(file))
+    tried = f"{least} m/s" if least == most else f"{least}–{most} m/s"
+    texts = {NO_ORBIT: "no orbit", ALONE: f"one motion alone known, no kick up to {tried}",
+             NONE_FOUND: f"no kick found up to {tried}", WAITING: "not computed yet"}
     handles = [axes.legend_patch(text, KIND_COLOURS[kind], hatched=kind == WAITING) for kind, text in texts.items() if counts[kind]]
     figure, ax, bar_ax = axes.stack(WIDTH, reduced.image, [(handles, 1, None)], bar=True, ax=ax)
     axes.show_classes(ax, classes, KIND_COLOURS, WAITING)
@@ -111,13 +112,14 @@ def _of_kicked(values, tried):
     return np.take_along_axis(values, np.argmax(np.isfinite(tried), axis=0)[None], axis=0)[0]
 
 
-def _least_tried(file):
-    """The least size up to which all cells without a critical kick were tried, m/s."""
-    least = np.inf
+def _tried_without(file):
+    """The least and the largest size up to which cells without a critical kick were tried, m/s."""
+    least, most = np.inf, 0.0
     for _, band in file.bands(["regime", *KICKS]):
         none = np.isnan(band["critical_kick"]) & np.isfinite(band["critical_kick_tried"])
-        least = min(least, np.min(band["critical_kick_tried"][none], initial=np.inf))
-    return least
+        least = np.min(band["critical_kick_tried"][none], initial=least)
+        most = np.max(band["critical_kick_tried"][none], initial=most)
+    return least, most
 
 
 @picture(PeterkaFile)
