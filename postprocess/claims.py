@@ -16,7 +16,7 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka.claims import starts_picture  # noqa: E402
 from peterka.claims.claims import all_claims  # noqa: E402
@@ -25,11 +25,11 @@ from peterka.claims.html import html  # noqa: E402
 from peterka.claims.markdown import markdown  # noqa: E402
 from peterka.claims.page import Block, Pictures, blocks  # noqa: E402
 from peterka.claims.sensitivity import rows  # noqa: E402
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.files.whole_file import write_text  # noqa: E402
-from peterka.look import axes  # noqa: E402
+from peterka.plotting import axes  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
-from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
+from peterka.cli.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell  # noqa: E402
 
 
 def main() -> int:
@@ -42,7 +42,7 @@ def main() -> int:
         groups = all_claims(folder)
         text = blocks(groups, rows(folder), folder.picture)
         write(text, folder.path / "pictures", page)
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     except (ArithmeticError, LookupError, TypeError, ValueError) as error:  # each file is sound, and what they say isn't

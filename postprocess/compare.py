@@ -16,12 +16,12 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.maps import comparison, comparison_map  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
@@ -35,7 +35,7 @@ def main() -> int:
             found = comparison.compare(first, second)
             tell(comparison.text(first, second, found))
             figure = comparison_map.draw(first, second, found)
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     try:

@@ -37,22 +37,23 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka.export.formats import export, read_formats  # noqa: E402
-from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
-from peterka.look import axes  # noqa: E402
-from peterka.look.figures import figure_of  # noqa: E402
-from peterka.look.style import using  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
+from peterka.files.opened import OpenedFile  # noqa: E402
+from peterka.plotting import axes  # noqa: E402
+from peterka.plotting.figures import figure_of  # noqa: E402
+from peterka.plotting.style import using  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.measurements import map_residuals  # noqa: E402
 from peterka.measurements.points import Measurements, Point, read_measurements  # noqa: E402
 from peterka.pictures import open_file, picture_name, pictures_of  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
-from peterka.program.picture_options import (  # noqa: E402
+from peterka.cli.picture_options import (  # noqa: E402
     add_style_arguments, check_style, style_of, zoomed,
 )
 from peterka.sweeps import residuals  # noqa: E402
@@ -70,7 +71,7 @@ def main() -> int:
     for path in arguments.files:
         try:
             draw_file(path, arguments)
-        except NotDrawable as refusal:
+        except PeterkaFileError as refusal:
             complain(refusal)
             outcome = outcome or BAD_INPUT
         except OSError as error:

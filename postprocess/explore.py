@@ -23,15 +23,16 @@ from pathlib import Path
 # A run may still be writing the file; its readers must not be shut out by a lock, nor shut the run out.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka.files.opened import NotDrawable, OpenedFile  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
+from peterka.files.opened import OpenedFile  # noqa: E402
 from peterka.files.whole_file import write_text  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.page.layers import MOST_CELLS  # noqa: E402
 from peterka.page.page import page  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code, tell,
 )
 from peterka.sweeps.sweep_file import SweepFile  # noqa: E402
@@ -46,7 +47,7 @@ def main() -> int:
     try:
         with open_file(arguments.file) as file:
             text, notes = page(explorable(file, arguments.every), arguments.every, arguments.layers)
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     for note in notes:
@@ -78,7 +79,7 @@ def read_step(text: str) -> int:
 
 
 def explorable(file: OpenedFile, every: int) -> PeterkaFile | SweepFile:
-    """The file, where a page can show it, or each `every`-th row and column of its cells; else NotDrawable."""
+    """The file, where a page can show it, or each `every`-th row and column of its cells; else PeterkaFileError."""
     if isinstance(file, SweepFile):
         if every > 1:
             raise file.refusal("is a sweep, of which a page shows every point; --every takes rows and columns of cells")

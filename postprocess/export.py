@@ -16,12 +16,12 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka.export.formats import export, read_formats  # noqa: E402
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, tell,
 )
 
@@ -35,7 +35,7 @@ def main() -> int:
             with open_file(path) as file:
                 for written in export(file, arguments.output_dir, arguments.formats):
                     tell(written)
-        except NotDrawable as refusal:
+        except PeterkaFileError as refusal:
             complain(refusal)
             outcome = BAD_INPUT
         except OSError as error:

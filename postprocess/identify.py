@@ -23,11 +23,11 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-import peterka.program.interpreter  # noqa: F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: F401, I001: before all that needs packages
 
 import numpy as np
 from peterka.files.csv_table import column_names
-from peterka.files.opened import NotDrawable
+from peterka.errors import PeterkaFileError
 from peterka.files.whole_file import write_text
 from peterka.identification import picture
 from peterka.identification.driven import fit_driven
@@ -37,7 +37,7 @@ from peterka.identification.numbers_found import DAMPING_RATIO, FREQUENCY, Ident
 from peterka.identification.recorded_file import read_recording
 from peterka.identification.rig_file import identified_text, rig_text
 from peterka.identification.words import recording_lines, result_lines
-from peterka.program.command_line import (
+from peterka.cli.command_line import (
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
 
@@ -47,7 +47,7 @@ def main() -> int:
     arguments = read_arguments()
     try:
         found, drawn = identify(arguments)
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     result = with_given(combined(found), arguments)
@@ -117,7 +117,7 @@ def single_impact(arguments: argparse.Namespace) -> tuple[Number, Number]:
     restitution, contact_s = Number(*numbers), Number(*(1e-3 * number for number in arguments.contact_time_ms))
     fault = fault_of(restitution.value, contact_s.value)
     if fault:
-        raise NotDrawable(f"what was measured {fault}")
+        raise PeterkaFileError(f"what was measured {fault}")
     return restitution, contact_s
 
 

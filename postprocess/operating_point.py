@@ -24,10 +24,10 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 import numpy as np  # noqa: E402
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.files.regimes import PERIODIC  # noqa: E402
 from peterka.maps.comparison import label_codes  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
@@ -35,7 +35,7 @@ from peterka.operating import picture, told, verify, words  # noqa: E402
 from peterka.operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of  # noqa: E402
 from peterka.operating.drift import Reach, reach, worst_of_boxes  # noqa: E402
 from peterka.operating.places import Place, best_places  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
 )
 
@@ -46,7 +46,7 @@ def main() -> int:
     try:
         with PeterkaFile(arguments.map) as file:
             return operate(file, arguments)
-    except (NotDrawable, verify.NotVerified) as refusal:
+    except (PeterkaFileError, verify.NotVerified) as refusal:
         complain(refusal)
         return BAD_INPUT
     except OSError as error:

@@ -15,13 +15,13 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
 from peterka import results_page  # noqa: E402
-from peterka.files.opened import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.files.whole_file import write_text  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
-from peterka.program.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
+from peterka.cli.command_line import BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, exit_code  # noqa: E402
 
 
 def main() -> int:
@@ -36,7 +36,7 @@ def main() -> int:
             files = [stack.enter_context(open_file(path)) for path in arguments.files]
             text, pictures = results_page.page(files), results_page.pictures(files)
         write(text, pictures, arguments.page, arguments.pictures)
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     except OSError as error:

@@ -20,10 +20,10 @@ from pathlib import Path
 
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
-import peterka.program.interpreter  # noqa: E402, F401, I001: before all that needs packages
+import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
 
-from peterka.files.opened import NotDrawable  # noqa: E402
-from peterka.program.command_line import (  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
+from peterka.cli.command_line import (  # noqa: E402
     BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
     tell,
 )
@@ -41,7 +41,7 @@ def main() -> int:
     try:
         record = read_record(arguments.file)
         measured, alone = efficiency.measured_efficiency([read_record(path) for path in arguments.measured])
-    except NotDrawable as refusal:
+    except PeterkaFileError as refusal:
         complain(refusal)
         return BAD_INPUT
     for lonely in alone:

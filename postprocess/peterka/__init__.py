@@ -4,12 +4,14 @@
     data = peterka.open("smoke.h5")
     peterka.draw(data, "force_all", ax=ax, palette="grey")
 
-run, check, open, draw, picture_names, JobError and PeterkaError are what users call. Each package is about one thing and
+run, check, open, draw and picture_names are what users call; what they raise is a PeterkaError: JobError of a job,
+PeterkaFileError of a file. Each package is about one thing and
 imports only those above it:
 
+errors     what is raised for users
 arrays     kinds of arrays, for hints
 files      any file of peterka, checked before anything in it is believed: HDF5, seals, headers, numbers of regimes
-look       what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
+plotting   what every picture shares: figures, scales, ticks, titles, units, the fixed colour of each class of z = p/q
 measurements   points that somebody measured, and how they look over sweeps and maps
 rig_sketch   the rig with its coordinates and their signs, for the README
 maps       maps and basins: the checked file, reduction to what a picture can show, the pictures, two files compared
@@ -29,12 +31,13 @@ backend    the same files by xarray's own open_dataset, engine="peterka"
 drawing    pictures of datasets, by name
 results_page   the results page in Markdown, of studies and maps
 page       the page of explore.py: a map, basin, sweep or curves with the program's own engine inside
-program    what the programs beside this folder share: a Python with the packages, exit codes, arguments, messages
+cli        what the programs beside this folder share: a Python with the packages, exit codes, arguments, messages
 """
 
 import importlib
 
-_USED = {"run": "runs", "check": "runs", "open": "runs", "JobError": "runs", "PeterkaError": "runs", "draw": "drawing",
+_USED = {"run": "runs", "check": "runs", "open": "runs", "JobError": "errors", "PeterkaError": "errors",
+         "PeterkaFileError": "errors", "draw": "drawing",
          "picture_names": "drawing"}
 __all__ = sorted(_USED)
 

@@ -6,7 +6,7 @@ from typing import Any
 import xarray
 from matplotlib.axes import Axes
 
-from .look.style import NAMES, using
+from .plotting.style import NAMES, using
 from .pictures import open_file, pictures_of
 
 
@@ -22,7 +22,7 @@ def draw(data: xarray.Dataset, name: str | None = None, ax: Axes | None = None,
 
     `name`: one of picture_names(data), the first one where there is none. `ax`: Axes made by subplots(), whose place the
     picture takes with its legends and scales; without it a figure of its own, ax.figure. `options`: fields of
-    look.style.Style (width [mm], dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or
+    plotting.style.Style (width [mm], dpi, font, title, limits, log, palette "colour" or "grey", units "both", "si" or
     "ratio"), `cycles` of a basin's short run, `measured` points of a sweep. Returns the Axes, a list of them where the
     picture has several panels, None where there is nothing to draw. Coordinates of the Axes are the ratios of the file,
     in whatever units its scales are."""

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, Rectangle
 
-from .look.figures import new_figure, save
-from .look.style import using
+from .plotting.figures import new_figure, save
+from .plotting.style import using
 
 WIDTH, HEIGHT = 5.2, 2.03  # in
 METAL, AIR = "#C9D3DC", "white"

@@ -11,6 +11,7 @@ from typing import Any
 
 import xarray
 
+from .errors import JobError, PeterkaError
 from .files.checked_hdf5 import CheckedFile
 from .files.dataset import dataset_of
 from .launching import Progress, launch
@@ -31,25 +32,13 @@ RIG = re.compile(r"""^[ \t]*(?:rig|"rig"|'rig')[ \t]*=.*$""", re.MULTILINE)
 PLACE = re.compile(r"^(?:peterka: )?\S*?job\.toml:", re.MULTILINE)
 
 
-class PeterkaError(Exception):
-    """The program could not do what it was asked for; the message is its own."""
-
-
-class JobError(PeterkaError):
-    """A job with faults: `faults` has all of them, one text each, with line and column where they have one."""
-
-    def __init__(self, faults: list[str]) -> None:
-        super().__init__("\n".join(faults))
-        self.faults = faults
-
-
 def open(path: str | os.PathLike) -> xarray.Dataset:  # noqa: A001: peterka.open
     """The file at this path, checked and verified, as a dataset; its numbers are read when they are used.
 
     A map has its variables on (gap_ratio, frequency_ratio), a basin on (velocity_ratio, displacement_ratio), a sweep on
     (branch, frequency_ratio), a trace on (time,); units are in the variables' attributes, the resolved job is the
     attribute `job`. What lies in a group of the file has the group's name before its own, as in
-    data["attractors/cells"]. A file that isn't whole or isn't peterka's raises files.opened.NotDrawable."""
+    data["attractors/cells"]. A file that isn't whole or isn't peterka's raises PeterkaFileError."""
     with open_file(path) as file:
         reader = type(file)
     data = reader(path).data

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "attractors/cell_crowd.hpp"
 #include "attractors/known_motions.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "attractors/start_sequence.hpp"
 #include "attractors/tally.hpp"
 #include "regime/same_attractor.hpp"
@@ -22,18 +22,20 @@ std::vector<SolvedCell> solve_row(const scene::Scene& scene, std::int64_t row,
                                   const std::function<void()>& look) {
     std::vector<SolvedCell> solved(static_cast<std::size_t>(scene.columns()));
     const regime::AttractorTable none;
-    CellCrowd crowd(
+    MultiStartPool pool(
         scene, none,
-        [&](CellCrowd::Solved cell) { solved[static_cast<std::size_t>(cell.number)] = std::move(cell.cell); },
+        [&](MultiStartPool::Solved cell) {
+            solved[static_cast<std::size_t>(cell.number)] = std::move(cell.cell);
+        },
         Ends::firsts);
     std::int64_t next = 0;
-    while (next < scene.columns() || !crowd.empty()) {
+    while (next < scene.columns() || !pool.empty()) {
         look();
-        while (next < scene.columns() && crowd.has_room()) {
-            crowd.add(row, next, next);
+        while (next < scene.columns() && pool.has_room()) {
+            pool.add(row, next, next);
             ++next;
         }
-        crowd.step();
+        pool.step();
     }
     return solved;
 }
@@ -50,9 +52,9 @@ SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& fi
         : first.start == Tally::no_start ? cell.start
                                          : start_of(job.starts, cell, first.start);
     SteadyMotion motion(room);
-    regime::CycleDesk desk;
-    const Task<regime::CellResult> search = regime::solve_cell(desk, job, cell, {}, &motion);
-    regime::run(search, desk, look);
+    regime::CycleBroker broker;
+    const Task<regime::CellResult> search = regime::solve_cell(broker, job, cell, {}, &motion);
+    regime::run(search, broker, look);
     return regime::same_attractor(result, search.result()) ? motion : SteadyMotion(room);
 }
 

@@ -40,9 +40,9 @@ bool may_correct(const KnownMotion& from, const scene::Oscillator<double>& oscil
 }
 
 // Of the stable orbit with as many cycles, and contacts; nothing where Newton's method leads to none.
-Task<std::optional<KnownMotion>> corrected(regime::CycleDesk& desk, scene::Oscillator<double> oscillator,
+Task<std::optional<KnownMotion>> corrected(regime::CycleBroker& broker, scene::Oscillator<double> oscillator,
                                            KnownMotion from) {
-    regime::StroboscopicMap map(oscillator, {}, desk);
+    regime::StroboscopicMap map(oscillator, {}, broker);
     auto orbit = co_await regime::find_orbit(map, map.scaled(point_of(from, oscillator)), from.period);
     if (!orbit || !orbit->touched || !regime::is_stable(*orbit) || regime::has_smaller_period(*orbit))
         co_return std::nullopt;
@@ -75,21 +75,21 @@ bool may_stay_free(const scene::Oscillator<double>& oscillator) {
     return trajectory::FreeFlight<double>(without_cubic(oscillator)).may_last();
 }
 
-Task<cell::CellResult> free_motion(regime::CycleDesk& desk, const job::Job& job, scene::Cell cell) {
+Task<cell::CellResult> free_motion(regime::CycleBroker& broker, const job::Job& job, scene::Cell cell) {
     cell.start = trajectory::FreeFlight<double>(without_cubic(cell.oscillator)).steady();
     if (const auto at_once = regime::solve_at_once(job, cell)) co_return *at_once;
-    co_return co_await regime::solve_cell(desk, job, cell);
+    co_return co_await regime::solve_cell(broker, job, cell);
 }
 
-Task<cell::CellResult> continued_motion(regime::CycleDesk& desk, const job::Job& job, scene::Cell cell,
+Task<cell::CellResult> continued_motion(regime::CycleBroker& broker, const job::Job& job, scene::Cell cell,
                                         KnownMotion from, std::span<const KnownMotion> known) {
     if (may_correct(from, cell.oscillator, job.solver)) {
-        const auto reached = co_await corrected(desk, without_cubic(cell.oscillator), from);
+        const auto reached = co_await corrected(broker, without_cubic(cell.oscillator), from);
         if (!reached || is_known(*reached, known, cell.oscillator)) co_return cell::CellResult{};
         from = *reached;
     }
     cell.start = point_of(from, cell.oscillator);
-    co_return co_await regime::solve_cell(desk, job, cell);
+    co_return co_await regime::solve_cell(broker, job, cell);
 }
 
 }  // namespace peterka::attractors

@@ -8,7 +8,7 @@
 #include "cell/result.hpp"
 #include "job/job.hpp"
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "scene/scene.hpp"
 #include "support/task.hpp"
 
@@ -33,12 +33,12 @@ struct KnownMotion {
 // Whether there is a motion without impact, as far as linear springs tell.
 [[nodiscard]] bool may_stay_free(const scene::Oscillator<double>& oscillator);
 // It; any other regime where the cubic spring lets it reach the stop.
-[[nodiscard]] Task<cell::CellResult> free_motion(regime::CycleDesk& desk, const job::Job& job,
+[[nodiscard]] Task<cell::CellResult> free_motion(regime::CycleBroker& broker, const job::Job& job,
                                                  scene::Cell cell);
 
 // The orbit to which Newton's method leads from another cell's, solved like any start that begins on it; what
 // is known already, or isn't stable, comes as failed. `known` and the job must outlive this.
-[[nodiscard]] Task<cell::CellResult> continued_motion(regime::CycleDesk& desk, const job::Job& job,
+[[nodiscard]] Task<cell::CellResult> continued_motion(regime::CycleBroker& broker, const job::Job& job,
                                                       scene::Cell cell, KnownMotion from,
                                                       std::span<const KnownMotion> known);
 

@@ -34,8 +34,8 @@ Kicks::Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry
     }
 }
 
-std::vector<Begin> Kicks::next(std::span<const Ended> ended) {
-    std::vector<Begin> searches;
+std::vector<SearchFactory> Kicks::next(std::span<const SearchOutcome> ended) {
+    std::vector<SearchFactory> searches;
     bool goes_on = true;
     while (searches.empty() && goes_on) {  // the engine may carry none of some kicks
         goes_on = false;
@@ -45,7 +45,7 @@ std::vector<Begin> Kicks::next(std::span<const Ended> ended) {
 }
 
 // The next kicks of one motion, once those before have ended; false: there are none.
-bool Kicks::kick(Kicked& kicked, std::span<const Ended>& ended, std::vector<Begin>& searches) {
+bool Kicks::kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches) {
     const std::vector<KickTried> kicks = kicked.scan.next(take(kicked, ended));
     kicked.carried.clear();
     for (const KickTried& each : kicks) {
@@ -57,7 +57,7 @@ bool Kicks::kick(Kicked& kicked, std::span<const Ended>& ended, std::vector<Begi
 }
 
 // What became of its last kicks; `ended` goes on behind them.
-std::vector<KickScan::Way> Kicks::take(const Kicked& kicked, std::span<const Ended>& ended) {
+std::vector<KickScan::Way> Kicks::take(const Kicked& kicked, std::span<const SearchOutcome>& ended) {
     std::vector<KickScan::Way> ways;
     for (const bool carried : kicked.carried) {
         if (!carried) {

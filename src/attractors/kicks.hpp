@@ -17,15 +17,15 @@ namespace peterka::attractors {
 
 class Kicks {
   public:
-    using SearchFrom = std::function<Begin(const scene::State<double>& start)>;
+    using SearchFrom = std::function<SearchFactory(const scene::State<double>& start)>;
 
     // largest: of the kicks tried, in A0 omega.
     // known: neighbourhoods of the orbits, which outlive this.
     Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
           const regime::AttractorTable& known, SearchFrom search_from);
 
-    // As that of CellSearch.
-    [[nodiscard]] std::vector<Begin> next(std::span<const Ended> ended);
+    // As that of MultiStartCell.
+    [[nodiscard]] std::vector<SearchFactory> next(std::span<const SearchOutcome> ended);
 
     // Of the attractor in this slot; nothing was tried where it is not periodic.
     [[nodiscard]] cell::Kick smallest(std::size_t slot);
@@ -40,8 +40,9 @@ class Kicks {
         std::vector<bool> carried = {};  // of the last kicks: the others have no search
     };
 
-    bool kick(Kicked& kicked, std::span<const Ended>& ended, std::vector<Begin>& searches);
-    [[nodiscard]] static std::vector<KickScan::Way> take(const Kicked& kicked, std::span<const Ended>& ended);
+    bool kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches);
+    [[nodiscard]] static std::vector<KickScan::Way> take(const Kicked& kicked,
+                                                         std::span<const SearchOutcome>& ended);
 
     scene::Oscillator<double> cell_;
     const regime::AttractorTable& known_;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "regime/cell_pool.hpp"
+#include "regime/search_pool.hpp"
 
 namespace peterka::attractors {
 
@@ -75,15 +75,15 @@ std::vector<KnownMotions::Attempt> KnownMotions::attempts(std::span<const Known>
 std::vector<KnownMotions::Found> KnownMotions::solve(const std::vector<Attempt>& attempts) {
     std::vector<cell::CellResult> results(attempts.size());
     const regime::AttractorTable none;
-    regime::CellPool pool(scene_, none, [&](const regime::CellPool::Solved& solved) {
+    regime::SearchPool pool(scene_, none, [&](const regime::SearchPool::Solved& solved) {
         results[static_cast<std::size_t>(solved.number)] = solved.result;
     });
     std::size_t next = 0;
     while (next < attempts.size() || !pool.empty()) {
         look_();
         for (; next < attempts.size() && pool.has_room(); ++next) {
-            pool.add([this, &attempt = attempts[next]](regime::CycleDesk& desk,
-                                                       auto*) { return begin(desk, attempt); },
+            pool.add([this, &attempt = attempts[next]](regime::CycleBroker& broker,
+                                                       auto*) { return begin(broker, attempt); },
                      static_cast<std::int64_t>(next));
         }
         if (!pool.empty()) pool.step();
@@ -101,9 +101,9 @@ std::vector<KnownMotions::Found> KnownMotions::solve(const std::vector<Attempt>&
     return found;
 }
 
-Task<cell::CellResult> KnownMotions::begin(regime::CycleDesk& desk, const Attempt& attempt) {
-    if (attempt.from.regime == Regime::no_impact) return free_motion(desk, job_, scene_of(attempt.cell));
-    return continued_motion(desk, job_, scene_of(attempt.cell), attempt.from, of(attempt.cell).known);
+Task<cell::CellResult> KnownMotions::begin(regime::CycleBroker& broker, const Attempt& attempt) {
+    if (attempt.from.regime == Regime::no_impact) return free_motion(broker, job_, scene_of(attempt.cell));
+    return continued_motion(broker, job_, scene_of(attempt.cell), attempt.from, of(attempt.cell).known);
 }
 
 bool KnownMotions::is_there(std::int64_t row, std::int64_t column) {

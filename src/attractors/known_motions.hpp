@@ -56,7 +56,7 @@ class KnownMotions {
     [[nodiscard]] scene::Cell scene_of(std::int64_t cell) const;
     [[nodiscard]] std::vector<Attempt> attempts(std::span<const Known> news);
     [[nodiscard]] std::vector<Found> solve(const std::vector<Attempt>& attempts);
-    [[nodiscard]] Task<cell::CellResult> begin(regime::CycleDesk& desk, const Attempt& attempt);
+    [[nodiscard]] Task<cell::CellResult> begin(regime::CycleBroker& broker, const Attempt& attempt);
 
     const scene::Scene& scene_;
     job::Job job_;

@@ -17,8 +17,8 @@
 namespace peterka::attractors {
 
 // What later starts are called sooner.
-struct Sooner {
-    bool chaos = false;       // as regime::Attractors::chaos
+struct EarlyVerdict {
+    bool chaos = false;       // as regime::SearchContext::chaos
     bool unresolved = false;  // after a part of the cycles
 };
 
@@ -32,7 +32,7 @@ class Prospects {
         unresolved_.take(result, result.regime == regime::Regime::unresolved,
                          result.regime != regime::Regime::chaotic);
     }
-    [[nodiscard]] Sooner sooner() const {
+    [[nodiscard]] EarlyVerdict sooner() const {
         const bool chaos = chaos_.is_sure();
         return {chaos, unresolved_.is_sure() && (chaos || !chaos_.is_there())};
     }
@@ -75,7 +75,7 @@ class Prospects {
         std::int64_t otherwise_ = 0;
     };
 
-    Followed chaos_{regime::Attractors::cycles_to_settle};
+    Followed chaos_{regime::SearchContext::cycles_to_settle};
     Followed unresolved_{max_cycles};
 };
 

@@ -18,8 +18,8 @@ constexpr double of_what_was_tried = 0.5;
 
 class Home {
   public:
-    Home(KickedOrbit& orbit, const regime::AttractorTable::OfOneMap& known, const regime::StroboscopicMap& map,
-         const regime::CellResult& attractor)
+    Home(KickedOrbit& orbit, const regime::AttractorTable::AttractorsOfMap& known,
+         const regime::StroboscopicMap& map, const regime::CellResult& attractor)
         : orbit_(orbit), known_(known), map_(map), attractor_(attractor) {}
 
     // Whether kicks of this size lead there, at all phases, up and down.
@@ -41,7 +41,7 @@ class Home {
     }
 
     KickedOrbit& orbit_;
-    const regime::AttractorTable::OfOneMap& known_;
+    const regime::AttractorTable::AttractorsOfMap& known_;
     const regime::StroboscopicMap& map_;
     const regime::CellResult& attractor_;
 };
@@ -52,10 +52,10 @@ std::optional<double> largest_safe_kick(KickedOrbit& orbit, const regime::Attrac
                                         scene::Oscillator<double> oscillator,
                                         const regime::FoundAttractor& found, double most) {
     oscillator.cubic = found.cubic;
-    const regime::AttractorTable::OfOneMap* places = known.of(oscillator, found.settings);
+    const regime::AttractorTable::AttractorsOfMap* places = known.of(oscillator, found.settings);
     if (places == nullptr || orbit.period() > longest_orbit) return std::nullopt;
-    regime::CycleDesk desk;
-    const regime::StroboscopicMap map(oscillator, found.settings, desk);
+    regime::CycleBroker broker;
+    const regime::StroboscopicMap map(oscillator, found.settings, broker);
     const Home home(orbit, *places, map, found.result);
     const auto takes = [&](double size) {
         int n = smaller_sizes;

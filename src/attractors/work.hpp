@@ -8,16 +8,16 @@
 
 #include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "support/task.hpp"
 
 namespace peterka::attractors {
 
-// Begins a search whose cycles others serve at the desk; what it ends on goes to `found`.
-using Begin = std::function<Task<regime::CellResult>(regime::CycleDesk& desk,
-                                                     std::vector<regime::FoundAttractor>* found)>;
+// Begins a search whose cycles others serve at the broker; what it ends on goes to `found`.
+using SearchFactory = std::function<Task<regime::CellResult>(regime::CycleBroker& broker,
+                                                             std::vector<regime::FoundAttractor>* found)>;
 
-struct Ended {
+struct SearchOutcome {
     regime::CellResult result;
     std::vector<regime::FoundAttractor> found;
 };

@@ -75,7 +75,7 @@ enum class Filled {
     interpolated,  // where it is smooth
 };
 
-enum class Kept {
+enum class StoredWhen {
     always,
     in_refined_maps,
     in_sweeps,
@@ -86,8 +86,8 @@ enum class Kept {
 };
 
 // Who keeps a quantity; on request: which name asks for it.
-struct Keeping {
-    Kept kept = Kept::always;
+struct StorageRule {
+    StoredWhen kept = StoredWhen::always;
     std::optional<OptionalField> field = {};
     const char* field_name = nullptr;  // the quantity's own if there is none
 };
@@ -122,7 +122,7 @@ struct QuantityOf {
     Member<Numbers> member;
     Dimension dimension;
     const char* words;
-    Keeping keeping = {};
+    StorageRule keeping = {};
     Filled filled = Filled::never;
     Recorded recorded = Recorded::usual;
     InAttractorTable in_attractor_table = InAttractorTable::no;
@@ -170,17 +170,17 @@ constexpr Member<Attractor> of_attractor(Pick /*pick*/) {
     return member_of<Attractor, Pick>();
 }
 
-constexpr Keeping asked_for(OptionalField field, const char* name = nullptr) {
-    return {Kept::on_request, field, name};
+constexpr StorageRule asked_for(OptionalField field, const char* name = nullptr) {
+    return {StoredWhen::on_request, field, name};
 }
 
-inline constexpr Keeping always;
-inline constexpr Keeping in_refined_maps{Kept::in_refined_maps};
-inline constexpr Keeping in_sweeps{Kept::in_sweeps};
-inline constexpr Keeping of_many_starts{Kept::of_many_starts};
-inline constexpr Keeping of_rigid_stops{Kept::of_rigid_stops};
-inline constexpr Keeping of_certificates{Kept::of_certificates};
-inline constexpr Keeping of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
+inline constexpr StorageRule always;
+inline constexpr StorageRule in_refined_maps{StoredWhen::in_refined_maps};
+inline constexpr StorageRule in_sweeps{StoredWhen::in_sweeps};
+inline constexpr StorageRule of_many_starts{StoredWhen::of_many_starts};
+inline constexpr StorageRule of_rigid_stops{StoredWhen::of_rigid_stops};
+inline constexpr StorageRule of_certificates{StoredWhen::of_certificates};
+inline constexpr StorageRule of_kicks = asked_for(OptionalField::critical_kick, "critical_kick");
 inline constexpr auto table_too = InAttractorTable::yes;
 
 using enum Filled;
@@ -269,7 +269,7 @@ inline constexpr std::span<const AttractorQuantity> attractor_quantities = table
 template <template <Units> class Numbers, class Take>
 constexpr void for_each_field_of(std::span<const QuantityOf<Numbers>> rows, Take take) {
     for (const QuantityOf<Numbers>& quantity : rows) {
-        const Keeping& keeping = quantity.keeping;
+        const StorageRule& keeping = quantity.keeping;
         if (!keeping.field) continue;
         take(*keeping.field, keeping.field_name == nullptr ? quantity.name : keeping.field_name);
     }

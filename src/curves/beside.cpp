@@ -23,7 +23,7 @@ bool is_stable(const Rig& rig, const OrbitPoint& point) {
     return monodromy(rig, point.orbit, point.place, {}).is_stable();
 }
 
-Stepper along(const Rig& rig, const Place& window, const Place& through, const Place& way) {
+Stepper along(const Rig& rig, const PlanePoint& window, const PlanePoint& through, const PlanePoint& way) {
     return {rig,
             window,
             {Condition::on_line(
@@ -51,7 +51,7 @@ Eigen::VectorXd parting_of_halves(const Stepper& stepper, const OrbitPoint& doub
 
 }  // namespace
 
-Beside motions_beside(const Rig& rig, const Place& window, const Seed& at, const Place& way) {
+Beside motions_beside(const Rig& rig, const PlanePoint& window, const Seed& at, const PlanePoint& way) {
     std::vector<OrbitPoint> starts;
     if (at.kind == CurveKind::grazing) {
         for (const bool gains : {true, false}) starts.push_back(beyond_grazing(rig, at.point, gains));
@@ -80,8 +80,8 @@ Beside motions_beside(const Rig& rig, const Place& window, const Seed& at, const
     return beside;
 }
 
-std::vector<OrbitPoint> stable_doubled_beside(const Rig& rig, const Place& window, const OrbitPoint& at,
-                                              const Place& way) {
+std::vector<OrbitPoint> stable_doubled_beside(const Rig& rig, const PlanePoint& window, const OrbitPoint& at,
+                                              const PlanePoint& way) {
     Stepper stepper = along(rig, window, at.place, way);
     const OrbitPoint doubled = twice(rig, at);
     const Stepper::Here here{doubled, parting_of_halves(stepper, doubled)};

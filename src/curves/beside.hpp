@@ -15,10 +15,11 @@ struct Beside {
 };
 
 // On a line through the point in a direction of the plane. Without those of twice the period.
-[[nodiscard]] Beside motions_beside(const Rig& rig, const Place& window, const Seed& at, const Place& way);
+[[nodiscard]] Beside motions_beside(const Rig& rig, const PlanePoint& window, const Seed& at,
+                                    const PlanePoint& way);
 
 // Those of twice the period that are born at a period doubling.
-[[nodiscard]] std::vector<OrbitPoint> stable_doubled_beside(const Rig& rig, const Place& window,
-                                                            const OrbitPoint& at, const Place& way);
+[[nodiscard]] std::vector<OrbitPoint> stable_doubled_beside(const Rig& rig, const PlanePoint& window,
+                                                            const OrbitPoint& at, const PlanePoint& way);
 
 }  // namespace peterka::curves

@@ -44,8 +44,9 @@ struct Border {
 
 // Of the stable motions beside a point of a curve, those labels that are on one side alone. A motion that ends
 // there while another one with its label begins bounds no regime.
-std::vector<Label> labels_bounded_at(const Rig& rig, const Place& window, const Seed& at, std::size_t axis) {
-    const Place along = moved({}, axis, 1);
+std::vector<Label> labels_bounded_at(const Rig& rig, const PlanePoint& window, const Seed& at,
+                                     std::size_t axis) {
+    const PlanePoint along = moved({}, axis, 1);
     std::vector<OrbitPoint> stable = motions_beside(rig, window, at, along).stable;
     if (at.kind == CurveKind::period_doubling) {
         const auto doubled = stable_doubled_beside(rig, window, at.point, along);
@@ -75,8 +76,8 @@ class AlongBorders {
           has_one_length_(gap_axis_ == 0 ? job::twin_of_columns(scene.job()).has_value()
                                          : job::twin_of_rows(scene.job()).has_value()) {
         const job::Job& job = scene.job();
-        const Place low = rig_.place_of({job.columns.from, job.rows.from});
-        const Place high = rig_.place_of({job.columns.to, job.rows.to});
+        const PlanePoint low = rig_.place_of({job.columns.from, job.rows.from});
+        const PlanePoint high = rig_.place_of({job.columns.to, job.rows.to});
         window_ = {high.column - low.column, high.row - low.row};
     }
 
@@ -110,7 +111,7 @@ class AlongBorders {
 
   private:
     [[nodiscard]] std::size_t axis() const { return 1 - gap_axis_; }
-    [[nodiscard]] double number(const Place& place) const {
+    [[nodiscard]] double number(const PlanePoint& place) const {
         return job::is_frequency(key_) ? coordinate(place, axis()) * hertz_
                                        : coordinate(rig_.values_at(place), axis());
     }
@@ -121,7 +122,7 @@ class AlongBorders {
     double hertz_;     // of Omega/omega = 1
     double metres_;
     bool has_one_length_;  // A0 is that of all cells
-    Place window_;
+    PlanePoint window_;
 };
 
 std::string borders_of(const Label& label, const std::vector<Border>& borders) {

@@ -135,9 +135,9 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
 namespace {
 
 // The tangent at a point of a branch that goes on that way in the plane.
-Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const Place& ahead) {
+Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const PlanePoint& ahead) {
     Stepper::Here here = stepper.at(point);
-    const Place now = Stepper::along(here.tangent);
+    const PlanePoint now = Stepper::along(here.tangent);
     if (now.column * ahead.column + now.row * ahead.row < 0) here.tangent = -here.tangent;
     return here;
 }
@@ -162,7 +162,7 @@ bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here
 }  // namespace
 
 bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here) {
-    const Place ahead = Stepper::along(here.tangent);
+    const PlanePoint ahead = Stepper::along(here.tangent);
     const auto pair = reversed_pair(stepper.rig(), here.point);
     if (pair && has_same_events(from.point.orbit, here.point.orbit))
         return leave_pair(stepper, from, here, *pair);

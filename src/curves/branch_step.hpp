@@ -11,11 +11,11 @@ namespace peterka::curves {
 
 class Stepper {
   public:
-    Stepper(const Rig& rig, const Place& window, std::vector<Condition> conditions)
+    Stepper(const Rig& rig, const PlanePoint& window, std::vector<Condition> conditions)
         : rig_(&rig), window_(window), conditions_(std::move(conditions)) {}
 
     [[nodiscard]] const Rig& rig() const { return *rig_; }
-    [[nodiscard]] const Place& window() const { return window_; }
+    [[nodiscard]] const PlanePoint& window() const { return window_; }
     [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
     // The conditions and one more.
     [[nodiscard]] std::vector<Condition> conditions_and(const Condition& condition) const;
@@ -33,13 +33,13 @@ class Stepper {
     void set_step(double step) { step_ = step; }
     [[nodiscard]] double step() const { return step_; }
     // What the place moves along a tangent, in shares of the window.
-    [[nodiscard]] static Place along(const Eigen::VectorXd& tangent) {
+    [[nodiscard]] static PlanePoint along(const Eigen::VectorXd& tangent) {
         return {tangent[tangent.size() - 2], tangent[tangent.size() - 1]};
     }
 
   private:
     const Rig* rig_;
-    Place window_;  // its sizes
+    PlanePoint window_;  // its sizes
     std::vector<Condition> conditions_;
     double step_ = 1e-3;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "job/axis.hpp"
 #include "regime/same_orbit.hpp"
 
@@ -60,7 +60,7 @@ std::int64_t CoarseMap::parts() const {
     return (count() + cells_in_part - 1) / cells_in_part;
 }
 
-Place CoarseMap::place(std::int64_t cell) const {
+PlanePoint CoarseMap::place(std::int64_t cell) const {
     const job::Job& job = scene_->job();
     return rig_->place_of(
         {job::axis_value(job.columns, cell % columns()), job::axis_value(job.rows, cell / columns())});
@@ -71,15 +71,15 @@ Numbers CoarseMap::solve(std::int64_t part) const {
     const std::int64_t end = std::min(first + cells_in_part, count());
     std::vector<std::vector<Site>> sites(static_cast<std::size_t>(end - first));
     const regime::AttractorTable nothing_known;
-    const auto keep = [&](const attractors::CellCrowd::Solved& solved) {
+    const auto keep = [&](const attractors::MultiStartPool::Solved& solved) {
         const double gap = rig_->at(place(solved.number)).gap();
         std::vector<Site>& of_cell = sites[static_cast<std::size_t>(solved.number - first)];
         of_cell = {site_of(solved.cell.cell, gap)};
         add_others(solved.cell.ends, gap, of_cell);
     };
-    attractors::CellCrowd crowd(*scene_, nothing_known, keep, attractors::Ends::told);
-    for (std::int64_t next = first; next < end || !crowd.empty(); crowd.step()) {
-        for (; next < end && crowd.has_room(); ++next) crowd.add(next / columns(), next % columns(), next);
+    attractors::MultiStartPool pool(*scene_, nothing_known, keep, attractors::Ends::told);
+    for (std::int64_t next = first; next < end || !pool.empty(); pool.step()) {
+        for (; next < end && pool.has_room(); ++next) pool.add(next / columns(), next % columns(), next);
     }
     Numbers numbers;
     for (const std::vector<Site>& of_cell : sites) pack_sites(of_cell, numbers);
@@ -93,7 +93,7 @@ void CoarseMap::put_together(const std::vector<Numbers>& parts) {
     }
 }
 
-std::optional<OrbitPoint> CoarseMap::orbit(std::int64_t cell, const Place& window,
+std::optional<OrbitPoint> CoarseMap::orbit(std::int64_t cell, const PlanePoint& window,
                                            std::size_t site_of_cell) const {
     const Site& at = sites(cell)[site_of_cell];
     if (at.regime != regime::Regime::periodic) return std::nullopt;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curves/follow.hpp"
-#include "curves/packed.hpp"
+#include "curves/mpi_packing.hpp"
 #include "regime/cell_result.hpp"
 #include "scene/scene.hpp"
 
@@ -47,9 +47,9 @@ class CoarseMap {
     [[nodiscard]] const std::vector<Site>& sites(std::int64_t cell) const {
         return sites_[static_cast<std::size_t>(cell)];
     }
-    [[nodiscard]] Place place(std::int64_t cell) const;
+    [[nodiscard]] PlanePoint place(std::int64_t cell) const;
     // The orbit of one of a cell's sites; none where the equations have no stable one next to it.
-    [[nodiscard]] std::optional<OrbitPoint> orbit(std::int64_t cell, const Place& window,
+    [[nodiscard]] std::optional<OrbitPoint> orbit(std::int64_t cell, const PlanePoint& window,
                                                   std::size_t site = 0) const;
 
   private:

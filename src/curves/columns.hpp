@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "curves/packed.hpp"
+#include "curves/mpi_packing.hpp"
 #include "map_file/table.hpp"
 
 namespace peterka::curves {

@@ -91,7 +91,7 @@ double length_of(const Eigen::VectorXd& scaled_step) {
 
 }  // namespace
 
-Condition Condition::on_line(const Place& through, const Place& normal) {
+Condition Condition::on_line(const PlanePoint& through, const PlanePoint& normal) {
     return {.kind = Kind::line, .through = through, .normal = normal};
 }
 Condition Condition::at_multiplier(int sign, Side side) {
@@ -120,7 +120,7 @@ Equations equations(const Rig& rig, const OrbitPoint& point, const std::vector<C
     return result;
 }
 
-Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point, const Place& window) {
+Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point, const PlanePoint& window) {
     const Orbit& orbit = point.orbit;
     const double frequency = rig.at(point.place).frequency();
     const Unknowns unknowns(orbit);
@@ -140,7 +140,7 @@ double residual(const OrbitPoint& point, const Equations& equations) {
     return equations.values.lpNorm<Eigen::Infinity>() / (1 + point.orbit.largest_speed());
 }
 
-std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const Place& window,
+std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoint& window,
                                 const std::vector<Condition>& conditions) {
     constexpr int most_steps = 12;  // quadratic convergence needs 3 to 6
     constexpr double rounding = 2e-15;
@@ -162,7 +162,7 @@ std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const Place& w
     return std::nullopt;
 }
 
-Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const Place& window,
+Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const PlanePoint& window,
                         const std::vector<Condition>& conditions) {
     const Eigen::VectorXd sizes = sizes_of_unknowns(rig, point, window);
     const Eigen::MatrixXd scaled = equations(rig, point, conditions).jacobian * sizes.asDiagonal();

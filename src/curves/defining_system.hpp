@@ -23,13 +23,13 @@ struct Condition {
         inflection,   // delta'' is 0 where it grazes, too
     };
     Kind kind = Kind::line;
-    Place through = {};  // line: a point of it,
-    Place normal = {};   // and what is perpendicular to it
+    PlanePoint through = {};  // line: a point of it,
+    PlanePoint normal = {};   // and what is perpendicular to it
     int sign = 1;
     Side side = Side::without_impact;
     std::size_t event = 0;
 
-    static Condition on_line(const Place& through, const Place& normal);
+    static Condition on_line(const PlanePoint& through, const PlanePoint& normal);
     static Condition at_multiplier(int sign, Side side = Side::without_impact);
     static Condition at_rest(std::size_t event);
     static Condition without_acceleration(std::size_t event);
@@ -44,18 +44,19 @@ struct Equations {
                                   const std::vector<Condition>& conditions);
 
 // Sizes in which unknowns are measured, so that a step of 1 is a large one in each of them.
-[[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point, const Place& window);
+[[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point,
+                                                const PlanePoint& window);
 
 // Largest value of the equations of the orbit and the bifurcation, relative to the hammer's velocities.
 [[nodiscard]] double residual(const OrbitPoint& point, const Equations& equations);
 
 // Newton's method, by the shortest step where there are fewer equations than unknowns. None where it leads
 // nowhere, or further away than one size.
-[[nodiscard]] std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const Place& window,
+[[nodiscard]] std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoint& window,
                                               const std::vector<Condition>& conditions);
 
 // The direction in which a curve goes on, in sizes of the unknowns and of length 1.
-[[nodiscard]] Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const Place& window,
+[[nodiscard]] Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const PlanePoint& window,
                                       const std::vector<Condition>& conditions);
 
 inline constexpr double largest_residual = 1e-11;  // of a point that is kept

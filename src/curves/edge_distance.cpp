@@ -41,8 +41,8 @@ class Line {
           most_period_(most_period),
           line_(line),
           found_(static_cast<std::size_t>(line.is_row ? map.columns() : map.rows())) {
-        const Place low = map.place(0);
-        const Place high = map.place(map.count() - 1);
+        const PlanePoint low = map.place(0);
+        const PlanePoint high = map.place(map.count() - 1);
         window_ = {high.column - low.column, high.row - low.row};
     }
 
@@ -61,8 +61,10 @@ class Line {
     [[nodiscard]] std::int64_t count() const { return std::ssize(found_); }
     [[nodiscard]] EdgeDistance& found(std::int64_t i) { return found_[static_cast<std::size_t>(i)]; }
     [[nodiscard]] std::int64_t cell(std::int64_t i) const { return cell_of(map_, line_, i); }
-    [[nodiscard]] double along(const Place& place) const { return line_.is_row ? place.column : place.row; }
-    [[nodiscard]] double value(const Place& place) const { return along(rig_.values_at(place)); }
+    [[nodiscard]] double along(const PlanePoint& place) const {
+        return line_.is_row ? place.column : place.row;
+    }
+    [[nodiscard]] double value(const PlanePoint& place) const { return along(rig_.values_at(place)); }
     [[nodiscard]] double coordinate(std::int64_t i) const { return along(map_.place(cell(i))); }
     [[nodiscard]] bool holds(double value_of_edge) const {
         return value_of_edge >= value(map_.place(cell(0))) &&
@@ -87,7 +89,7 @@ class Line {
         if (last == first) return {value(map_.place(cell(last))), EdgeKind::none};
         std::int64_t next = first;  // the last cell that was passed
         const std::int64_t way = last > first ? 1 : -1;
-        const auto look = [&](const OrbitPoint& here, const OrbitPoint& there, const Place& until) {
+        const auto look = [&](const OrbitPoint& here, const OrbitPoint& there, const PlanePoint& until) {
             std::vector<std::int64_t> passed;
             std::int64_t i = next;
             while (i != last && static_cast<double>(way) * (along(until) - coordinate(i + way)) >= 0) {
@@ -113,7 +115,7 @@ class Line {
     enum class Passing : std::uint8_t { of_the_cell, of_another, no_motion };
 
     [[nodiscard]] Passing pass(const OrbitPoint& here, const OrbitPoint& there, std::int64_t i) const {
-        const Place place = map_.place(cell(i));
+        const PlanePoint place = map_.place(cell(i));
         const double whole = along(there.place) - along(here.place);
         const double share = std::clamp((coordinate(i) - along(here.place)) / whole, 0.0, 1.0);
         const bool same_events = has_same_events(here.orbit, there.orbit);
@@ -139,7 +141,7 @@ class Line {
     // Where the motion without impacts ends on the line, within the window.
     [[nodiscard]] std::vector<End> ends_of_free_motion() const {
         std::vector<End> ends;
-        const Place place = map_.place(cell(0));
+        const PlanePoint place = map_.place(cell(0));
         const std::size_t axis = line_.is_row ? 0 : 1;
         if (job::is_frequency(rig_.key(axis)) && rig_.is_in_ratios(axis)) {
             for (const double frequency : frequencies_with_swing(rig_.at(place))) {
@@ -151,14 +153,14 @@ class Line {
         // between cells that may be further apart than a resonance is wide
         constexpr std::int64_t looks = 16;
         for (std::int64_t i = 0; i + 1 < count(); ++i) {
-            const Place here = map_.place(cell(i));
-            const Place there = map_.place(cell(i + 1));
+            const PlanePoint here = map_.place(cell(i));
+            const PlanePoint there = map_.place(cell(i + 1));
             for (std::int64_t look = 0; look < looks; ++look) {
                 const auto at = [&](std::int64_t number) {
                     return on_way(here, there, static_cast<double>(number) / looks);
                 };
-                const Place from = at(look);
-                const Place to = at(look + 1);
+                const PlanePoint from = at(look);
+                const PlanePoint to = at(look + 1);
                 if (const auto share = share_at_end_of_free_motion(rig_, from, to))
                     ends.push_back({value(on_way(from, to, *share)), EdgeKind::grazing});
             }
@@ -170,7 +172,7 @@ class Line {
     const Rig& rig_;
     std::int64_t most_period_;
     LineOfCells line_;
-    Place window_;  // its sizes
+    PlanePoint window_;  // its sizes
     std::vector<EdgeDistance> found_;
 };
 

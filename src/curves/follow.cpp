@@ -11,13 +11,13 @@ namespace peterka::curves {
 
 namespace {
 
-Place minus(const Place& a, const Place& b) {
+PlanePoint minus(const PlanePoint& a, const PlanePoint& b) {
     return {a.column - b.column, a.row - b.row};
 }
 
 class Follower {
   public:
-    Follower(const Rig& rig, const OrbitPoint& stable, const Place& target, const Place& window)
+    Follower(const Rig& rig, const OrbitPoint& stable, const PlanePoint& target, const PlanePoint& window)
         : begin_(stable.place),
           way_(minus(target, stable.place)),
           window_(window),
@@ -56,19 +56,19 @@ class Follower {
 
   private:
     [[nodiscard]] double size() const { return std::max(std::abs(way_.column), std::abs(way_.row)); }
-    [[nodiscard]] Place in_window(const Place& step) const {
+    [[nodiscard]] PlanePoint in_window(const PlanePoint& step) const {
         return {step.column / window_.column, step.row / window_.row};
     }
     [[nodiscard]] double length() const {
-        const Place way = in_window(way_);
+        const PlanePoint way = in_window(way_);
         return std::hypot(way.column, way.row);
     }
-    [[nodiscard]] double progress_of(const Place& share) const {
-        const Place way = in_window(way_);
+    [[nodiscard]] double progress_of(const PlanePoint& share) const {
+        const PlanePoint way = in_window(way_);
         return (share.column * way.column + share.row * way.row) / (length() * length());
     }
     // 0 at the beginning, 1 at the target.
-    [[nodiscard]] double progress(const Place& place) const {
+    [[nodiscard]] double progress(const PlanePoint& place) const {
         return progress_of(in_window(minus(place, begin_)));
     }
     [[nodiscard]] double progress_along(const Stepper::Here& here) const {
@@ -77,25 +77,25 @@ class Follower {
 
     // So that the place moves by no more than a share of the window.
     [[nodiscard]] static double longest_along(const Stepper::Here& here) {
-        const Place along = Stepper::along(here.tangent);
+        const PlanePoint along = Stepper::along(here.tangent);
         return std::min(0.25, 0.02 / std::max(std::hypot(along.column, along.row), 1e-3));
     }
 
-    Place begin_;
-    Place way_;
-    Place window_;
+    PlanePoint begin_;
+    PlanePoint way_;
+    PlanePoint window_;
     Stepper stepper_;
 };
 
 }  // namespace
 
-Followed follow(const Rig& rig, const OrbitPoint& stable, const Place& target, const Place& window,
+Followed follow(const Rig& rig, const OrbitPoint& stable, const PlanePoint& target, const PlanePoint& window,
                 const LookAtStep& look) {
     return Follower(rig, stable, target, window).run(stable, look);
 }
 
-std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const Place& place, const State<double>& state,
-                                            std::int64_t period, const Place& window) {
+std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const PlanePoint& place, const State<double>& state,
+                                            std::int64_t period, const PlanePoint& window) {
     const auto orbit = orbit_from(rig, place, state, period);
     if (!orbit) return std::nullopt;
     auto found = solve(rig, {*orbit, place}, window,

@@ -16,7 +16,7 @@ std::complex<double> response_of(const PlacedRig& rig) {
 
 }  // namespace
 
-Place on_way(const Place& from, const Place& to, double share) {
+PlanePoint on_way(const PlanePoint& from, const PlanePoint& to, double share) {
     return {from.column + share * (to.column - from.column), from.row + share * (to.row - from.row)};
 }
 
@@ -35,12 +35,13 @@ std::vector<double> frequencies_with_swing(const PlacedRig& rig) {
     return frequencies;
 }
 
-double room_of_free_motion(const Rig& rig, const Place& place) {
+double room_of_free_motion(const Rig& rig, const PlanePoint& place) {
     const PlacedRig here = rig.at(place);
     return here.gap() - std::abs(response_of(here));
 }
 
-std::optional<double> share_at_end_of_free_motion(const Rig& rig, const Place& from, const Place& to) {
+std::optional<double> share_at_end_of_free_motion(const Rig& rig, const PlanePoint& from,
+                                                  const PlanePoint& to) {
     const double first = room_of_free_motion(rig, from);
     const double last = room_of_free_motion(rig, to);
     const bool has_first = first > 0;
@@ -55,16 +56,16 @@ std::optional<double> share_at_end_of_free_motion(const Rig& rig, const Place& f
     return (low + high) / 2;
 }
 
-std::optional<Seed> end_of_free_motion(const Rig& rig, const Place& from, const Place& to,
-                                       const Place& window) {
+std::optional<Seed> end_of_free_motion(const Rig& rig, const PlanePoint& from, const PlanePoint& to,
+                                       const PlanePoint& window) {
     const auto share = share_at_end_of_free_motion(rig, from, to);
     if (!share) return std::nullopt;
-    const Place place = on_way(from, to, *share);
+    const PlanePoint place = on_way(from, to, *share);
     const PlacedRig here = rig.at(place);
     const double top = (std::numbers::pi / 2 - std::arg(response_of(here))) / here.frequency();
     const OrbitPoint guess{{1, {{EventKind::graze, false, top, 0}}}, place};
     const double size = std::max(std::abs(to.row - from.row), std::abs(to.column - from.column));
-    const Place across{(to.row - from.row) / size, (from.column - to.column) / size};
+    const PlanePoint across{(to.row - from.row) / size, (from.column - to.column) / size};
     const auto found = solve(rig, guess, window, {Condition::on_line(place, across)});
     if (!found) return std::nullopt;
     return Seed{CurveKind::grazing, *found};

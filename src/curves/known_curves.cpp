@@ -6,7 +6,7 @@
 
 namespace peterka::curves {
 
-Nearest nearest_on(const Curve& curve, const Place& place, const Place& sizes) {
+Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint& sizes) {
     Nearest nearest{std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
         const CurvePoint& a = curve.points[i];
@@ -26,7 +26,7 @@ Nearest nearest_on(const Curve& curve, const Place& place, const Place& sizes) {
 }
 
 bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
-             const Place& window) {
+             const PlanePoint& window) {
     constexpr double chord = 1e-3;  // that a curve may bulge between two points, in shares of the window
     constexpr double alike = 0.03;
     if (curve.kind != kind || curve.period != period) return false;
@@ -36,7 +36,7 @@ bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const Curv
            std::abs(nearest.total_speed - point.total_speed) < alike * (1e-3 + point.total_speed);
 }
 
-bool is_known(const std::vector<Curve>& known, const Curve& curve, const Place& window) {
+bool is_known(const std::vector<Curve>& known, const Curve& curve, const PlanePoint& window) {
     const CurvePoint& middle = curve.points[curve.points.size() / 2];
     return std::ranges::any_of(
         known, [&](const Curve& other) { return lies_on(other, curve.kind, curve.period, middle, window); });

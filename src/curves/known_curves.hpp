@@ -13,13 +13,13 @@ struct Nearest {
     double trace = 0;
     double total_speed = 0;
 };
-[[nodiscard]] Nearest nearest_on(const Curve& curve, const Place& place, const Place& sizes);
+[[nodiscard]] Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint& sizes);
 
 // Whether a curve of this kind passes through a point with the same orbit.
 [[nodiscard]] bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
-                           const Place& window);
+                           const PlanePoint& window);
 
 // Whether a curve is one that is known already.
-[[nodiscard]] bool is_known(const std::vector<Curve>& known, const Curve& curve, const Place& window);
+[[nodiscard]] bool is_known(const std::vector<Curve>& known, const Curve& curve, const PlanePoint& window);
 
 }  // namespace peterka::curves

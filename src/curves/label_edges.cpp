@@ -22,14 +22,14 @@ struct Cells {
     std::int64_t first_row = 0;
     std::int64_t columns = 0;
     std::int64_t rows = 0;
-    Place size;
+    PlanePoint size;
 };
 
 class EdgeTeller {
   public:
     EdgeTeller(const Rig& rig, const CoarseMap& map, Curve& curve) : rig_(rig), map_(map), curve_(curve) {
-        const Place low = map.place(0);
-        const Place high = map.place(map.count() - 1);
+        const PlanePoint low = map.place(0);
+        const PlanePoint high = map.place(map.count() - 1);
         window_ = {high.column - low.column, high.row - low.row};
     }
 
@@ -60,7 +60,7 @@ class EdgeTeller {
                std::ranges::count(labels, Label{site.impacts, site.period}) > 0;
     }
 
-    [[nodiscard]] Cells cells_around(const Place& place) const {
+    [[nodiscard]] Cells cells_around(const PlanePoint& place) const {
         std::int64_t column = 0;
         std::int64_t row = 0;
         const auto gap_of = [&](std::int64_t r) { return map_.place(r * map_.columns()).row; };
@@ -77,13 +77,13 @@ class EdgeTeller {
 
     // Neighbours with different labels, one of which is such a motion's, with a curve's point within a cell.
     [[nodiscard]] std::vector<Edge> edges_at(std::size_t i) const {
-        const Place& place = curve_.points[i].place;
+        const PlanePoint& place = curve_.points[i].place;
         const std::vector<Label> labels = labels_at(i);
         const Cells cells = cells_around(place);
         std::vector<Edge> edges;
         const auto add = [&](std::int64_t a, std::int64_t b) {
-            const Place one = map_.place(a);
-            const Place other = map_.place(b);
+            const PlanePoint one = map_.place(a);
+            const PlanePoint other = map_.place(b);
             const double across = ((one.column + other.column) / 2 - place.column) / cells.size.column;
             const double up = ((one.row + other.row) / 2 - place.row) / cells.size.row;
             if (same_label(map_.site(a), map_.site(b)) || std::hypot(across, up) > 1) return;
@@ -135,10 +135,10 @@ class EdgeTeller {
     }
 
     // Perpendicular to the curve, in units of its own, a cell's breadth.
-    [[nodiscard]] Place aside(std::size_t i) const {
-        const Place size = cells_around(curve_.points[i].place).size;
-        const Place& before = curve_.points[i > 0 ? i - 1 : i].place;
-        const Place& after = curve_.points[std::min(i + 1, curve_.points.size() - 1)].place;
+    [[nodiscard]] PlanePoint aside(std::size_t i) const {
+        const PlanePoint size = cells_around(curve_.points[i].place).size;
+        const PlanePoint& before = curve_.points[i > 0 ? i - 1 : i].place;
+        const PlanePoint& after = curve_.points[std::min(i + 1, curve_.points.size() - 1)].place;
         const double across = (after.column - before.column) / size.column;
         const double up = (after.row - before.row) / size.row;
         const double length = std::hypot(across, up);
@@ -148,14 +148,14 @@ class EdgeTeller {
 
     [[nodiscard]] LabelEdge how_far_a_motion_lives(std::size_t i) const {
         const OrbitPoint at{curve_.points[i].orbit, curve_.points[i].place};
-        const Place way = aside(i);
+        const PlanePoint way = aside(i);
         const Beside beside = motions_beside(rig_, window_, {curve_.kind, at}, way);
         for (const OrbitPoint& stable : beside.stable) {
             const double moved =
                 (stable.place.column - at.place.column) / window_.column * (way.column / window_.column) +
                 (stable.place.row - at.place.row) / window_.row * (way.row / window_.row);
             const double sign = moved < 0 ? -1 : 1;
-            const Place target{at.place.column + sign * way.column, at.place.row + sign * way.row};
+            const PlanePoint target{at.place.column + sign * way.column, at.place.row + sign * way.row};
             const bool lives = stable.orbit.events.empty() ||  // without impacts
                                follow(rig_, stable, target, window_).reached;
             if (lives) return LabelEdge::other_start;
@@ -177,7 +177,7 @@ class EdgeTeller {
     }
 
     [[nodiscard]] bool ends_on_curve(const Edge& edge) const {
-        const Place to = map_.place(edge.to);
+        const PlanePoint to = map_.place(edge.to);
         if (map_.site(edge.from).regime == regime::Regime::no_impact) return room_of_free_motion(rig_, to) < 0;
         const auto orbit = map_.orbit(edge.from, window_);
         if (!orbit) return false;
@@ -189,7 +189,7 @@ class EdgeTeller {
     const Rig& rig_;
     const CoarseMap& map_;
     Curve& curve_;
-    Place window_;  // its sizes
+    PlanePoint window_;  // its sizes
 };
 
 }  // namespace

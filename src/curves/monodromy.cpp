@@ -67,7 +67,7 @@ double Monodromy::multiplier() const {
     return half_trace + std::copysign(std::sqrt(discriminant), half_trace);
 }
 
-Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const Place& place, Side side) {
+Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place, Side side) {
     const PlacedRig rig = rigs.at(place);
     const double duration = rig.duration_of(orbit.period);
     Monodromy product{Jacobian<double>::Identity(), 1};

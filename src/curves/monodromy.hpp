@@ -22,7 +22,7 @@ struct Monodromy {
     [[nodiscard]] bool is_stable() const { return std::abs(multiplier()) < 1; }
 };
 
-[[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const Place& place, Side side);
+[[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const PlanePoint& place, Side side);
 
 // 0 where a multiplier is sign, and its derivatives by the unknowns (unknowns.hpp): det(M - sign I), times the
 // speed of each impact on a rigid stop over the largest one or the cart's, without which it has no limit at a

@@ -119,7 +119,7 @@ class Walk {
 
 }  // namespace
 
-std::optional<Orbit> orbit_from(const Rig& rig, const Place& place, const State<double>& start,
+std::optional<Orbit> orbit_from(const Rig& rig, const PlanePoint& place, const State<double>& start,
                                 std::int64_t period) {
     auto events = Walk(rig.at(place)).events(start, period);
     if (!events || events->empty()) return std::nullopt;

@@ -51,7 +51,8 @@ OrbitPoint between(const OrbitPoint& from, const OrbitPoint& to, double share) {
     return point;
 }
 
-Eigen::VectorXd way_between(const Rig& rig, const OrbitPoint& from, const OrbitPoint& to, const Place& window) {
+Eigen::VectorXd way_between(const Rig& rig, const OrbitPoint& from, const OrbitPoint& to,
+                            const PlanePoint& window) {
     const Unknowns unknowns(from.orbit);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(unknowns.size());
     for (std::size_t i = 0; i < from.orbit.events.size(); ++i) {

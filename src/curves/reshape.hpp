@@ -14,7 +14,7 @@ namespace peterka::curves {
 
 // From one to another with the same events, in sizes of the unknowns.
 [[nodiscard]] Eigen::VectorXd way_between(const Rig& rig, const OrbitPoint& from, const OrbitPoint& to,
-                                          const Place& window);
+                                          const PlanePoint& window);
 
 [[nodiscard]] bool has_same_events(const Orbit& a, const Orbit& b);
 // The same events, with the same velocities but for rounding.

@@ -48,15 +48,15 @@ Rig::Rig(const job::Job& job)
       numbers_(job::numbers_in(job)),
       oscillator_(scene::oscillator_of(numbers_)) {}
 
-job::CellNumbers Rig::numbers_at(const Place& place) const {
+job::CellNumbers Rig::numbers_at(const PlanePoint& place) const {
     job::CellNumbers numbers = numbers_;
-    const Place values = values_at(place);
+    const PlanePoint values = values_at(place);
     job::set_number(numbers, axes_[0].key, values.column);
     job::set_number(numbers, axes_[1].key, values.row);
     return numbers;
 }
 
-PlaceSlopes Rig::slopes_at(const job::CellNumbers& numbers, const Place& place) const {
+PlaceSlopes Rig::slopes_at(const job::CellNumbers& numbers, const PlanePoint& place) const {
     const auto of_axis = [&](std::size_t axis, double& of_frequency, double& of_gap) {
         of_frequency = 0;
         of_gap = 0;
@@ -73,7 +73,7 @@ PlaceSlopes Rig::slopes_at(const job::CellNumbers& numbers, const Place& place) 
     return slopes;
 }
 
-PlacedRig Rig::at(const Place& place) const {
+PlacedRig Rig::at(const PlanePoint& place) const {
     const job::CellNumbers numbers = numbers_at(place);
     scene::Oscillator<double> oscillator =
         changes_along(0) || changes_along(1) ? scene::oscillator_of(numbers) : oscillator_;
@@ -82,21 +82,21 @@ PlacedRig Rig::at(const Place& place) const {
     return PlacedRig(oscillator, slopes_at(numbers, place));
 }
 
-double Rig::force_ratio(const Place& place) const {
+double Rig::force_ratio(const PlanePoint& place) const {
     return scene::scales_of(numbers_at(place)).force_ratio();
 }
 
-Place Rig::values_at(const Place& place) const {
+PlanePoint Rig::values_at(const PlanePoint& place) const {
     return {axes_[0].value(place.column), axes_[1].value(place.row)};
 }
 
-Place Rig::place_of(const Place& values) const {
+PlanePoint Rig::place_of(const PlanePoint& values) const {
     return {axes_[0].coordinate(values.column), axes_[1].coordinate(values.row)};
 }
 
 // Half the distance: small against what the value itself is, so that it stays on its side of 0, and far above
 // rounding. An error of 1e-9 in these derivatives costs Newton's method nothing.
-double Rig::step_of_difference(std::size_t axis, const Place& place) const {
+double Rig::step_of_difference(std::size_t axis, const PlanePoint& place) const {
     constexpr double step = 1e-6;
     const double size = std::abs(coordinate(place, axis));
     return axes_[axis].is_logarithmic || size == 0 ? step : std::min(step, 1e-2 * size);

@@ -17,7 +17,7 @@ namespace peterka::curves {
 // other axis, and where the rig changes that unit from place to place, it
 // is the value over the largest one on the axis, or its logarithm: numbers near 1, whatever the unit, in which
 // steps and residuals are counted.
-struct Place {
+struct PlanePoint {
     double column = 0;
     double row = 0;
 };
@@ -30,13 +30,13 @@ class Rig {
     explicit Rig(const job::Job& job);
 
     [[nodiscard]] bool is_rigid() const { return scene::is_rigid(oscillator_.contact); }
-    [[nodiscard]] PlacedRig at(const Place& place) const;
+    [[nodiscard]] PlacedRig at(const PlanePoint& place) const;
     // F/(m g0) of a force k A0.
-    [[nodiscard]] double force_ratio(const Place& place) const;
+    [[nodiscard]] double force_ratio(const PlanePoint& place) const;
 
     // The values of the axes, in their units, and the place that has them.
-    [[nodiscard]] Place values_at(const Place& place) const;
-    [[nodiscard]] Place place_of(const Place& values) const;
+    [[nodiscard]] PlanePoint values_at(const PlanePoint& place) const;
+    [[nodiscard]] PlanePoint place_of(const PlanePoint& values) const;
 
     // What an axis runs over: columns first, then rows.
     [[nodiscard]] const std::string& key(std::size_t axis) const { return axes_[axis].key; }
@@ -45,7 +45,7 @@ class Rig {
     // Whether springs, dampers or stop change along an axis. Then derivatives by its coordinate are no closed
     // form, and taken from two places so far from one another on either side.
     [[nodiscard]] bool changes_along(std::size_t axis) const { return axes_[axis].is_of_rig; }
-    [[nodiscard]] double step_of_difference(std::size_t axis, const Place& place) const;
+    [[nodiscard]] double step_of_difference(std::size_t axis, const PlanePoint& place) const;
 
   private:
     struct AlongAxis {
@@ -61,18 +61,18 @@ class Rig {
     };
 
     static AlongAxis along(std::string_view key, const job::Axis& axis, const std::optional<job::Twin>& twin);
-    [[nodiscard]] job::CellNumbers numbers_at(const Place& place) const;
-    [[nodiscard]] PlaceSlopes slopes_at(const job::CellNumbers& numbers, const Place& place) const;
+    [[nodiscard]] job::CellNumbers numbers_at(const PlanePoint& place) const;
+    [[nodiscard]] PlaceSlopes slopes_at(const job::CellNumbers& numbers, const PlanePoint& place) const;
 
     std::array<AlongAxis, 2> axes_;
     job::CellNumbers numbers_;              // of the job's tables
     scene::Oscillator<double> oscillator_;  // of these
 };
 
-[[nodiscard]] inline double coordinate(const Place& place, std::size_t axis) {
+[[nodiscard]] inline double coordinate(const PlanePoint& place, std::size_t axis) {
     return axis == 0 ? place.column : place.row;
 }
-[[nodiscard]] inline Place moved(Place place, std::size_t axis, double by) {
+[[nodiscard]] inline PlanePoint moved(PlanePoint place, std::size_t axis, double by) {
     (axis == 0 ? place.column : place.row) += by;
     return place;
 }

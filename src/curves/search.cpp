@@ -56,9 +56,9 @@ class CurveSearch {
         std::size_t count_before = 0;
         for (std::int64_t line = 0; line < (in_columns ? map_.columns() : map_.rows()); ++line) {
             std::vector<Seed> of_line;
-            Place before;
+            PlanePoint before;
             for (std::int64_t i = 0; i < (in_columns ? map_.rows() : map_.columns()); ++i) {
-                const Place now = map_.place(cell_of(map_, {!in_columns, line}, i));
+                const PlanePoint now = map_.place(cell_of(map_, {!in_columns, line}, i));
                 const auto seed = i > 0 ? end_of_free_motion(rig_, before, now, window_.size()) : std::nullopt;
                 if (seed && window_.holds(seed->point.place)) of_line.push_back(*seed);
                 before = now;
@@ -70,9 +70,9 @@ class CurveSearch {
     }
 
     [[nodiscard]] bool has_curve_near(const Edge& edge) const {
-        const Place a = map_.place(edge.from);
-        const Place b = map_.place(edge.to);
-        const Place middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
+        const PlanePoint a = map_.place(edge.from);
+        const PlanePoint b = map_.place(edge.to);
+        const PlanePoint middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
         const Site& site = map_.sites(edge.from)[edge.site];
         return std::ranges::any_of(found_.curves, [&](const Curve& curve) {
             const std::int64_t other = curve.impacts - site.impacts;
@@ -191,9 +191,9 @@ class CurveSearch {
     }
 
     [[nodiscard]] bool is_within_a_cell(const Edge& edge) const {
-        const Place a = map_.place(edge.from);
-        const Place b = map_.place(edge.to);
-        const Place middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
+        const PlanePoint a = map_.place(edge.from);
+        const PlanePoint b = map_.place(edge.to);
+        const PlanePoint middle{(a.column + b.column) / 2, (a.row + b.row) / 2};
         return std::ranges::any_of(
             found_.curves, [&](const Curve& curve) { return nearest_on(curve, middle, cell_).distance <= 1; });
     }
@@ -276,7 +276,7 @@ class CurveSearch {
     std::size_t gap_axis_;
     bool wants_distances_;
     Window window_;
-    Place cell_;
+    PlanePoint cell_;
     std::vector<std::pair<std::int64_t, std::int64_t>> reached_;
     Findings found_;
 };

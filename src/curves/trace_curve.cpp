@@ -22,7 +22,7 @@ struct MultiplierTest {
 constexpr std::array<MultiplierTest, 4> multiplier_tests{
     {{1, Side::without_impact}, {-1, Side::without_impact}, {1, Side::with_impact}, {-1, Side::with_impact}}};
 
-double dot(const Place& a, const Place& b) {
+double dot(const PlanePoint& a, const PlanePoint& b) {
     return a.column * b.column + a.row * b.row;
 }
 
@@ -153,14 +153,15 @@ class HalfCurve {
     std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {
         double share = 1;
         Condition border;
-        const auto meet = [&](double from, double to, double line, const Place& through, const Place& normal) {
+        const auto meet = [&](double from, double to, double line, const PlanePoint& through,
+                              const PlanePoint& normal) {
             if ((from - line) * (to - line) >= 0) return;
             const double at = (line - from) / (to - from);
             if (at > share) return;
             share = at;
             border = Condition::on_line(through, normal);
         };
-        for (const Place& corner : {window_.low, window_.high}) {
+        for (const PlanePoint& corner : {window_.low, window_.high}) {
             meet(here.place.column, there.place.column, corner.column, corner, {1, 0});
             meet(here.place.row, there.place.row, corner.row, corner, {0, 1});
         }
@@ -207,7 +208,7 @@ class HalfCurve {
 
     // In the plane a curve turns back at a cusp, while its orbits go on smoothly.
     void look_for_cusp(const Stepper::Here& here, const Stepper::Here& there) {
-        const Place before = Stepper::along(here.tangent);
+        const PlanePoint before = Stepper::along(here.tangent);
         if (dot(before, Stepper::along(there.tangent)) > 0) return;
         constexpr int most_halvings = 40;
         OrbitPoint low = here.point;

@@ -31,7 +31,7 @@ enum class LabelEdge : std::int8_t {
 inline constexpr std::size_t label_edge_kinds = 5;
 
 struct CurvePoint {
-    Place place;
+    PlanePoint place;
     double multiplier = 0;  // of the orbit without the grazing impact; largest in size, with its sign
     double peak_force = 0;  // F/(k A0)
     double residual = 0;
@@ -45,12 +45,12 @@ struct CurvePoint {
 
 struct Special {
     SpecialKind kind = SpecialKind::cusp;
-    Place place;
+    PlanePoint place;
 };
 
 // Where a curve has one of the gaps that were asked for.
 struct Crossing {
-    Place place;
+    PlanePoint place;
     double multiplier = 0;  // as those of a CurvePoint
     double peak_force = 0;
     Orbit orbit;
@@ -72,13 +72,13 @@ struct Curve {
 
 // The part of the plane in which curves are wanted.
 struct Window {
-    Place low;
-    Place high;
+    PlanePoint low;
+    PlanePoint high;
     std::vector<double> gaps = {};  // at which the places of curves are told, as coordinates
     std::size_t gap_axis = 1;       // of them: 0 along the columns
-    [[nodiscard]] Place size() const { return {high.column - low.column, high.row - low.row}; }
+    [[nodiscard]] PlanePoint size() const { return {high.column - low.column, high.row - low.row}; }
     // Its border belongs to it, as far as rounding lets tell.
-    [[nodiscard]] bool holds(const Place& place, double beyond = 1e-9) const {
+    [[nodiscard]] bool holds(const PlanePoint& place, double beyond = 1e-9) const {
         const double across = beyond * size().column;
         const double up = beyond * size().row;
         return place.column >= low.column - across && place.column <= high.column + across &&

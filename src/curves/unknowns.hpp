@@ -33,7 +33,7 @@ class Unknowns {
 // An orbit at its place: a point on a branch or a curve.
 struct OrbitPoint {
     Orbit orbit;
-    Place place;
+    PlanePoint place;
 };
 
 // Moves all unknowns of a point.

@@ -107,7 +107,7 @@ class BranchWalk {
     std::optional<Seed> go_on(Stepper::Here here, UnstableBranch& branch) {
         constexpr int most_points = 2000;
         for (int count = 0; count < most_points; ++count) {
-            const Place along = Stepper::along(here.tangent);
+            const PlanePoint along = Stepper::along(here.tangent);
             const double share = std::abs(coordinate(along, axis_));
             const auto next = stepper_.next(here, std::min(0.1, 0.01 / std::max(share, 1e-3)));
             if (!next) return std::nullopt;
@@ -138,7 +138,7 @@ class BranchWalk {
     void end_at_border(const OrbitPoint& here, const OrbitPoint& there, UnstableBranch& branch) {
         const double from = coordinate(here.place, axis_);
         const double to = coordinate(there.place, axis_);
-        const Place corner = to > from ? window_.high : window_.low;
+        const PlanePoint corner = to > from ? window_.high : window_.low;
         if (!has_same_events(here.orbit, there.orbit)) return;
         const double share = (coordinate(corner, axis_) - from) / (to - from);
         const auto last = solve(rig_, between(here, there, share), window_.size(),

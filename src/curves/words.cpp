@@ -67,7 +67,7 @@ std::string edges_text(const EdgeCount& edges) {
 }
 
 // What length of the curves, in shares of the window, is of a kind.
-std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const Place& window) {
+std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const PlanePoint& window) {
     std::array<double, label_edge_kinds> lengths{};
     for (const Curve& curve : found.curves) {
         for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
@@ -89,8 +89,8 @@ std::string label_edges_text(const job::Job& job, const Findings& found) {
         "where it lives a cell's breadth from the curve, but [start] ends elsewhere",
         "where it lives in a strip narrower than a cell", "where it could not be followed"};
     const Rig rig(job);
-    const Place high = rig.place_of({job.columns.to, job.rows.to});
-    const Place low = rig.place_of({job.columns.from, job.rows.from});
+    const PlanePoint high = rig.place_of({job.columns.to, job.rows.to});
+    const PlanePoint low = rig.place_of({job.columns.from, job.rows.from});
     const auto lengths = lengths_by_edge(found, {high.column - low.column, high.row - low.row});
     const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
     std::array<int, label_edge_kinds> curves{};

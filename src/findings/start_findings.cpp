@@ -26,7 +26,7 @@ AttractorLabel label_of(const StoredAttractor& attractor) {
 
 // all: those in use, the largest share first, and last what is known without a share.
 void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::span<const StoredAttractor> all,
-              const parallel::Place& place) {
+              const parallel::CellIndex& place) {
     StartCounts& counts = findings.counts;
     ++counts.cells;
     ++counts.by_number[std::min(static_cast<std::size_t>(cell.attractors), StartCounts::told_apart)];

@@ -14,7 +14,7 @@
 #include "job/job_source.hpp"
 #include "job/nearest.hpp"
 #include "job/toml_text.hpp"
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka::job {
 namespace {
@@ -111,7 +111,7 @@ class Rigs {
                                             "write it like rig = \"rigs/170mm.toml\"",
                                             named.type_in_words()));
         }
-        if (word->empty() || harmless(*word, word->size()) != *word) {
+        if (word->empty() || escape_untrusted(*word, word->size()) != *word) {
             return fault(named,
                          "is no name of a file; it is looked for from the folder of the file that names "
                          "it; write it like rig = \"rigs/170mm.toml\"");

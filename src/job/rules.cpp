@@ -12,7 +12,7 @@
 #include "job/names.hpp"
 #include "job/settle.hpp"
 #include "job/toml_text.hpp"
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka::job {
 
@@ -178,7 +178,7 @@ std::string rule_of_trace(const Job& job) {
 }
 
 std::string rule_of_cell_of_map(const CellOfMap& cell, std::string_view table) {
-    if (harmless(cell.map, cell.map.size()) != cell.map) {
+    if (escape_untrusted(cell.map, cell.map.size()) != cell.map) {
         return fmt::format(
             "{}.map has a line break or control character; it is the name of a file, which messages show; "
             "rename that file",
@@ -201,7 +201,7 @@ std::string rule_of_title(std::string_view title) {
         return fmt::format("title has {} bytes; it heads every picture and has at most {}; shorten it",
                            title.size(), longest);
     }
-    if (harmless(title, longest) != title)
+    if (escape_untrusted(title, longest) != title)
         return "title has a line break or control character; it is one line of text; remove it";
     return {};
 }

@@ -5,19 +5,19 @@ namespace peterka::job {
 bool stores(const Job& job, const cell::Quantity& quantity) {
     if (quantity.since > job.layout) return false;
     switch (quantity.keeping.kept) {
-        case cell::Kept::always:
+        case cell::StoredWhen::always:
             return true;
-        case cell::Kept::in_refined_maps:
+        case cell::StoredWhen::in_refined_maps:
             return job.refine.levels > 0;
-        case cell::Kept::in_sweeps:
+        case cell::StoredWhen::in_sweeps:
             return job.kind == Kind::sweep;
-        case cell::Kept::of_many_starts:
+        case cell::StoredWhen::of_many_starts:
             return job.starts.count > 0;
-        case cell::Kept::of_rigid_stops:
+        case cell::StoredWhen::of_rigid_stops:
             return is_rigid(job.contact);
-        case cell::Kept::of_certificates:
+        case cell::StoredWhen::of_certificates:
             return job.certificate.cells > 0;
-        case cell::Kept::on_request:
+        case cell::StoredWhen::on_request:
             break;
     }
     const OptionalField field = quantity.keeping.field.value();

@@ -27,7 +27,7 @@
 #include "map_file/root_attributes.hpp"
 #include "map_file/seal.hpp"
 #include "support/errors.hpp"
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka::map_file {
 
@@ -152,7 +152,7 @@ void refuse_to_go_on(const std::filesystem::path& path, const std::string& with,
                      const std::string& here) {
     refuse(path,
            fmt::format("was computed with {} ({}; this machine: {}), so the rest would not fit to the last bit",
-                       with, harmless(in_file), here),
+                       with, escape_untrusted(in_file), here),
            "Resume on a machine like the first, or start over with --fresh.");
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka::map_file {
 
@@ -48,8 +48,8 @@ std::string job_difference(const std::string& in_file, const std::string& in_job
         const std::string in_the_file = value_or_absent(file_values, key);
         const std::string in_the_job = value_or_absent(job_values, key);
         if (in_the_file == in_the_job || ++differ > most_lines) continue;
-        lines += fmt::format("\n  {}: {} in the file, {} in the job", harmless(key), harmless(in_the_file),
-                             harmless(in_the_job));
+        lines += fmt::format("\n  {}: {} in the file, {} in the job", escape_untrusted(key),
+                             escape_untrusted(in_the_file), escape_untrusted(in_the_job));
     }
     if (differ > most_lines) lines += fmt::format("\n  and {} more keys", differ - most_lines);
     return lines;

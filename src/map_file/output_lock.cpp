@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "support/errors.hpp"
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka::map_file {
 
@@ -36,7 +36,7 @@ std::string holder(int descriptor) {
     std::array<char, 256> text{};
     const auto length = ::pread(descriptor, text.data(), text.size(), 0);
     const std::string_view all(text.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
-    return all.starts_with(mark) ? harmless(all.substr(mark.size())) : "another process";
+    return all.starts_with(mark) ? escape_untrusted(all.substr(mark.size())) : "another process";
 }
 
 // Whether what is open can be a lock that a run has made: a file without other names, empty or marked.

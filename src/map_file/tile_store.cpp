@@ -113,7 +113,7 @@ std::vector<std::byte> TileStore::read_whole(const parallel::Tile& tile) const {
     return bytes;
 }
 
-quantities::StoredCell TileStore::read_cell(const parallel::Place& cell) const {
+quantities::StoredCell TileStore::read_cell(const parallel::CellIndex& cell) const {
     PETERKA_EXPECT(0 <= cell.row && cell.row < tiling_.grid().rows);
     PETERKA_EXPECT(0 <= cell.column && cell.column < tiling_.grid().columns);
     const parallel::Tile tile = tiling_.tile(tiling_.index_at(cell));

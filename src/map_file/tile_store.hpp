@@ -47,7 +47,7 @@ class TileStore {
     // Slot after slot, cell by cell; none without [starts].
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(const parallel::Tile& tile) const;
     // One cell, with its whole tile's checksum.
-    [[nodiscard]] quantities::StoredCell read_cell(const parallel::Place& cell) const;
+    [[nodiscard]] quantities::StoredCell read_cell(const parallel::CellIndex& cell) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
     [[nodiscard]] double seconds(const parallel::Tile& tile) const;  // NaN for a tile that was never written
 

@@ -69,14 +69,14 @@ LiveCell::LiveCell(const job::Job& job, std::size_t points)
     : scene_(job),
       cell_(scene_.cell(0, 0)),
       motion_(std::max<std::size_t>(points, 1)),
-      search_(regime::solve_cell(desk_, scene_.job(), cell_, {}, points > 0 ? &motion_ : nullptr)) {
+      search_(regime::solve_cell(broker_, scene_.job(), cell_, {}, points > 0 ? &motion_ : nullptr)) {
     search_.start();
 }
 
 bool LiveCell::advance(std::int64_t cycles) {
     for (std::int64_t done = 0; done < cycles && !search_.done();) {
-        done += static_cast<std::int64_t>(desk_.order().cycles);
-        engine_.serve(desk_);
+        done += static_cast<std::int64_t>(broker_.order().cycles);
+        engine_.serve(broker_);
     }
     if (search_.done()) result_ = search_.result();
     return search_.done();

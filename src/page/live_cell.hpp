@@ -41,7 +41,7 @@ class LiveCell {
 
     // Of a solved cell.
     [[nodiscard]] regime::CellResult result() const { return result_; }
-    [[nodiscard]] trace::Carrier carrier() const { return trace::carrier_of(desk_, result_); }
+    [[nodiscard]] trace::Carrier carrier() const { return trace::carrier_of(broker_, result_); }
     [[nodiscard]] const regime::SteadyMotion& steady_motion() const { return motion_; }
     [[nodiscard]] const scene::Scene& scene() const { return scene_; }
     [[nodiscard]] const scene::State<double>& start() const { return cell_.start; }
@@ -53,7 +53,7 @@ class LiveCell {
     scene::Scene scene_;
     scene::Cell cell_;
     regime::SteadyMotion motion_;
-    regime::CycleDesk desk_;
+    regime::CycleBroker broker_;
     Task<regime::CellResult> search_;
     regime::ScalarEngine engine_;
     regime::CellResult result_;

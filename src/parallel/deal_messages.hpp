@@ -30,7 +30,7 @@ struct Report {
 };
 
 struct Order {
-    Turns turns;  // none: leave
+    TurnRange turns;  // none: leave
 };
 
 // Both travel as plain 64-bit integers.

@@ -14,12 +14,12 @@
 namespace peterka::parallel {
 
 // Turns first, first + 1, ..., end - 1 of a DealOrder.
-struct Turns {
+struct TurnRange {
     std::int64_t first = 0;
     std::int64_t end = 0;
 
     [[nodiscard]] std::int64_t size() const { return end - first; }
-    friend bool operator==(const Turns&, const Turns&) = default;
+    friend bool operator==(const TurnRange&, const TurnRange&) = default;
 };
 
 class DealOrder {

@@ -24,7 +24,7 @@ bool Dealer::run() {
 }
 
 std::optional<Tile> Dealer::next() {
-    const Turns mine = pool_.take(1);
+    const TurnRange mine = pool_.take(1);
     if (mine.size() == 0) return std::nullopt;
     ++tiles_in_hand_;
     return tiling_.tile(pool_.order().tile(mine.first).value());
@@ -62,7 +62,7 @@ void Dealer::serve() {
     }
     stopping_ = stopping_ || work_.stop_requested();
     while (!waiting_.empty() && pool_.remaining() > 0 && !stopping_) {
-        const Turns run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
+        const TurnRange run = pool_.take(deal_size(pool_.remaining(), pool_.all(), session_.size()));
         send_order(waiting_.front(), {run});
         remote_of(waiting_.front()).tiles_owed += run.size();
         waiting_.pop_front();

@@ -27,7 +27,7 @@ bool TilePool::has(std::int64_t turn) const {
     return tile && tiles_.has(*tile);
 }
 
-Turns TilePool::take(std::int64_t limit) {
+TurnRange TilePool::take(std::int64_t limit) {
     if (remaining_ == 0 || limit <= 0) return {};
     while (!has(turn_)) ++turn_;
     const std::int64_t first = turn_;

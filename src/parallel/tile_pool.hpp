@@ -21,7 +21,7 @@ class TilePool {
     [[nodiscard]] std::int64_t remaining() const { return remaining_; }
     [[nodiscard]] std::int64_t all() const { return all_; }  // remaining() when the pool was made
     // The next turns in a row, at most `limit` of them; none if nothing is left.
-    [[nodiscard]] Turns take(std::int64_t limit);
+    [[nodiscard]] TurnRange take(std::int64_t limit);
 
   private:
     [[nodiscard]] bool has(std::int64_t turn) const;

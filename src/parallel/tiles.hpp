@@ -17,10 +17,10 @@ struct Extent {
 };
 
 // A cell.
-struct Place {
+struct CellIndex {
     std::int64_t row = 0;
     std::int64_t column = 0;
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const CellIndex&, const CellIndex&) = default;
 };
 
 inline constexpr Extent tile_extent{16, 16};
@@ -57,7 +57,7 @@ class Tiling {
     }
 
     // The tile that a cell lies in.
-    [[nodiscard]] std::int64_t index_at(const Place& cell) const {
+    [[nodiscard]] std::int64_t index_at(const CellIndex& cell) const {
         return cell.row / largest_tile_.rows * tiles_.columns + cell.column / largest_tile_.columns;
     }
 

@@ -42,7 +42,7 @@ void Worker::await_dismissal() {
 
 std::optional<Tile> Worker::next() {
     if (dismissed_ || runs_.empty()) return std::nullopt;
-    Turns& run = runs_.front();
+    TurnRange& run = runs_.front();
     const Tile tile = tiling_.tile(order_.tile(run.first++).value());
     if (run.size() == 0) runs_.pop_front();
     ++tiles_in_hand_;

@@ -44,7 +44,7 @@ class Worker : private TileSource {
 
     Order arriving_;                          // where MPI writes the next order
     MPI_Request receive_ = MPI_REQUEST_NULL;  // null once dismissed
-    std::deque<Turns> runs_;                  // what is left of them
+    std::deque<TurnRange> runs_;              // what is left of them
     std::int64_t tiles_in_hand_ = 0;
     bool dismissed_ = false;
     LookOut look_out_{2e-3};

@@ -72,7 +72,7 @@ std::int64_t Region::bytes(const job::Job& job, const parallel::Tile& rectangle)
     return static_cast<std::int64_t>(needed_for(job, rectangle).back().cells() * size_of_cell(job));
 }
 
-std::vector<parallel::Place> Region::next() {
+std::vector<parallel::CellIndex> Region::next() {
     to_compute_.clear();
     while (to_compute_.empty() && levels_to_do_ > 0) {
         const std::size_t level = --levels_to_do_;

@@ -32,7 +32,7 @@ class Region {
 
     // Goes on to the next lattice with cells that must be computed, and gives them; none once every cell of the
     // rectangle has its value.
-    [[nodiscard]] std::vector<parallel::Place> next();
+    [[nodiscard]] std::vector<parallel::CellIndex> next();
     // The results of these, in their order.
     void put(std::span<const attractors::SolvedCell> results);
 
@@ -57,7 +57,7 @@ class Region {
     std::int64_t starts_;            // of each cell, besides [start]
     std::vector<Rectangle> needed_;  // by level: cells whose values are used, on the lattice of stride 2^level
     std::size_t levels_to_do_;
-    std::vector<parallel::Place> to_compute_;
+    std::vector<parallel::CellIndex> to_compute_;
     std::vector<attractors::SolvedCell> cells_;  // of the largest rectangle, row by row
 };
 

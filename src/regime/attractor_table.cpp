@@ -72,16 +72,16 @@ AttractorTable::AttractorTable(const scene::Oscillator<double>& rig, std::span<c
             static_cast<std::int64_t>(saved / static_cast<double>(cycles_for_neighbourhood(result.period)));
         const std::int64_t count = std::min({affordable, most_places, std::int64_t{result.period}});
         const scene::Oscillator<double> oscillator = with_cubic(rig, candidate.found.cubic);
-        CycleDesk desk;
+        CycleBroker broker;
         add(oscillator, candidate.found,
-            complete(find_places(desk, oscillator, candidate.found, count), desk).neighbourhoods);
+            complete(find_places(broker, oscillator, candidate.found, count), broker).neighbourhoods);
     }
 }
 
 void AttractorTable::add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
                          std::span<const Neighbourhood> places) {
     if (places.empty()) return;
-    OfOneMap& map = map_of(oscillator, found.settings);
+    AttractorsOfMap& map = map_of(oscillator, found.settings);
     for (const Neighbourhood& place : places) map.places_.push_back({place, found.result});
 }
 
@@ -90,16 +90,16 @@ void AttractorTable::add(const scene::Oscillator<double>& oscillator, const Foun
     map_of(oscillator, found.settings).orbits_.push_back({std::move(orbit), found.result, found.by_cubic});
 }
 
-AttractorTable::OfOneMap& AttractorTable::map_of(const scene::Oscillator<double>& oscillator,
-                                                 const EngineSettings& settings) {
+AttractorTable::AttractorsOfMap& AttractorTable::map_of(const scene::Oscillator<double>& oscillator,
+                                                        const EngineSettings& settings) {
     auto map = std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, settings); });
-    if (map == maps_.end()) map = maps_.insert(map, OfOneMap(oscillator.cubic, settings));
+    if (map == maps_.end()) map = maps_.insert(map, AttractorsOfMap(oscillator.cubic, settings));
     return *map;
 }
 
-Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
+Task<Places> find_places(CycleBroker& broker, scene::Oscillator<double> oscillator, FoundAttractor found,
                          std::int64_t count) {
-    StroboscopicMap map(oscillator, found.settings, desk);
+    StroboscopicMap map(oscillator, found.settings, broker);
     const Point point = map.scaled(
         scene::State<double>(found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity));
     Places places;
@@ -108,9 +108,9 @@ Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, 
     co_return places;
 }
 
-Task<std::optional<KnownOrbit>> find_known_orbit(CycleDesk& desk, scene::Oscillator<double> oscillator,
+Task<std::optional<KnownOrbit>> find_known_orbit(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                                  FoundAttractor found, std::int64_t* spent) {
-    StroboscopicMap map(oscillator, found.settings, desk);
+    StroboscopicMap map(oscillator, found.settings, broker);
     const Point point = map.scaled(
         scene::State<double>(found.result.orbit_displacement - oscillator.gap, found.result.orbit_velocity));
     auto orbit = co_await follow_known_orbit(map, point, found.result.period);
@@ -118,12 +118,12 @@ Task<std::optional<KnownOrbit>> find_known_orbit(CycleDesk& desk, scene::Oscilla
     co_return orbit;
 }
 
-bool AttractorTable::OfOneMap::is_of(const scene::Oscillator<double>& oscillator,
-                                     const EngineSettings& settings) const {
+bool AttractorTable::AttractorsOfMap::is_of(const scene::Oscillator<double>& oscillator,
+                                            const EngineSettings& settings) const {
     return cubic_ == oscillator.cubic && same_map(oscillator, settings_, settings);
 }
 
-std::optional<CubicShift> AttractorTable::OfOneMap::shift_of(const CellResult& taken) const {
+std::optional<CubicShift> AttractorTable::AttractorsOfMap::shift_of(const CellResult& taken) const {
     const auto known = std::ranges::find_if(orbits_, [&](const Orbit& each) {
         return each.attractor.period == taken.period &&
                each.attractor.orbit_displacement == taken.orbit_displacement &&
@@ -132,8 +132,8 @@ std::optional<CubicShift> AttractorTable::OfOneMap::shift_of(const CellResult& t
     return known == orbits_.end() ? std::nullopt : known->by_cubic;
 }
 
-std::optional<AttractorTable::OfOneMap::Near> AttractorTable::OfOneMap::orbit_near(const Point& state,
-                                                                                   std::int64_t q) const {
+std::optional<AttractorTable::AttractorsOfMap::Near> AttractorTable::AttractorsOfMap::orbit_near(
+    const Point& state, std::int64_t q) const {
     for (const Orbit& each : orbits_) {
         if (q % each.orbit.period() != 0) continue;
         if (auto orbit = each.orbit.seen_from(state)) return Near{std::move(*orbit), &each.attractor};
@@ -141,8 +141,8 @@ std::optional<AttractorTable::OfOneMap::Near> AttractorTable::OfOneMap::orbit_ne
     return std::nullopt;
 }
 
-const AttractorTable::OfOneMap* AttractorTable::of(const scene::Oscillator<double>& oscillator,
-                                                   const EngineSettings& settings) const {
+const AttractorTable::AttractorsOfMap* AttractorTable::of(const scene::Oscillator<double>& oscillator,
+                                                          const EngineSettings& settings) const {
     const auto map =
         std::ranges::find_if(maps_, [&](const auto& any) { return any.is_of(oscillator, settings); });
     return map == maps_.end() ? nullptr : &*map;

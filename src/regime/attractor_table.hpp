@@ -30,7 +30,7 @@ struct FoundAttractor {
 class AttractorTable {
   public:
     // Those of one map.
-    class OfOneMap {
+    class AttractorsOfMap {
       public:
         // The attractor to which a state at forcing phase 0 surely leads; nullptr where none is known.
         [[nodiscard]] const CellResult* reached_from(const Point& state) const {
@@ -51,7 +51,7 @@ class AttractorTable {
 
       private:
         friend class AttractorTable;
-        OfOneMap(double cubic, const EngineSettings& settings) : cubic_(cubic), settings_(settings) {}
+        AttractorsOfMap(double cubic, const EngineSettings& settings) : cubic_(cubic), settings_(settings) {}
         [[nodiscard]] bool is_of(const scene::Oscillator<double>& oscillator,
                                  const EngineSettings& settings) const;
 
@@ -86,13 +86,13 @@ class AttractorTable {
     void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found, KnownOrbit orbit);
 
     // nullptr where none of this map is known.
-    [[nodiscard]] const OfOneMap* of(const scene::Oscillator<double>& oscillator,
-                                     const EngineSettings& settings) const;
+    [[nodiscard]] const AttractorsOfMap* of(const scene::Oscillator<double>& oscillator,
+                                            const EngineSettings& settings) const;
 
   private:
-    OfOneMap& map_of(const scene::Oscillator<double>& oscillator, const EngineSettings& settings);
+    AttractorsOfMap& map_of(const scene::Oscillator<double>& oscillator, const EngineSettings& settings);
 
-    std::vector<OfOneMap> maps_;
+    std::vector<AttractorsOfMap> maps_;
 };
 
 // Whether both settings make the same map of an oscillator.
@@ -106,16 +106,16 @@ struct Places {
 
 // Of so many points of an attractor that has an orbit. oscillator: of its map, with or without the cubic
 // spring.
-[[nodiscard]] Task<Places> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator,
+[[nodiscard]] Task<Places> find_places(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                        FoundAttractor found, std::int64_t count);
 
 // The orbit of an attractor that has one; the cycles spent on it go to `spent`.
-[[nodiscard]] Task<std::optional<KnownOrbit>> find_known_orbit(CycleDesk& desk,
+[[nodiscard]] Task<std::optional<KnownOrbit>> find_known_orbit(CycleBroker& broker,
                                                                scene::Oscillator<double> oscillator,
                                                                FoundAttractor found, std::int64_t* spent);
 
 // For a search: which attractors it knows beforehand, and where it leaves what it finds.
-struct Attractors {
+struct SearchContext {
     const AttractorTable* known = nullptr;         // nullptr: none
     std::vector<FoundAttractor>* found = nullptr;  // nullptr: nobody asks
     // Chaos is known, too: a motion that has forgotten its start, and isn't settled after so many cycles, is

@@ -106,9 +106,9 @@ std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t r
         scene::Cell cell = scene.cell(row, column);
         gap = cell.oscillator.gap;
         if (last) cell.start = start_from(*last, cell);
-        CycleDesk desk;
-        const Task<CellResult> search = solve_cell(desk, scene.job(), cell, {}, &motion);
-        run(search, desk, look);
+        CycleBroker broker;
+        const Task<CellResult> search = solve_cell(broker, scene.job(), cell, {}, &motion);
+        run(search, broker, look);
         result = search.result();
         if (motion.end && branch.direction != job::Direction::independent) {
             last = ended(cell, *motion.end);

@@ -9,10 +9,10 @@
 
 namespace peterka::regime {
 
-Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscillator, EngineSettings engine,
-                                CellResult without) {
+Task<CubicShift> shift_by_cubic(CycleBroker& broker, scene::Oscillator<double> oscillator,
+                                EngineSettings engine, CellResult without) {
     constexpr double converging = 0.1;  // of the first step: the second one is smaller
-    StroboscopicMap map(oscillator, engine, desk);
+    StroboscopicMap map(oscillator, engine, broker);
     const auto q = static_cast<std::size_t>(without.period);
     PeriodicOrbit orbit;
     orbit.points = {
@@ -20,7 +20,7 @@ Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscil
 
     OrbitRound first(without.period);
     for (std::size_t n = 0; n < q; ++n) {
-        const Passage cycle = co_await map.cycle(orbit.points[n]);
+        const CycleResult cycle = co_await map.cycle(orbit.points[n]);
         if (!cycle.ok) co_return {{}, map.cycles_spent()};
         if (n + 1 < q) orbit.points.push_back(cycle.end);
         first.add(cycle, orbit.points[(n + 1) % q]);
@@ -31,7 +31,7 @@ Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscil
     Recorder<double> recorder;
     OrbitRound second(without.period);
     for (std::size_t n = 0; n < q; ++n) {
-        const Passage cycle = co_await map.cycle(orbit.points[n], &recorder);
+        const CycleResult cycle = co_await map.cycle(orbit.points[n], &recorder);
         if (!cycle.ok) co_return {{}, map.cycles_spent()};
         second.add(cycle, orbit.points[(n + 1) % q]);
     }

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "regime/engine.hpp"
 #include "scene/oscillator.hpp"
 #include "support/task.hpp"
@@ -24,7 +24,7 @@ struct CubicShift {
 };
 
 // oscillator: with the cubic term. without: a result of regime `periodic` of the same cell without it.
-Task<CubicShift> shift_by_cubic(CycleDesk& desk, scene::Oscillator<double> oscillator, EngineSettings engine,
-                                CellResult without);
+Task<CubicShift> shift_by_cubic(CycleBroker& broker, scene::Oscillator<double> oscillator,
+                                EngineSettings engine, CellResult without);
 
 }  // namespace peterka::regime

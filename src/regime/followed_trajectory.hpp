@@ -70,8 +70,8 @@ class FollowedTrajectory {
         ahead_ = kept_;
     }
     // The next cycle of those ordered; where it failed the trajectory ends before it.
-    [[nodiscard]] Passage advance(const StroboscopicMap& map) {
-        Passage cycle = map.passage(ahead_.front());
+    [[nodiscard]] CycleResult advance(const StroboscopicMap& map) {
+        CycleResult cycle = map.passage(ahead_.front());
         ahead_ = ahead_.subspan(1);
         if (!cycle.ok) return cycle;
         state_ = cycle.end;

@@ -38,7 +38,7 @@ std::optional<PeriodicOrbit> KnownOrbit::seen_from(const Point& state) const {
 Task<std::optional<KnownOrbit>> follow_known_orbit(StroboscopicMap& map, Point point, std::int64_t q) {
     auto orbit = co_await find_orbit(map, point, q);
     if (!orbit || !is_stable(*orbit) || has_smaller_period(*orbit)) co_return std::nullopt;
-    std::vector<Passage> cycles;
+    std::vector<CycleResult> cycles;
     for (const Point& from : orbit->points) {
         cycles.push_back(co_await map.cycle(from));
         if (!cycles.back().ok) co_return std::nullopt;

@@ -19,7 +19,7 @@ namespace peterka::regime {
 class KnownOrbit {
   public:
     // Points, one cycle after the other, and the cycles from them.
-    KnownOrbit(Points points, std::vector<Passage> cycles)
+    KnownOrbit(Points points, std::vector<CycleResult> cycles)
         : points_(std::move(points)), cycles_(std::move(cycles)) {}
 
     [[nodiscard]] std::int64_t period() const { return static_cast<std::int64_t>(points_.size()); }
@@ -28,7 +28,7 @@ class KnownOrbit {
 
   private:
     Points points_;
-    std::vector<Passage> cycles_;
+    std::vector<CycleResult> cycles_;
 };
 
 // The stable orbit of period q at a point that is known about. Takes some four rounds.

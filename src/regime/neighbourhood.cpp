@@ -18,10 +18,10 @@ constexpr double largest_multiplier =
     0.999;  // weaker orbits attract too slowly to tell from rounding and folds
 
 // From where a whole period leads.
-Task<Passage> go_round(StroboscopicMap& map, Point from, std::int64_t q) {
-    Passage round = co_await map.cycle(from);
+Task<CycleResult> go_round(StroboscopicMap& map, Point from, std::int64_t q) {
+    CycleResult round = co_await map.cycle(from);
     for (std::int64_t n = 1; n < q && round.ok; ++n) {
-        const Passage next = co_await map.cycle(round.end);
+        const CycleResult next = co_await map.cycle(round.end);
         round.ok = next.ok;
         round.end = next.end;
         round.jacobian = (next.jacobian * round.jacobian).eval();
@@ -42,7 +42,7 @@ Task<bool> shrinks(StroboscopicMap& map, Target target, double radius) {
     const double into = (1 + target.norm.contraction()) / 2 * radius;
     for (int sample = 0; sample < samples; ++sample) {
         const Point from = ellipse.boundary(2 * std::numbers::pi * sample / samples);
-        const Passage round = co_await go_round(map, from, target.period);
+        const CycleResult round = co_await go_round(map, from, target.period);
         if (!round.ok || round.pattern != target.pattern) co_return false;
         if (!(target.norm(round.end - target.point) <= into)) co_return false;
     }
@@ -85,11 +85,11 @@ Task<std::vector<Neighbourhood>> find_neighbourhoods(StroboscopicMap& map, Point
     std::int64_t reached = 0;  // cycles after the orbit's point
     for (std::int64_t n = 0; n < count; ++n) {
         for (; reached < n * q / count; ++reached) {
-            const Passage cycle = co_await map.cycle(point);
+            const CycleResult cycle = co_await map.cycle(point);
             if (!cycle.ok) co_return found;
             point = cycle.end;
         }
-        const Passage round = co_await go_round(map, point, q);
+        const CycleResult round = co_await go_round(map, point, q);
         const double multiplier = spectral_radius(round.jacobian);
         if (!round.ok || !(multiplier < largest_multiplier)) co_return found;
         const Target target{point, q, AdaptedNorm(round.jacobian, multiplier), round.pattern};

@@ -16,7 +16,7 @@ Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Ob
         observation.begin_again();
         OrbitRound round(orbit.period());
         for (std::size_t point = 0; point < q; ++point) {
-            const Passage cycle = co_await map.cycle(orbit.points[point], &observation.recorder());
+            const CycleResult cycle = co_await map.cycle(orbit.points[point], &observation.recorder());
             if (!cycle.ok) co_return MeasuredOrbit{round, cycle.outcome};
             round.add(cycle, orbit.points[(point + 1) % q]);
             observation.end_cycle();

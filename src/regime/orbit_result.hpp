@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "regime/cell_result.hpp"
-#include "regime/settling.hpp"
+#include "regime/lasting_motion_proof.hpp"
 #include "regime/stroboscopic_map.hpp"
 
 namespace peterka::regime {

@@ -5,7 +5,7 @@
 
 namespace peterka::regime {
 
-void OrbitRound::add(const Passage& cycle, const Point& following) {
+void OrbitRound::add(const CycleResult& cycle, const Point& following) {
     const Point residual = cycle.end - following;
     steps_.push_back({cycle.jacobian, residual, cycle.pattern});
     residual_ = (cycle.jacobian * residual_ + residual).eval();

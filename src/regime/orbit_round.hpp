@@ -20,7 +20,7 @@ class OrbitRound {
     explicit OrbitRound(std::int64_t period) { steps_.reserve(static_cast<std::size_t>(period)); }
 
     // The cycle from the next point; `following`: the point that comes after it on the orbit.
-    void add(const Passage& cycle, const Point& following);
+    void add(const CycleResult& cycle, const Point& following);
 
     // Moves the points, in the order of their cycles, to where Newton's method says; the largest move,
     // relative. None where it leads nowhere; the points then stay.

@@ -67,7 +67,7 @@ Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess
     for (int step = 0; step <= newton_steps; ++step) {
         OrbitRound round(orbit.period());
         for (std::size_t n = 0; n < q; ++n) {
-            const Passage cycle = co_await map.cycle(orbit.points[n]);
+            const CycleResult cycle = co_await map.cycle(orbit.points[n]);
             if (!cycle.ok) co_return std::nullopt;
             round.add(cycle, orbit.points[(n + 1) % q]);
         }
@@ -91,7 +91,7 @@ Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q) {
     Points points{guess};
     while (static_cast<std::int64_t>(points.size()) < q) {
-        const Passage cycle = co_await map.cycle(points.back());
+        const CycleResult cycle = co_await map.cycle(points.back());
         if (!cycle.ok) co_return std::nullopt;
         points.push_back(cycle.end);
     }
@@ -147,7 +147,7 @@ ConvergenceTest::Standing ConvergenceTest::advance(const Point& state, EventPatt
     return grows || ++failures_ >= allowed_failures ? Standing::refuted : Standing::open;
 }
 
-ConvergenceTest::Standing ConvergenceTest::follow(const Passage& cycle) {
+ConvergenceTest::Standing ConvergenceTest::follow(const CycleResult& cycle) {
     pattern_ = append(pattern_, cycle.pattern);
     if (++followed_ < orbit_.period()) return Standing::open;
     followed_ = 0;

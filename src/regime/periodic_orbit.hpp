@@ -63,7 +63,7 @@ class ConvergenceTest {
     // The state one orbit period later, and the pattern of the cycles in between.
     Standing advance(const Point& state, EventPattern pattern);
     // One cycle more. It stays open up to the end of a period.
-    Standing follow(const Passage& cycle);
+    Standing follow(const CycleResult& cycle);
 
   private:
     PeriodicOrbit orbit_;

@@ -33,7 +33,7 @@ class Recurrence {
     }
 
     // Records the state after one more cycle and that cycle's events.
-    void record(const Passage& cycle) {
+    void record(const CycleResult& cycle) {
         ++recorded_;
         if (cycle.touched) last_touch_ = recorded_;
         const Kept now{cycle.pattern, cycle.jacobian.cast<float>()};
@@ -64,7 +64,7 @@ class Recurrence {
         Points points;
         for (std::int64_t i = q; i > 0; --i) points.push_back(state(ago + i));
         for (std::int64_t i = q - 1; i >= 0; --i) {
-            Passage cycle;
+            CycleResult cycle;
             cycle.end = state(ago + i);
             cycle.jacobian = passage(recorded_ - ago - i).jacobian.cast<double>();
             round.add(cycle, points[static_cast<std::size_t>((q - i) % q)]);

@@ -8,20 +8,20 @@
 #include <variant>
 #include <vector>
 
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "support/task.hpp"
 
 namespace peterka::regime {
 
 class ScalarEngine {
   public:
-    // Serves the order that waits at the desk.
-    void serve(CycleDesk& desk) {
-        if (!map_ || engine_ != desk.engines_used()) {
-            map_.emplace(make_cycle_map(desk.oscillator(), desk.settings()));
-            engine_ = desk.engines_used();
+    // Serves the order that waits at the broker.
+    void serve(CycleBroker& broker) {
+        if (!map_ || engine_ != broker.engines_used()) {
+            map_.emplace(make_cycle_map(broker.oscillator(), broker.settings()));
+            engine_ = broker.engines_used();
         }
-        const CycleOrder& order = desk.order();
+        const CycleRequest& order = broker.order();
         cycles_.clear();
         std::visit(
             [&](auto& map) {
@@ -33,7 +33,7 @@ class ScalarEngine {
                          cycles_.back().outcome == trajectory::Cycle<double>::Outcome::done);
             },
             *map_);
-        desk.serve(cycles_);
+        broker.serve(cycles_);
     }
 
   private:
@@ -44,7 +44,7 @@ class ScalarEngine {
 
 // Runs a search to its end, or until `look`, called every now and then, throws.
 template <class Result>
-void run(const Task<Result>& search, CycleDesk& desk, const std::function<void()>& look) {
+void run(const Task<Result>& search, CycleBroker& broker, const std::function<void()>& look) {
     constexpr std::size_t cycles_between_looks = 64;
     ScalarEngine engine;
     search.start();
@@ -53,17 +53,17 @@ void run(const Task<Result>& search, CycleDesk& desk, const std::function<void()
             look();
             cycles = 0;
         }
-        cycles += desk.order().cycles;
-        engine.serve(desk);
+        cycles += broker.order().cycles;
+        engine.serve(broker);
     }
 }
 
 // Runs a search to its end.
 template <class Result>
-Result complete(const Task<Result>& search, CycleDesk& desk) {
+Result complete(const Task<Result>& search, CycleBroker& broker) {
     ScalarEngine engine;
     search.start();
-    while (!search.done()) engine.serve(desk);
+    while (!search.done()) engine.serve(broker);
     return search.result();
 }
 

@@ -9,9 +9,9 @@
 #include "job/stored_quantities.hpp"
 #include "regime/cubic_shift.hpp"
 #include "regime/growth.hpp"
+#include "regime/lasting_motion_proof.hpp"
 #include "regime/orbit_result.hpp"
 #include "regime/scalar_engine.hpp"
-#include "regime/settling.hpp"
 
 namespace peterka::regime {
 
@@ -47,11 +47,11 @@ bool has_lasting_proof(const CellResult& result) {
 }
 
 // One cell: all searches that it takes.
-class Solution {
+class CellSolver {
   public:
-    Solution(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
-             SteadyMotion* motion)
-        : desk_(desk),
+    CellSolver(CycleBroker& broker, const job::Job& job, scene::Cell cell, SearchContext attractors,
+               SteadyMotion* motion)
+        : broker_(broker),
           cell_(std::move(cell)),
           solver_(job.solver),
           budget_(job.steady_state),
@@ -129,7 +129,7 @@ class Solution {
         if (known != nullptr) {
             if (const auto shift = known->shift_of(without)) co_return *shift;
         }
-        const CubicShift shift = co_await shift_by_cubic(desk_, cell_.oscillator,
+        const CubicShift shift = co_await shift_by_cubic(broker_, cell_.oscillator,
                                                          {Engine::split, coarse(), reach_of(without)}, without);
         spent_ += shift.cycles;
         // the search without it was the last one
@@ -177,7 +177,7 @@ class Solution {
 
     // Whether a cell that ends without a contact, or in one that never ends, may do otherwise with the cubic
     // term. Leaving it out is a disturbance of at most effect/3 times the motion, and the response to a bounded
-    // disturbance at most `gain` times that (regime/settling.hpp).
+    // disturbance at most `gain` times that (regime/lasting_motion_proof.hpp).
     [[nodiscard]] bool is_near_its_edge(const CellResult& without, double effect) const {
         if (without.regime == Regime::periodic) return false;
         if (without.regime == Regime::sustained_contact) {
@@ -208,7 +208,7 @@ class Solution {
                             EngineSettings engine) {
         engine.orbit_tolerance = solver_.tolerance;
         const CellResult result =
-            co_await find_steady_state(desk_, oscillator, start, budget_, engine, measures_, attractors_);
+            co_await find_steady_state(broker_, oscillator, start, budget_, engine, measures_, attractors_);
         spent_ += result.cycles;
         co_return result;
     }
@@ -216,17 +216,17 @@ class Solution {
     Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
                            EngineSettings engine) {
         const CellResult result =
-            co_await find_steady_state(desk_, oscillator, start, budget_, engine, {},
+            co_await find_steady_state(broker_, oscillator, start, budget_, engine, {},
                                        {attractors_.known, attractors_.found}, rounding_decides);
         spent_ += result.cycles;
         co_return result;
     }
 
-    CycleDesk& desk_;
+    CycleBroker& broker_;
     scene::Cell cell_;
     job::Solver solver_;
     job::SteadyState budget_;
-    Attractors attractors_;
+    SearchContext attractors_;
     Measures measures_;
     std::int64_t spent_ = 0;
 };
@@ -248,24 +248,24 @@ CellResult solve_again(const job::Job& job, const scene::Cell& cell, Engine firs
 }
 
 std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell) {
-    CycleDesk desk;
-    return Solution(desk, job, cell, {}, nullptr).at_once();
+    CycleBroker broker;
+    return CellSolver(broker, job, cell, {}, nullptr).at_once();
 }
 
-Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
-                            Attractors attractors) {
-    return solve_cell(desk, scene.job(), scene.cell(row, column), attractors);
+Task<CellResult> solve_cell(CycleBroker& broker, const scene::Scene& scene, std::int64_t row,
+                            std::int64_t column, SearchContext attractors) {
+    return solve_cell(broker, scene.job(), scene.cell(row, column), attractors);
 }
 
-Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors,
-                            SteadyMotion* motion) {
-    Solution solution(desk, job, std::move(cell), attractors, motion);
+Task<CellResult> solve_cell(CycleBroker& broker, const job::Job& job, scene::Cell cell,
+                            SearchContext attractors, SteadyMotion* motion) {
+    CellSolver solution(broker, job, std::move(cell), attractors, motion);
     co_return co_await solution.run();
 }
 
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column) {
-    CycleDesk desk;
-    return complete(solve_cell(desk, scene, row, column), desk);
+    CycleBroker broker;
+    return complete(solve_cell(broker, scene, row, column), broker);
 }
 
 }  // namespace peterka::regime

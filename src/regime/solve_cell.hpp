@@ -5,19 +5,19 @@
 #include <optional>
 
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "regime/steady_state.hpp"
 #include "scene/scene.hpp"
 
 namespace peterka::regime {
 
-// With engines of its own, or as a task whose cycles others serve at the desk.
+// With engines of its own, or as a task whose cycles others serve at the broker.
 CellResult solve_cell(const scene::Scene& scene, std::int64_t row, std::int64_t column);
-Task<CellResult> solve_cell(CycleDesk& desk, const scene::Scene& scene, std::int64_t row, std::int64_t column,
-                            Attractors attractors = {});
+Task<CellResult> solve_cell(CycleBroker& broker, const scene::Scene& scene, std::int64_t row,
+                            std::int64_t column, SearchContext attractors = {});
 // The same from any start; `motion` for who wants the one that the search ends in.
-Task<CellResult> solve_cell(CycleDesk& desk, const job::Job& job, scene::Cell cell, Attractors attractors = {},
-                            SteadyMotion* motion = nullptr);
+Task<CellResult> solve_cell(CycleBroker& broker, const job::Job& job, scene::Cell cell,
+                            SearchContext attractors = {}, SteadyMotion* motion = nullptr);
 
 // The same result where the start alone shows that the stop is never met, without any cycle; else nothing.
 std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell);

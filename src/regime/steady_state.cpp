@@ -10,12 +10,12 @@
 #include "regime/failed_cycle.hpp"
 #include "regime/followed_trajectory.hpp"
 #include "regime/growth.hpp"
+#include "regime/lasting_motion_proof.hpp"
 #include "regime/orbit_measurement.hpp"
 #include "regime/orbit_result.hpp"
 #include "regime/periodic_orbit.hpp"
 #include "regime/recurrence.hpp"
 #include "regime/scalar_engine.hpp"
-#include "regime/settling.hpp"
 #include "regime/stroboscopic_map.hpp"
 
 namespace peterka::regime {
@@ -32,8 +32,8 @@ class Search {
   public:
     Search(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
            const job::SteadyState& budget, const EngineSettings& engine, const Measures& measures,
-           const Attractors& attractors, double most_growth, CycleDesk& desk)
-        : map_(oscillator, engine, desk),
+           const SearchContext& attractors, double most_growth, CycleBroker& broker)
+        : map_(oscillator, engine, broker),
           known_(attractors.known != nullptr ? attractors.known->of(oscillator, engine) : nullptr),
           knows_chaos_(attractors.chaos),
           conservative_(is_conservative(oscillator)),
@@ -105,7 +105,7 @@ class Search {
     // the cycles is what a long search spends its time on.
     Followed follow_ordered() {
         do {
-            const Passage cycle = trajectory_.advance(map_);
+            const CycleResult cycle = trajectory_.advance(map_);
             if (!cycle.ok) return {.outcome = cycle.outcome};
             growth_.advance(cycle.jacobian);
             if (conservative_) continue;  // nothing recurs for good
@@ -125,7 +125,7 @@ class Search {
         return most_growth_ < std::numeric_limits<double>::infinity() && growth_.sensitivity() > most_growth_;
     }
     [[nodiscard]] bool joins_chaos() const {
-        return knows_chaos_ && trajectory_.cycles() >= Attractors::cycles_to_settle &&
+        return knows_chaos_ && trajectory_.cycles() >= SearchContext::cycles_to_settle &&
                growth_.sensitivity() > rounding_decides;
     }
     [[nodiscard]] bool is_chaotic() const {
@@ -161,7 +161,7 @@ class Search {
         co_return std::nullopt;
     }
     // Whether the trajectory is proved to converge to the orbit found.
-    bool converges(const Passage& last_cycle) {
+    bool converges(const CycleResult& last_cycle) {
         const auto standing = test_->follow(last_cycle);
         if (standing == ConvergenceTest::Standing::refuted) {
             test_.reset();
@@ -212,7 +212,7 @@ class Search {
         Observation observation({.detail = measures_.detail}, map_.oscillator().period());
         const bool records_contacts = observation.recorder().records_contacts();
         if (records_contacts) {
-            const Passage cycle = co_await map_.cycle(map_.scaled(motion.point), &observation.recorder());
+            const CycleResult cycle = co_await map_.cycle(map_.scaled(motion.point), &observation.recorder());
             if (!cycle.ok) co_return failed(cycle.outcome);
             observation.end_cycle();
         }
@@ -270,12 +270,12 @@ class Search {
     }
 
     StroboscopicMap map_;
-    const AttractorTable::OfOneMap* known_;  // nullptr: none
+    const AttractorTable::AttractorsOfMap* known_;  // nullptr: none
     bool knows_chaos_;
     bool conservative_;
     std::int64_t forgot_after_ = 0;  // cycles; 0: not yet
     FollowedTrajectory trajectory_;
-    Settling settling_;
+    LastingMotionProof settling_;
     Recurrence recurrence_;
     Growth growth_;
     ChaosClaim chaos_;
@@ -290,10 +290,10 @@ class Search {
 
 }  // namespace
 
-Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> oscillator,
+Task<CellResult> find_steady_state(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                    scene::State<double> start, job::SteadyState budget, EngineSettings engine,
-                                   Measures measures, Attractors attractors, double most_growth) {
-    Search search(oscillator, start, budget, engine, measures, attractors, most_growth, desk);
+                                   Measures measures, SearchContext attractors, double most_growth) {
+    Search search(oscillator, start, budget, engine, measures, attractors, most_growth, broker);
     const CellResult result = co_await search.run();
     if (attractors.found != nullptr) attractors.found->push_back({oscillator.cubic, engine, result});
     co_return result;
@@ -301,8 +301,8 @@ Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> os
 
 CellResult find_steady_state(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                              const job::SteadyState& budget, const EngineSettings& engine, Measures measures) {
-    CycleDesk desk;
-    return complete(find_steady_state(desk, oscillator, start, budget, engine, measures), desk);
+    CycleBroker broker;
+    return complete(find_steady_state(broker, oscillator, start, budget, engine, measures), broker);
 }
 
 }  // namespace peterka::regime

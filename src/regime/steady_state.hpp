@@ -21,7 +21,7 @@
 #include "job/job.hpp"
 #include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "regime/engine.hpp"
 #include "regime/observation.hpp"
 #include "scene/oscillator.hpp"
@@ -30,14 +30,14 @@
 namespace peterka::regime {
 
 // start: (delta, delta') at forcing phase 0. Never throws for numerical reasons: those are the result's status.
-// With an engine of its own, or as a task whose cycles others serve at the desk.
+// With an engine of its own, or as a task whose cycles others serve at the broker.
 CellResult find_steady_state(const scene::Oscillator<double>& oscillator, const scene::State<double>& start,
                              const job::SteadyState& budget, const EngineSettings& engine = {},
                              Measures measures = {});
 // most_growth: of errors, ln; beyond it the search gives up.
-Task<CellResult> find_steady_state(CycleDesk& desk, scene::Oscillator<double> oscillator,
+Task<CellResult> find_steady_state(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                    scene::State<double> start, job::SteadyState budget, EngineSettings engine,
-                                   Measures measures, Attractors attractors = {},
+                                   Measures measures, SearchContext attractors = {},
                                    double most_growth = std::numeric_limits<double>::infinity());
 
 }  // namespace peterka::regime

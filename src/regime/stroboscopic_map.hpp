@@ -1,5 +1,6 @@
 // The stroboscopic map as the decision procedure sees it: scaled to states of order one, and counting its
-// cycles. Whoever serves the desk integrates them. Scales are powers of two, so that scaling changes no digit.
+// cycles. Whoever serves the broker integrates them. Scales are powers of two, so that scaling changes no
+// digit.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "support/reused_memory.hpp"
 #include "trajectory/contact_rates.hpp"
 
@@ -24,7 +25,7 @@ using Point = Eigen::Vector2d;  // (delta, delta') over the scales of the scene
 using Points = std::vector<Point, ReusingAllocator<Point>>;
 
 // One cycle.
-struct Passage {
+struct CycleResult {
     bool ok = true;
     trajectory::Cycle<double>::Outcome outcome = trajectory::Cycle<double>::Outcome::done;
     Point end;
@@ -36,7 +37,7 @@ struct Passage {
 
 class StroboscopicMap {
   public:
-    struct Several : CycleDesk::Served {
+    struct Several : CycleBroker::Served {
         StroboscopicMap* map;
         [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const {
             const auto cycles = Served::await_resume();
@@ -47,12 +48,12 @@ class StroboscopicMap {
 
     // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
     StroboscopicMap(const scene::Oscillator<double>& oscillator, const EngineSettings& settings,
-                    CycleDesk& desk)
-        : desk_(&desk), oscillator_(oscillator), settings_(settings) {
+                    CycleBroker& broker)
+        : broker_(&broker), oscillator_(oscillator), settings_(settings) {
         const double length = trajectory::response_length(oscillator);
         scale_ = {power_of_two(length), power_of_two(length * std::max(1.0, oscillator.frequency))};
         per_scale_ = scale_.cwiseInverse();
-        desk.use(oscillator, settings);
+        broker.use(oscillator, settings);
     }
 
     [[nodiscard]] const scene::Oscillator<double>& oscillator() const { return oscillator_; }
@@ -80,23 +81,25 @@ class StroboscopicMap {
     void set_tolerance(double tolerance) {
         if (tolerance == settings_.tolerance) return;
         settings_.tolerance = tolerance;
-        desk_->use(oscillator_, settings_);
+        broker_->use(oscillator_, settings_);
     }
     [[nodiscard]] std::int64_t cycles_spent() const { return spent_; }
 
     // co_await map.cycle(from) gives the Passage of one cycle.
     [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
         struct Single : Several {
-            [[nodiscard]] Passage await_resume() const { return map->passage(Several::await_resume().front()); }
+            [[nodiscard]] CycleResult await_resume() const {
+                return map->passage(Several::await_resume().front());
+            }
         };
         return Single{cycles(from, recorder, 1)};
     }
     // co_await map.cycles(from, recorder, count) gives cycles in a row, for as long as no others are ordered;
     // passage() tells of each.
     [[nodiscard]] Several cycles(const Point& from, Recorder<double>* recorder, std::size_t count) {
-        return Several{desk_->cycles({unscaled(from), recorder, count}), this};
+        return Several{broker_->cycles({unscaled(from), recorder, count}), this};
     }
-    [[nodiscard]] Passage passage(const trajectory::Cycle<double>& cycle) const {
+    [[nodiscard]] CycleResult passage(const trajectory::Cycle<double>& cycle) const {
         return {cycle.outcome == trajectory::Cycle<double>::Outcome::done,
                 cycle.outcome,
                 scaled(cycle.end),
@@ -109,7 +112,7 @@ class StroboscopicMap {
   private:
     static double power_of_two(double size) { return std::exp2(std::round(std::log2(size))); }
 
-    CycleDesk* desk_;
+    CycleBroker* broker_;
     scene::Oscillator<double> oscillator_;
     EngineSettings settings_;
     Point scale_;

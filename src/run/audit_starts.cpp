@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "attractors/start_sequence.hpp"
 #include "regime/same_attractor.hpp"
 #include "regime/solve_cell.hpp"
@@ -21,11 +21,11 @@ std::vector<regime::CellResult> ends_of_starts(const scene::Scene& scene, std::i
                                                std::int64_t column) {
     std::vector<regime::CellResult> ends;
     const regime::AttractorTable none;
-    attractors::CellCrowd crowd(
-        scene, none, [&](attractors::CellCrowd::Solved solved) { ends = std::move(solved.cell.ends); },
+    attractors::MultiStartPool pool(
+        scene, none, [&](attractors::MultiStartPool::Solved solved) { ends = std::move(solved.cell.ends); },
         attractors::Ends::told);
-    crowd.add(row, column, 0);
-    while (!crowd.empty()) crowd.step();
+    pool.add(row, column, 0);
+    while (!pool.empty()) pool.step();
     return ends;
 }
 

@@ -8,7 +8,7 @@
 #include "parallel/broadcast.hpp"
 #include "parallel/collective.hpp"
 #include "parallel/dealing.hpp"
-#include "regime/cell_pool.hpp"
+#include "regime/search_pool.hpp"
 #include "run/solve_tiles.hpp"
 
 namespace peterka {
@@ -35,15 +35,15 @@ struct Found {
 void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, parallel::TileSource& source,
                   std::vector<Found>& found) {
     const regime::AttractorTable nothing_known;
-    regime::CellPool pool(
+    regime::SearchPool pool(
         pilots, nothing_known,
-        [&](const regime::CellPool::Solved& pilot) {
+        [&](const regime::SearchPool::Solved& pilot) {
             for (const regime::FoundAttractor& attractor : pilot.found) {
                 found.push_back({pilot.number, attractor});
             }
             source.solved(tiling.tile(pilot.number));
         },
-        regime::CellPool::Findings::handed_on);
+        regime::SearchPool::Findings::handed_on);
     keep_solving(pool, source, [&] {
         const auto pilot = source.next();
         if (pilot) pool.add(pilot->row, pilot->column, pilot->index);

@@ -50,7 +50,7 @@ std::int64_t starts_bytes(const job::Job& job) {
 std::int64_t region_bytes(const job::Job& job) {
     if (job.refine.levels == 0) return 0;
     const parallel::Tiling regions = refine::regions_of({job.rows.points, job.columns.points}, 1);
-    const parallel::Place middle{job.rows.points / 2, job.columns.points / 2};
+    const parallel::CellIndex middle{job.rows.points / 2, job.columns.points / 2};
     const auto in_hand = std::min(static_cast<std::int64_t>(refine::most_in_hand), regions.count());
     return in_hand * refine::Region::bytes(job, regions.tile(regions.index_at(middle)));
 }

@@ -22,7 +22,7 @@ namespace {
 using map_file::MapFile;
 using parallel::Session;
 
-using parallel::Place;
+using parallel::CellIndex;
 using parallel::Tile;
 using Results = std::span<const attractors::SolvedCell>;
 
@@ -30,7 +30,7 @@ using Results = std::span<const attractors::SolvedCell>;
 TileWork whole_tiles(MapFile& file) {
     return {.begin =
                 [](const Tile& tile) {
-                    std::vector<Place> cells;
+                    std::vector<CellIndex> cells;
                     for (std::int64_t i = 0; i < tile.size(); ++i) {
                         cells.push_back(
                             {tile.row + i / tile.extent.columns, tile.column + i % tile.extent.columns});
@@ -40,7 +40,7 @@ TileWork whole_tiles(MapFile& file) {
             .go_on =
                 [&](const Tile& tile, Results cells, double seconds) {
                     file.write_tile(tile, cells, seconds);
-                    return std::vector<Place>();
+                    return std::vector<CellIndex>();
                 }};
 }
 
@@ -61,10 +61,10 @@ class RefinedRegions {
     }
 
   private:
-    std::vector<Place> go_on(const Tile& rectangle, Results cells, double seconds) {
+    std::vector<CellIndex> go_on(const Tile& rectangle, Results cells, double seconds) {
         refine::Region& region = regions_.at(rectangle.index);
         region.put(cells);
-        std::vector<Place> places = region.next();
+        std::vector<CellIndex> places = region.next();
         if (!places.empty()) return places;
         const std::vector<Tile> tiles = refine::tiles_in(rectangle, file_.tiling());
         for (const Tile& tile : tiles) {

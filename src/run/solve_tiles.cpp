@@ -6,17 +6,17 @@
 #include <unordered_map>
 #include <utility>
 
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "run/certify_cell.hpp"
 #include "support/stopwatch.hpp"
 
 namespace peterka {
 namespace {
 
-class TilesInHand {
+class TileSolver {
   public:
-    TilesInHand(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
-                parallel::TileSource& source)
+    TileSolver(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
+               parallel::TileSource& source)
         : scene_(scene),
           work_(work),
           source_(source),
@@ -29,7 +29,7 @@ class TilesInHand {
   private:
     struct Open {
         parallel::Tile tile;
-        std::vector<parallel::Place> cells = {};
+        std::vector<parallel::CellIndex> cells = {};
         std::vector<attractors::SolvedCell> results = {};
         std::size_t added = 0;
         std::size_t solved = 0;
@@ -46,7 +46,7 @@ class TilesInHand {
             solve(open, work_.begin(*tile));
         }
         Open& open = *waiting_.front();
-        const parallel::Place& cell = open.cells[open.added];
+        const parallel::CellIndex& cell = open.cells[open.added];
         const std::int64_t number = open.tile.index * most_cells + static_cast<std::int64_t>(open.added);
         ++open.added;
         if (open.added == open.cells.size()) waiting_.pop_front();
@@ -54,7 +54,7 @@ class TilesInHand {
         return true;
     }
 
-    void solve(Open& open, std::vector<parallel::Place> cells) {
+    void solve(Open& open, std::vector<parallel::CellIndex> cells) {
         if (cells.empty()) {
             source_.solved(open.tile);
             open_.erase(open.tile.index);
@@ -67,7 +67,7 @@ class TilesInHand {
         waiting_.push_front(&open);  // tiles that are begun come to an end before others
     }
 
-    void keep(attractors::CellCrowd::Solved cell) {
+    void keep(attractors::MultiStartPool::Solved cell) {
         const Stopwatch certifying;
         Open& open = open_.at(cell.number / most_cells);
         const auto i = static_cast<std::size_t>(cell.number % most_cells);
@@ -85,14 +85,14 @@ class TilesInHand {
     parallel::TileSource& source_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
     std::deque<Open*> waiting_;                    // with cells that are still to be added
-    attractors::CellCrowd pool_;
+    attractors::MultiStartPool pool_;
 };
 
 }  // namespace
 
 void solve_tiles(const scene::Scene& scene, const regime::AttractorTable& known, const TileWork& work,
                  parallel::TileSource& source) {
-    TilesInHand(scene, known, work, source).solve();
+    TileSolver(scene, known, work, source).solve();
 }
 
 }  // namespace peterka

@@ -18,11 +18,11 @@ namespace peterka {
 
 struct TileWork {
     // The cells that are to be solved for a tile at first.
-    std::function<std::vector<parallel::Place>(const parallel::Tile& tile)> begin;
+    std::function<std::vector<parallel::CellIndex>(const parallel::Tile& tile)> begin;
     // Takes their results, in the same order, and the seconds of computing that the tile took so far. Gives the
     // cells that are to be solved next; none once the tile is stored.
-    std::function<std::vector<parallel::Place>(const parallel::Tile& tile,
-                                               std::span<const attractors::SolvedCell> results, double seconds)>
+    std::function<std::vector<parallel::CellIndex>(
+        const parallel::Tile& tile, std::span<const attractors::SolvedCell> results, double seconds)>
         go_on;
     // So many tiles are begun at most before one of them is stored.
     std::size_t most_in_hand = std::numeric_limits<std::size_t>::max();

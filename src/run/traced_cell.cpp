@@ -22,7 +22,7 @@ namespace peterka {
 namespace {
 
 using job::Axis;
-using parallel::Place;
+using parallel::CellIndex;
 
 [[noreturn]] void refuse(const std::string& text) {
     throw Failure(ExitCode::bad_job, text);
@@ -111,7 +111,7 @@ std::map<std::string, double> values_on_axes(const job::CellOfMap& cell, const j
 
 // The cell that a job names, and what was asked for on the map's axes where that is how it is named.
 struct Named {
-    Place cell;
+    CellIndex cell;
     std::optional<double> column;
     std::optional<double> row;
 };
@@ -125,15 +125,16 @@ Named cell_of(const job::Job& job, const job::Job& map) {
             refuse(fmt::format("{0}.row and {0}.column name a cell, and {1} names one, too; remove one of them",
                                table_of(job), cell.values.begin()->first));
         }
-        const Place place{checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
-                          checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
+        const CellIndex place{checked_index(fmt::format("{}.row", table_of(job)), cell.row, map.rows),
+                              checked_index(fmt::format("{}.column", table_of(job)), cell.column, map.columns)};
         return {place, std::nullopt, std::nullopt};
     }
     if (!values.contains(column) || !values.contains(row)) {
         refuse(fmt::format("no cell of the {0} is named; give {3}.row and {3}.column, or {1} and {2}",
                            job::name(map.kind), column, row, table_of(job)));
     }
-    const Place place{nearest(map.rows, row, values.at(row)), nearest(map.columns, column, values.at(column))};
+    const CellIndex place{nearest(map.rows, row, values.at(row)),
+                          nearest(map.columns, column, values.at(column))};
     return {place, values.at(column), values.at(row)};
 }
 
@@ -173,7 +174,7 @@ job::Job with_rig_of(const job::Job& job, const job::CellNumbers& numbers) {
 }
 
 // A cell is followed as it was computed.
-job::Job trace_of_cell(const job::Job& job, const job::Job& map, const Place& cell) {
+job::Job trace_of_cell(const job::Job& job, const job::Job& map, const CellIndex& cell) {
     const job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
     job::Job own = with_rig_of(map, numbers);
     own.kind = job::Kind::trace;

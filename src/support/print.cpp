@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "support/errors.hpp"
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka {
 

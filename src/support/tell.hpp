@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 namespace peterka {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 
 namespace peterka::trace {
 
@@ -12,8 +12,8 @@ struct Carrier {
 };
 
 // The engine used last is that of the result, or one that only looked what the cubic spring would change.
-inline Carrier carrier_of(const regime::CycleDesk& desk, const regime::CellResult& result) {
-    Carrier carrier{desk.oscillator(), desk.settings()};
+inline Carrier carrier_of(const regime::CycleBroker& broker, const regime::CellResult& result) {
+    Carrier carrier{broker.oscillator(), broker.settings()};
     if (result.engine == regime::Engine::exact) {
         carrier.oscillator = without_cubic(carrier.oscillator);
         carrier.settings = {};

@@ -106,9 +106,9 @@ void skip(Course& course, std::int64_t cycles) {
 
 Course driven(const scene::Scene& scene) {
     const job::Job& job = scene.job();
-    regime::CycleDesk desk;
-    const regime::CellResult result = regime::complete(regime::solve_cell(desk, scene, 0, 0), desk);
-    const Carrier carrier = carrier_of(desk, result);
+    regime::CycleBroker broker;
+    const regime::CellResult result = regime::complete(regime::solve_cell(broker, scene, 0, 0), broker);
+    const Carrier carrier = carrier_of(broker, result);
     Course course{carrier.oscillator, carrier.settings, scene.cell(0, 0).start,
                   static_cast<double>(job.trace.cycles) * carrier.oscillator.period()};
     course.cell = result;

@@ -23,8 +23,8 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
-from peterka.look import axes, style  # noqa: E402
-from peterka.look.figures import new_figure  # noqa: E402
+from peterka.plotting import axes, style  # noqa: E402
+from peterka.plotting.figures import new_figure  # noqa: E402
 
 JOB = "jobs/attractors_170mm.toml"
 COUNTS = (4, 16, 64, 256, 1024)

@@ -98,7 +98,7 @@ def test_without_a_compiler_the_map_and_its_values_are_shown(browser, map_file, 
 
 @pytest.mark.parametrize("changed, is_other", [
     ("cell/labels.hpp", True), ("integrators/integrated_cycle_map.hpp", True), ("page/build_wasm.sh", True),
-    ("engine_sources.txt", True), ("regime/cell_pool.cpp", False), ("report/summary.cpp", False)])
+    ("engine_sources.txt", True), ("regime/search_pool.cpp", False), ("report/summary.cpp", False)])
 def test_the_engine_is_built_anew_where_a_file_that_it_is_made_of_changed(tmp_path, monkeypatch, changed, is_other):
     source = tmp_path / "src"
     shutil.copytree(engine.SOURCE, source)

@@ -14,7 +14,7 @@ from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.keys import Keys
 
 sys.path.insert(0, str(pages.ROOT / "postprocess"))
-from peterka.look.classes import CLASSES, classify  # noqa: E402
+from peterka.plotting.classes import CLASSES, classify  # noqa: E402
 from peterka.page import page as page_module  # noqa: E402
 from peterka.pictures import open_file  # noqa: E402
 

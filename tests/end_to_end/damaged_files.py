@@ -24,7 +24,7 @@ import launch
 POSTPROCESS = Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
 peterka = importlib.import_module("peterka")
-NotDrawable = importlib.import_module("peterka.files.opened").NotDrawable
+PeterkaFileError = importlib.import_module("peterka.errors").PeterkaFileError
 
 SECTOR = 512
 SECONDS = 10  # of the processor, after which a reader hangs
@@ -180,7 +180,7 @@ class Readers:
 
     def _read_by_all(self, path):
         """What one reader refuses, all have to; pictures of the same numbers are the same."""
-        with contextlib.suppress(NotDrawable):
+        with contextlib.suppress(PeterkaFileError):
             return SAME if contents_of(path) == self.sound else OTHER
         for name in PROGRAMS:
             errors = io.StringIO()

@@ -76,7 +76,7 @@ def test_a_part_has_the_cells_at_its_ends(files, monkeypatch, unit, zoom, in_si)
     and have the ends on the axes."""
     monkeypatch.setattr(sys, "path", [str(POSTPROCESS), *sys.path])
     from peterka.pictures import open_file
-    from peterka.program.picture_options import zoomed
+    from peterka.cli.picture_options import zoomed
 
     beyond = np.array(zoom) * (1 + 0.025 * np.array([1, -1, 1, -1]))  # nearly a cell inside
     with open_file(files("plane", unit)) as file:

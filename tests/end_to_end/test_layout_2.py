@@ -63,7 +63,7 @@ def test_hdf5_breaks_down_over_a_damaged_one_in_a_process_of_its_own(old):
     breaks_down = h5py.version.hdf5_version_tuple < (1, 14)
     with_a_heap_that_crashes_hdf5(old)
     reason = "HDF5 breaks down over it" if breaks_down else "is of kind None"
-    with pytest.raises(importlib.import_module("peterka.files.opened").NotDrawable, match=reason):
+    with pytest.raises(importlib.import_module("peterka.errors").PeterkaFileError, match=reason):
         pictures.open_file(old)
     jobs.write(old.parent, jobs.trace_of(old, "row = 0\ncolumn = 1"))
     for job, code, otherwise in (("job.toml", 2, "is damaged: something outside its cells"), ("layout_2.toml", 3, "has layout version 2")):

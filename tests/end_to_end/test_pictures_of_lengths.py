@@ -13,10 +13,10 @@ from any_axes import axis, map_over
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
-from peterka.files.checked_hdf5 import NotDrawable  # noqa: E402
+from peterka.errors import PeterkaFileError  # noqa: E402
 from peterka.measurements.points import read_measurements  # noqa: E402
 from peterka.pictures import open_file, pictures_of  # noqa: E402
-from peterka.program.picture_options import zoomed  # noqa: E402
+from peterka.cli.picture_options import zoomed  # noqa: E402
 
 HERTZ, MILLIMETRES = 4.5, 0.89  # what ratios of 1 are, of jobs.RIG
 FREQUENCY, GAP = "excitation frequency (Hz)", "gap (mm)"
@@ -70,7 +70,7 @@ def test_a_zoom_is_in_the_units_of_the_main_axes(files, zoom, in_si):
 
 @pytest.mark.parametrize("zoom, in_si", [(IN_SI, False), (AS_RATIOS, True)])
 def test_a_zoom_is_in_no_other_units(files, zoom, in_si):
-    with open_file(files / "map.h5") as file, pytest.raises(NotDrawable, match="has 0 points of frequency_ratio"):
+    with open_file(files / "map.h5") as file, pytest.raises(PeterkaFileError, match="has 0 points of frequency_ratio"):
         zoomed(file, zoom, in_si=in_si)
 
 

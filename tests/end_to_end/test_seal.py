@@ -18,7 +18,7 @@ TESTS = Path(__file__).parents[1]
 sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]
 sealing = importlib.import_module("sealing")
 pictures = importlib.import_module("peterka.pictures")
-NotDrawable = importlib.import_module("peterka.files.opened").NotDrawable
+PeterkaFileError = importlib.import_module("peterka.errors").PeterkaFileError
 
 
 @pytest.fixture(scope="module", params=disk_faults.KINDS)
@@ -43,7 +43,7 @@ def refused(path):
     try:
         with pictures.open_file(path):
             return "the picture is drawn"
-    except NotDrawable as reason:
+    except PeterkaFileError as reason:
         return "" if str(path) in str(reason) else str(reason)
 
 
@@ -84,7 +84,7 @@ def test_one_flipped_bit_in_any_dataset_is_found(copy):
         try:
             with pictures.open_file(copy):
                 shown[name] = "drawn"
-        except NotDrawable:
+        except PeterkaFileError:
             pass
     assert shown == {}
 

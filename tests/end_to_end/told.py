@@ -22,12 +22,12 @@ import launch
 
 POSTPROCESS = Path(__file__).resolve().parents[2] / "postprocess"
 sys.path.insert(0, str(POSTPROCESS))
-from peterka.look.style import using  # noqa: E402
+from peterka.plotting.style import using  # noqa: E402
 from peterka.maps import comparison  # noqa: E402
 from peterka.maps.map_file import PeterkaFile  # noqa: E402
 from peterka.page import page  # noqa: E402
 from peterka.pictures import open_file, pictures_of  # noqa: E402
-from peterka.program.picture_options import zoomed  # noqa: E402
+from peterka.cli.picture_options import zoomed  # noqa: E402
 
 LIVE_CELLS = os.environ["LIVE_CELLS"]
 NAMES = {si: (ratio, unit) for ratio, si, unit in either_unit.COORDINATES.values()}
@@ -190,8 +190,8 @@ def parts(path, _):
     """The cells that --zoom leaves between the middles of the outer ones, asked for in ratios and in Hz and mm."""
     left = {}
     with open_file(path) as file:
-        from peterka.look.axes import si_scale
-        from peterka.look.coordinates import IN_MILLIMETRES
+        from peterka.plotting.axes import si_scale
+        from peterka.plotting.coordinates import IN_MILLIMETRES
 
         for in_si in (False, True):
             ends = []

@@ -24,10 +24,10 @@
 #include <utility>
 #include <vector>
 
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "job/read.hpp"
-#include "regime/cell_pool.hpp"
 #include "regime/same_attractor.hpp"
+#include "regime/search_pool.hpp"
 #include "regime/solve_cell.hpp"
 #include "scene/scene.hpp"
 #include "trajectory/exact_cycle_map.hpp"
@@ -70,9 +70,9 @@ job::Job random_job(Random& random, bool kicks) {
 attractors::SolvedCell solve(const scene::Scene& scene) {
     attractors::SolvedCell solved;
     const regime::AttractorTable none;
-    attractors::CellCrowd crowd(scene, none, [&](auto cell) { solved = std::move(cell.cell); });
-    crowd.add(0, 0, 0);
-    while (!crowd.empty()) crowd.step();
+    attractors::MultiStartPool pool(scene, none, [&](auto cell) { solved = std::move(cell.cell); });
+    pool.add(0, 0, 0);
+    while (!pool.empty()) pool.step();
     return solved;
 }
 
@@ -148,8 +148,8 @@ void follow(const scene::Scene& scene, const CellAttractor& attractor, std::int6
     job::Job job = scene.job();
     job.output.fields.clear();
     const regime::AttractorTable none;
-    regime::CellPool pool(scene, none,
-                          [&](const regime::CellPool::Solved& solved) { take(solved.number, solved.result); });
+    regime::SearchPool pool(
+        scene, none, [&](const regime::SearchPool::Solved& solved) { take(solved.number, solved.result); });
     const auto start_of = [&](const KickAt& kick) {
         if (scene::is_rigid(cell.oscillator.contact)) {
             return kicked(trajectory::RigidExactMap<double>(cell.oscillator), attractor, kick.phase,
@@ -161,8 +161,8 @@ void follow(const scene::Scene& scene, const CellAttractor& attractor, std::int6
         while (n < kicks && pool.has_room()) {
             const scene::State<double> start = start_of(kick_of(n));
             pool.add(
-                [&job, &cell, start](regime::CycleDesk& desk, std::vector<regime::FoundAttractor>* list) {
-                    return regime::solve_cell(desk, job, {cell.oscillator, start}, {nullptr, list});
+                [&job, &cell, start](regime::CycleBroker& broker, std::vector<regime::FoundAttractor>* list) {
+                    return regime::solve_cell(broker, job, {cell.oscillator, start}, {nullptr, list});
                 },
                 n++);
         }

@@ -19,7 +19,7 @@ TESTS = Path(__file__).parents[1]
 sys.path[:0] = [str(TESTS / "postprocess"), str(TESTS.parent / "postprocess")]
 
 import hostile_files  # noqa: E402
-from peterka.look import axes  # noqa: E402
+from peterka.plotting import axes  # noqa: E402
 
 PICTURES = ["--output-dir", "out", "--formats", "png"]
 

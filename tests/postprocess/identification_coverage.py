@@ -6,7 +6,7 @@ import numpy as np
 from scipy.stats import binom
 from simulated_hammer import noisy, simulate, varied
 
-from peterka.files.checked_hdf5 import NotDrawable
+from peterka.errors import PeterkaFileError
 from peterka.identification import numbers_found
 from peterka.identification.fit import fit
 from peterka.identification.recording import Recording
@@ -34,7 +34,7 @@ def pulls_of(hammer, recorded, names, noise, seed):
             numbers_found.DAMPING_RATIO: hammer.ratio, numbers_found.GAP: hammer.gap}
     try:
         found = fit(Recording(Path("simulated"), 0.0, time[1], noisy(columns, names, noise, seed)), hammer.mass).found
-    except NotDrawable as reason:
+    except PeterkaFileError as reason:
         return str(reason)
     return {key: (number.value - true[key]) / number.error for key in found.values if (number := found.number(key))}
 

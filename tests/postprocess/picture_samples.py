@@ -3,9 +3,9 @@
 import matplotlib.image
 import numpy as np
 from matplotlib.figure import Figure
-from peterka.look import axes
-from peterka.look.classes import CLASSES
-from peterka.look.figures import figure_of
+from peterka.plotting import axes
+from peterka.plotting.classes import CLASSES
+from peterka.plotting.figures import figure_of
 from sealing import SealedFile
 
 NO_IMPACT, CHAOTIC = (0, 0, 1), (2, 0, 0)

@@ -6,7 +6,7 @@ from claim_samples import CHAOS, HALF, JOB, ONE, TWICE, Held, plane
 from curves_samples import CROSSINGS, write_curves
 from peterka.claims import exact_limits, gap_zero
 from peterka.claims.folder import Curves, Folder
-from peterka.files.opened import NotDrawable
+from peterka.errors import PeterkaFileError
 from peterka.maps.curves_file import Crossing, Curve, CurvesFile
 from picture_samples import PLAIN, write_map
 
@@ -63,8 +63,8 @@ def test_crossings_are_read_from_the_file_of_curves(tmp_path):
 
 
 def test_a_crossing_that_cannot_be_and_a_file_of_another_kind_are_refused(tmp_path):
-    with pytest.raises(NotDrawable, match="crossing"):
+    with pytest.raises(PeterkaFileError, match="crossing"):
         CurvesFile(write_curves(tmp_path / "a.h5", crossings=[(3, 1.0, 1.0)]))
     write_map(tmp_path / "curves_170mm.h5", PLAIN, job=JOB)
-    with pytest.raises(NotDrawable, match="a curves file is needed"):
+    with pytest.raises(PeterkaFileError, match="a curves file is needed"):
         Folder(tmp_path).curves("curves_170mm")

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from claim_samples import JOB
 from peterka.claims import pulse
-from peterka.claims.folder import Folder, NotDrawable
+from peterka.errors import PeterkaFileError
+from peterka.claims.folder import Folder
 from peterka.claims.record import AGREES, DIFFERS
 from trace_samples import JUMP, MASS, PEAK, write_trace
 from sealing import SealedFile
@@ -94,9 +95,9 @@ def test_a_spectrum_that_never_falls_to_half_is_told_so(tmp_path):
 
 
 def test_traces_that_cannot_be_judged_are_refused(tmp_path):
-    with pytest.raises(NotDrawable, match="an impact without speed or time of contact"):
+    with pytest.raises(PeterkaFileError, match="an impact without speed or time of contact"):
         strikes(tmp_path, contact_s=0)  # as on a rigid stop
     for name in (pulse.RELEASE, pulse.STRONGEST):
         write_trace(tmp_path / f"{name}.h5", impacts=False, job=JOB)
-    with pytest.raises(NotDrawable, match="shows no impact with the flight after it"):
+    with pytest.raises(PeterkaFileError, match="shows no impact with the flight after it"):
         pulse.claims(Folder(tmp_path))

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from claim_samples import CHAOS, HALF, JOB, ONE, QUIET, TWICE, Held, basin, plane, verdicts
 from peterka.claims import force_map, gap_zero, jumps, robust, starts, stiffness
-from peterka.claims.folder import Folder, NotDrawable
+from peterka.errors import PeterkaFileError
+from peterka.claims.folder import Folder
 from peterka.claims.record import AGREES, DIFFERS
 from peterka.claims.sensitivity import contact_damping_with_both, rows
 from picture_samples import PLAIN, write_map
@@ -141,7 +142,7 @@ def test_the_nearest_basin_with_both_outcomes_is_told():
 
 def test_a_basin_of_the_second_place_without_lives_is_refused():
     without = plane([[ONE, QUIET]], last_impact=None)
-    with pytest.raises(NotDrawable, match="a.h5 holds no last_impact"):
+    with pytest.raises(PeterkaFileError, match="a.h5 holds no last_impact"):
         starts._second_basin(Held(basin_135mm=without))
 
 
@@ -262,11 +263,11 @@ def test_unfinished_files_are_refused(tmp_path):
     change(path, "regime", [5], -128)
     for name in ("impacts", "period"):
         change(path, name, [5], 0)
-    with pytest.raises(NotDrawable, match="sweep_150mm.h5 is not complete"):
+    with pytest.raises(PeterkaFileError, match="sweep_150mm.h5 is not complete"):
         jumps.claims(Folder(tmp_path))
     sweeps(tmp_path, directions=(0,))
-    with pytest.raises(NotDrawable, match="no branches with rising and with falling frequency"):
+    with pytest.raises(PeterkaFileError, match="no branches with rising and with falling frequency"):
         jumps.claims(Folder(tmp_path))
     write_map(tmp_path / "gaps_170mm.h5", [[(-128, 0, 0)] * 4] * 4, job=JOB)
-    with pytest.raises(NotDrawable, match="gaps_170mm.h5 is not complete"):
+    with pytest.raises(PeterkaFileError, match="gaps_170mm.h5 is not complete"):
         gap_zero.claims(Folder(tmp_path))

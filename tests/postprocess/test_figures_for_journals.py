@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from colour_distance import lightness
 from matplotlib.image import imread
-from peterka.look import figures, fills, style
-from peterka.look.classes import SECOND_COLOURS
-from peterka.look.figures import figure_of
+from peterka.plotting import figures, fills, style
+from peterka.plotting.classes import SECOND_COLOURS
+from peterka.plotting.figures import figure_of
 from peterka.maps import peterka_map
 from peterka.pictures import open_file, pictures_of
 from picture_samples import ALL_CLASSES, NO_IMPACT, CHAOTIC, Drawn, orbit, write_basin, write_map

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 from conftest import POSTPROCESS
-from peterka.program import interpreter
+from peterka.cli import interpreter
 from picture_samples import write_map
 
 PROGRAMS = sorted(path.name for path in POSTPROCESS.glob("*.py"))

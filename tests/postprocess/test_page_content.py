@@ -13,7 +13,7 @@ from curves_samples import LINES, write_curves
 from sealing import SealedFile
 from sweep_samples import POINTS, SAMPLES, write_sweep, write_sweep_with_starts
 
-from peterka.files.opened import NotDrawable
+from peterka.errors import PeterkaFileError
 from peterka.page import page as page_module
 from peterka.page.engine import NoEngine
 from peterka.pictures import open_file
@@ -93,7 +93,7 @@ def test_layers_that_are_asked_for(tmp_path):
     assert [layer["name"] for layer in content["layers"]] == ["peak_force_ratio", "stroboscopic_velocity"]
     assert content["layers"][1]["samples"] == SAMPLES
     for name in ("nothing", "jump", "regime", "sample"):
-        with pytest.raises(NotDrawable, match=f"has no number of each point named {name}"):
+        with pytest.raises(PeterkaFileError, match=f"has no number of each point named {name}"):
             content_of(path, [name])
 
 

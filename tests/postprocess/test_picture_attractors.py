@@ -5,7 +5,7 @@ import pytest
 from attractor_samples import write_attractors
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
-from peterka.files.opened import NotDrawable
+from peterka.errors import PeterkaFileError
 from peterka.maps import attractor_maps
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import pictures_of
@@ -106,7 +106,7 @@ def test_draw_makes_them_where_a_file_has_starts(tmp_path, draw):
 def test_a_share_that_is_none_is_refused(tmp_path):
     shares = np.zeros((4, 2, 3))
     shares[0] = 1.5
-    with PeterkaFile(write_attractors(tmp_path / "a.h5", shares)) as file, pytest.raises(NotDrawable, match="no share"):
+    with PeterkaFile(write_attractors(tmp_path / "a.h5", shares)) as file, pytest.raises(PeterkaFileError, match="no share"):
         attractor_maps.commonest(file)
 
 

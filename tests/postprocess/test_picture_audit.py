@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.maps import audit_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, NO_IMPACT, Drawn, orbit, write_audit, write_map

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import CHAOTIC, MISSING, NO_IMPACT, SUSTAINED, UNRESOLVED, Drawn, colour_named, orbit, write_basin

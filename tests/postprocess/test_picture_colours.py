@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import peterka
 from colour_distance import deuteranope_sight, difference, lightness, normal_sight, protanope_sight, tritanope_sight
-from peterka.look import fills
-from peterka.look.classes import CLASSES, INDEX, MOST_NAMED, SECOND_COLOURS, class_of, classify, named
-from peterka.look.fills import GREYS
+from peterka.plotting import fills
+from peterka.plotting.classes import CLASSES, INDEX, MOST_NAMED, SECOND_COLOURS, class_of, classify, named
+from peterka.plotting.fills import GREYS
 from peterka.maps import basin_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, Drawn, colour_named, write_map

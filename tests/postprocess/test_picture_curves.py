@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from curves_samples import LINES, write_curves
 from peterka.export.formats import export
-from peterka.files.opened import NotDrawable
-from peterka.look import axes, style
+from peterka.errors import PeterkaFileError
+from peterka.plotting import axes, style
 from peterka.maps import curves_map, edge_distance_map
 from peterka.maps.curves_file import CurvesFile
 from peterka.pictures import open_file, pictures_of
@@ -83,7 +83,7 @@ def test_the_program_of_pictures_knows_the_kind(tmp_path):
 @pytest.mark.parametrize("line", [(3, 1, 1, [(1.0, 1.0)]), (0, -1, 1, [(1.0, 1.0)]), (0, 1, 0, [(1.0, 1.0)]),
                                   (0, 1, 1, [(np.nan, 1.0)])])
 def test_a_curve_that_cannot_be_is_refused(tmp_path, line):
-    with pytest.raises(NotDrawable):
+    with pytest.raises(PeterkaFileError):
         CurvesFile(write_curves(tmp_path / "c.h5", [*LINES, line]))
 
 
@@ -95,7 +95,7 @@ SOUND = (0.5, 1, 1, [(1.5, 20.0, 0.4), (1.6, 21.0, 0.3)])
 def test_unstable_orbits_that_cannot_be_are_refused(tmp_path, branch):
     with CurvesFile(write_curves(tmp_path / "sound.h5", branches=[SOUND])) as file:
         assert file.unstable_branches[0].force.tolist() == [20.0, 21.0]
-    with pytest.raises(NotDrawable, match="has a branch of no place"):
+    with pytest.raises(PeterkaFileError, match="has a branch of no place"):
         CurvesFile(write_curves(tmp_path / "c.h5", branches=[SOUND, branch]))
 
 

@@ -4,7 +4,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.maps import field_map, force_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import (

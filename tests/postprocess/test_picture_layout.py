@@ -4,7 +4,7 @@ numbers at the axes, tiny and huge values."""
 import h5py
 import numpy as np
 import pytest
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.maps import comparison, comparison_map
 from peterka.maps.map_file import PeterkaFile
 from peterka.pictures import open_file, pictures_of

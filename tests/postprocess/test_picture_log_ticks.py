@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from peterka.look.log_ticks import LogNumbers, LogTicks
+from peterka.plotting.log_ticks import LogNumbers, LogTicks
 from peterka.maps import peterka_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import Drawn, orbit, write_map

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from peterka.look import axes
-from peterka.look.classes import CLASSES, SECOND_COLOURS, classify
-from peterka.look.figures import figure_of
+from peterka.plotting import axes
+from peterka.plotting.classes import CLASSES, SECOND_COLOURS, classify
+from peterka.plotting.figures import figure_of
 from peterka.maps import peterka_map
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, CHAOTIC, MISSING, PLAIN, Drawn, colour_named, write_map

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
 from matplotlib.colors import to_hex
-from peterka.look import units
-from peterka.look.figures import figure_of
+from peterka.plotting import units
+from peterka.plotting.figures import figure_of
 from peterka.maps import field_map, force_map, quantity_map
 from peterka.maps.map_file import QUANTITIES, PeterkaFile
 from picture_samples import (

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from peterka.look.classes import CLASSES, INDEX, classify
+from peterka.plotting.classes import CLASSES, INDEX, classify
 from peterka.maps import map_file, reduce
 from peterka.maps.map_file import PeterkaFile
 from picture_samples import ALL_CLASSES, NO_IMPACT, orbit, write_map

@@ -4,7 +4,7 @@ import h5py
 import numpy as np
 import peterka
 import pytest
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.traces import motion, relative_plane, spectrum, trace_look
 from peterka.traces.trace_file import TraceFile
 from sealing import SealedFile

@@ -6,8 +6,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, lightness, normal_sight
-from peterka.look import axes
-from peterka.look.figures import figure_of
+from peterka.plotting import axes
+from peterka.plotting.figures import figure_of
 from peterka.studies import labels, methods, stability, study_words, work_precision
 from peterka.studies.study_file import StudyFile
 from study_samples import (

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from colour_distance import deuteranope_sight, difference, normal_sight
-from peterka.files.opened import NotDrawable
-from peterka.look.classes import CLASSES, SECOND_COLOURS
-from peterka.look.figures import figure_of
+from peterka.errors import PeterkaFileError
+from peterka.plotting.classes import CLASSES, SECOND_COLOURS
+from peterka.plotting.figures import figure_of
 from peterka.sweeps import bifurcation, every_attractor, response
 from peterka.measurements import marks
 from peterka.measurements.points import Measurements, Point
@@ -164,7 +164,7 @@ def test_damaged_content_is_refused(tmp_path, name, values):
     with SealedFile(path, "r+") as file:
         del file[name]
         file[name] = values
-    with pytest.raises(NotDrawable, match=name if name != "stroboscopic_displacement" else "shape"):
+    with pytest.raises(PeterkaFileError, match=name if name != "stroboscopic_displacement" else "shape"):
         SweepFile(path)
 
 
@@ -215,5 +215,5 @@ def test_attractors_of_another_shape_are_refused(tmp_path):
     with SealedFile(tmp_path / "a.h5", "r+") as file:
         del file["basin_share"]
         file["basin_share"] = np.zeros((2, 3, 5))
-    with pytest.raises(NotDrawable):
+    with pytest.raises(PeterkaFileError):
         SweepFile(tmp_path / "a.h5")

@@ -4,8 +4,8 @@ import h5py
 import numpy as np
 import pytest
 from peterka import rig_sketch
-from peterka.look import axes
-from peterka.look.figures import figure_of
+from peterka.plotting import axes
+from peterka.plotting.figures import figure_of
 from peterka.traces import impact, motion, phase_plane, spectrum
 from peterka.traces.trace_file import TraceFile
 from trace_samples import AMPLITUDE, CONTACT, HZ, JUMP, PEAK, TOUCH, WEIGHT, write_trace

@@ -72,11 +72,10 @@ def test_what_a_job_cannot_hold_is_refused():
 
 
 def test_a_file_that_is_none_is_refused(tmp_path):
-    from peterka.files.opened import NotDrawable
-
     (tmp_path / "a.h5").write_text("no")
-    with pytest.raises(NotDrawable, match="is not an HDF5 file"):
+    with pytest.raises(peterka.PeterkaFileError, match="is not an HDF5 file") as caught:
         peterka.open(tmp_path / "a.h5")
+    assert isinstance(caught.value, peterka.PeterkaError)
 
 
 @pytest.mark.parametrize("job", [MAP, BASIN, SWEEP, TRACE], ids=["map", "basin", "sweep", "trace"])
@@ -197,8 +196,8 @@ def test_a_byte_of_zero_is_told():
 
 def test_one_gap_of_a_map_says_how_to_ask_for_a_plane(tmp_path):
     data = peterka.open(write_map(tmp_path / "a.h5"))
-    from peterka.files.opened import NotDrawable
+    from peterka.errors import PeterkaFileError
 
-    with pytest.raises(NotDrawable, match=r"keep a plane with sel\(gap_ratio=\[1\]\)"):
+    with pytest.raises(PeterkaFileError, match=r"keep a plane with sel\(gap_ratio=\[1\]\)"):
         peterka.draw(data.sel(gap_ratio=1.0))
     assert peterka.draw(data.sel(gap_ratio=[1.0])).get_ylim() == (0.95, 1.05)

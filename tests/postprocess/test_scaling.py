@@ -7,7 +7,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 from conftest import POSTPROCESS
-from peterka.look import axes
+from peterka.plotting import axes
 from peterka.scaling import efficiency, remedies
 from peterka.scaling.dealing import Machine, Replay
 from peterka.scaling.run_record import read_record

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from curves_samples import write_curves
-from peterka.files.opened import NotDrawable
-from peterka.look.figures import figure_of
+from peterka.errors import PeterkaFileError
+from peterka.plotting.figures import figure_of
 from peterka.maps.curves_map import COLOURS
 from peterka.sweeps import bifurcation, borders, response, unstable
 from peterka.sweeps.sweep_file import SweepFile
@@ -60,14 +60,14 @@ def test_draw_tells_and_draws_them(files, tmp_path, run_program):
     (LINES, CROSSINGS, "nonsense", "no job")])
 def test_curves_that_tell_nothing_of_the_sweep_are_refused(files, tmp_path, lines, crossings, job, words):
     other = write_curves(tmp_path / "other.h5", lines, [], crossings, job=job)
-    with SweepFile(files[0]) as sweep, pytest.raises(NotDrawable, match=words):
+    with SweepFile(files[0]) as sweep, pytest.raises(PeterkaFileError, match=words):
         borders.read_borders(other, sweep)
 
 
 def test_a_map_has_no_borders(files):
     class Map:
         kind, axis_name, path = "map", "frequency_ratio", "a.h5"
-    with pytest.raises(NotDrawable, match="no sweep"):
+    with pytest.raises(PeterkaFileError, match="no sweep"):
         borders.read_borders(files[1], Map)
 
 

@@ -5,10 +5,10 @@ import sys
 
 from conftest import POSTPROCESS
 from matplotlib.layout_engine import ConstrainedLayoutEngine
-from peterka.look.figures import figure_of
+from peterka.plotting.figures import figure_of
 from peterka.maps.map_file import PeterkaFile
 from peterka.maps.peterka_map import draw
-from peterka.program.command_line import save_all
+from peterka.cli.command_line import save_all
 from picture_samples import write_map
 
 SLOW = {"xarray", "pandas", "scipy.io", "scipy.optimize", "netCDF4"}  # to load

@@ -52,13 +52,13 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
     std::vector<scene::State<double>> starts;
     Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
         starts.push_back(start);
-        return Begin{};
+        return SearchFactory{};
     });
-    std::vector<Ended> ended;
+    std::vector<SearchOutcome> ended;
     std::size_t rounds = 0;
     for (;;) {
         starts.clear();
-        const std::vector<Begin> searches = kicks.next(ended);
+        const std::vector<SearchFactory> searches = kicks.next(ended);
         if (searches.empty()) break;
         ASSERT_EQ(searches.size(), starts.size());
         ended.assign(searches.size(), {kicked.entries[1].result, {}});
@@ -96,9 +96,9 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
     std::vector<scene::State<double>> starts;
     Kicks kicks(kicked.oscillator, kicked.entries, 4, known, [&](const scene::State<double>& start) {
         starts.push_back(start);
-        return Begin{};
+        return SearchFactory{};
     });
-    std::vector<Ended> ended;
+    std::vector<SearchOutcome> ended;
     for (;;) {
         starts.clear();
         if (kicks.next(ended).empty()) break;

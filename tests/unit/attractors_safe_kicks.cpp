@@ -27,9 +27,9 @@ Settled settled_at(double frequency, double gap) {
     settled.oscillator.cubic = 0;
     settled.found = {0, {}, testing::solve(settled.oscillator)};
     EXPECT_EQ(settled.found.result.regime, regime::Regime::periodic);
-    regime::CycleDesk desk;
+    regime::CycleBroker broker;
     const regime::Places places =
-        complete(regime::find_places(desk, settled.oscillator, settled.found, 1), desk);
+        complete(regime::find_places(broker, settled.oscillator, settled.found, 1), broker);
     settled.known.add(settled.oscillator, settled.found, places.neighbourhoods);
     return settled;
 }
@@ -64,8 +64,8 @@ TEST(SafeKicks, LeadBackAtAllPhases) {
 
 // Whether kicks of this size, at the phases that are tried, end their period there.
 bool land_in(const regime::Neighbourhood& place, const Settled& settled, double size) {
-    regime::CycleDesk desk;
-    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, desk);
+    regime::CycleBroker broker;
+    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, broker);
     KickedOrbit orbit(settled.oscillator, settled.found);
     for (int n = 0; n < 48 * orbit.period(); ++n) {
         for (const double change : {size, -size}) {
@@ -87,8 +87,8 @@ Settled from_next_point(Settled settled) {
 
 // Places on all sides of the orbit's point, so that each lets in fewer kicks of some phases and one direction.
 void expect_half_of_what_lands_in_places_of(Settled settled) {
-    regime::CycleDesk desk;
-    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, desk);
+    regime::CycleBroker broker;
+    const regime::StroboscopicMap map(settled.oscillator, settled.found.settings, broker);
     const regime::CellResult& orbit = settled.found.result;
     const regime::Point point = map.scaled(
         scene::State<double>(orbit.orbit_displacement - settled.oscillator.gap, orbit.orbit_velocity));
@@ -117,8 +117,8 @@ TEST(SafeKicks, AreOfTheOrbitsOwnPlace) {
     Settled settled = settled_at(2, 0);
     FoundAttractor other = settled.found;
     other.result.orbit_displacement += 1;
-    regime::CycleDesk desk;
-    const auto places = complete(regime::find_places(desk, settled.oscillator, settled.found, 1), desk);
+    regime::CycleBroker broker;
+    const auto places = complete(regime::find_places(broker, settled.oscillator, settled.found, 1), broker);
     settled.known = {};
     settled.known.add(settled.oscillator, other, places.neighbourhoods);
     EXPECT_FALSE(safe(settled, 4).has_value());
@@ -126,8 +126,8 @@ TEST(SafeKicks, AreOfTheOrbitsOwnPlace) {
 
 TEST(SafeKicks, AreNotTriedOnLongOrbits) {
     Settled settled = settled_at(2, 0);
-    regime::CycleDesk desk;
-    const auto places = complete(regime::find_places(desk, settled.oscillator, settled.found, 1), desk);
+    regime::CycleBroker broker;
+    const auto places = complete(regime::find_places(broker, settled.oscillator, settled.found, 1), broker);
     for (const int period : {8, 9}) {  // the same orbit, gone round so many times
         settled.found.result.period = period;
         settled.known = {};

@@ -14,11 +14,11 @@
 namespace peterka::curves {
 namespace {
 
-const Place sizes{4, 5};
-const Place along_frequency{1, 0};
+const PlanePoint sizes{4, 5};
+const PlanePoint along_frequency{1, 0};
 const Rig rig_of_paper(testing::paper_rig(testing::beam_170mm, 1, 0));
 
-Seed end_of_orbit(const Place& from, const Place& to, const State<double>& start = {0, 0}) {
+Seed end_of_orbit(const PlanePoint& from, const PlanePoint& to, const State<double>& start = {0, 0}) {
     const auto oscillator = testing::paper_rig(testing::beam_170mm, from.column, from.row);
     const trajectory::ExactCycleMap<double> map(oscillator);
     State<double> x = testing::start_at(oscillator, start[0], start[1]);

@@ -14,7 +14,7 @@
 namespace peterka::curves {
 namespace {
 
-const Place window{4, 5};
+const PlanePoint window{4, 5};
 
 // Beam springs of 170 mm, as the paper prints their numbers.
 scene::Oscillator<double> rig_170mm() {
@@ -36,7 +36,7 @@ scene::Oscillator<double> rigid_rig() {
 }
 
 template <class Map>
-std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const Place& place,
+std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const PlanePoint& place,
                                    std::int64_t period, const State<double>& start = {0, 0}) {
     oscillator.frequency = place.column;
     oscillator.gap = place.row;
@@ -46,7 +46,7 @@ std::optional<OrbitPoint> orbit_at(scene::Oscillator<double> oscillator, const P
     return stable_orbit_near(Rig(oscillator), place, x, period, window);
 }
 
-Seed edge(const scene::Oscillator<double>& oscillator, const Place& from, const Place& to,
+Seed edge(const scene::Oscillator<double>& oscillator, const PlanePoint& from, const PlanePoint& to,
           const State<double>& start = {0, 0}) {
     const bool rigid = std::holds_alternative<scene::Restitution<double>>(oscillator.contact);
     const auto orbit = rigid
@@ -58,7 +58,7 @@ Seed edge(const scene::Oscillator<double>& oscillator, const Place& from, const 
     return *followed.seed;
 }
 
-regime::CellResult by_cvode(const Place& place, const State<double>& start = {0, 0}) {
+regime::CellResult by_cvode(const PlanePoint& place, const State<double>& start = {0, 0}) {
     scene::Oscillator<double> oscillator = rig_170mm();
     oscillator.frequency = place.column;
     oscillator.gap = place.row;
@@ -74,8 +74,8 @@ std::pair<int, int> label(const regime::CellResult& cell) {
 TEST(Curves, LimitsOf11OnThe170mmRig) {
     const auto rig = rig_170mm();
     struct Known {
-        Place from;
-        Place to;
+        PlanePoint from;
+        PlanePoint to;
         State<double> start;
         CurveKind kind;
         double frequency;
@@ -113,11 +113,11 @@ TEST(Curves, ALongStepDoesNotPassOverADoublingAndItsReverse) {
     rig.damping_ratio = 0.013864002082350675;
     rig.contact = scene::KelvinVoigt<double>{197625.9147313871 / (unit * 2 * std::numbers::pi * 4.5),
                                              74.96898401790209 / unit};
-    const Place from{0.6140930714272375, -0.009472110829916669};
+    const PlanePoint from{0.6140930714272375, -0.009472110829916669};
     const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig, from, 1);
     ASSERT_TRUE(orbit);
     ASSERT_EQ(orbit->orbit.impacts(), 3);
-    const auto any_step = [](const OrbitPoint&, const OrbitPoint&, const Place&) { return true; };
+    const auto any_step = [](const OrbitPoint&, const OrbitPoint&, const PlanePoint&) { return true; };
     for (const double to : {0.64, 0.7, 1.0, 3.0}) {
         const Followed followed = follow(Rig(rig), *orbit, {to, from.row}, {3, 3}, any_step);
         ASSERT_TRUE(followed.seed);
@@ -181,7 +181,7 @@ TEST(Curves, SpecialPointsAreTheSameFromBothCurves) {
             if (each.kind == kind) return each.place;
         }
         ADD_FAILURE() << "no such point";
-        return Place{};
+        return PlanePoint{};
     };
     for (const auto& [curve, kind] :
          {std::pair(fold, SpecialKind::fold_grazing), std::pair(doubling, SpecialKind::flip_grazing)}) {
@@ -198,7 +198,7 @@ TEST(Curves, AnotherEngineSeesTheEdges) {
     EXPECT_EQ(label(by_cvode({2.659361979 + step, 0})), std::pair(2, 2));
     EXPECT_EQ(label(by_cvode({1.15008754 + step, 0})), one);
     EXPECT_EQ(label(by_cvode({1.15008754 - step, 0})), std::pair(2, 1));
-    const Place before{1.862464993 - step, 1.5};
+    const PlanePoint before{1.862464993 - step, 1.5};
     const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig_170mm(), {1.8, 1.5}, 1, {-1, 2});
     ASSERT_TRUE(orbit);
     EXPECT_EQ(label(by_cvode(before, {-1, 2})), one);

@@ -18,7 +18,7 @@
 namespace peterka::curves {
 namespace {
 
-constexpr Place plane{4, 5};
+constexpr PlanePoint plane{4, 5};
 
 template <class Contact>
 scene::Oscillator<double> rig_with_stop(const Contact& contact, double damping_ratio) {
@@ -29,7 +29,7 @@ scene::Oscillator<double> rig_with_stop(const Contact& contact, double damping_r
 }
 
 template <class Map>
-std::optional<OrbitPoint> settled_orbit(scene::Oscillator<double> oscillator, const Place& place,
+std::optional<OrbitPoint> settled_orbit(scene::Oscillator<double> oscillator, const PlanePoint& place,
                                         std::int64_t period) {
     oscillator.frequency = place.column;
     oscillator.gap = place.row;
@@ -86,7 +86,7 @@ TEST(Monodromy, OfASpringDashpotStopIsTheJacobianOfItsCycles) {
     const scene::KelvinVoigt<long double> same{stop.stiffness, stop.damping};
     const auto rig = rig_with_stop(stop, 0.0036);
     struct Known {
-        Place place;
+        PlanePoint place;
         std::int64_t period;
     };
     for (const Known& known : {Known{{2, 0}, 1}, Known{{2.75, 0}, 2}, Known{{1.3, 1}, 1}}) {
@@ -100,7 +100,7 @@ TEST(Monodromy, OfASpringDashpotStopIsTheJacobianOfItsCycles) {
 
 TEST(Monodromy, OfARigidStopIsTheJacobianOfItsCycles) {
     const auto rig = rig_with_stop(scene::Restitution<double>{0.6}, 0.02);
-    for (const Place& place : {Place{2, 0}, Place{2, 0.4}, Place{2.2, 0.2}}) {
+    for (const PlanePoint& place : {PlanePoint{2, 0}, PlanePoint{2, 0.4}, PlanePoint{2.2, 0.2}}) {
         SCOPED_TRACE(place.row);
         const auto point = settled_orbit<trajectory::RigidExactMap<double>>(rig, place, 1);
         ASSERT_TRUE(point.has_value());
@@ -112,7 +112,7 @@ TEST(Monodromy, OfARigidStopIsTheJacobianOfItsCycles) {
 
 // At a doubling, where the value is 0, so that its scale plays no part.
 void expect_derivatives_at_doubling(const scene::Oscillator<double>& rig, const OrbitPoint& stable,
-                                    const Place& beyond) {
+                                    const PlanePoint& beyond) {
     const Rig rigs(rig);
     const Followed followed = follow(rigs, stable, beyond, plane);
     ASSERT_TRUE(followed.seed.has_value());

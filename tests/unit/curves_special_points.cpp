@@ -17,7 +17,7 @@
 namespace peterka::curves {
 namespace {
 
-constexpr Place whole_window{4, 5};
+constexpr PlanePoint whole_window{4, 5};
 
 scene::Oscillator<double> beam_of_170mm() {
     const double mass = 0.298;
@@ -137,7 +137,7 @@ class PlainMotion {
 };
 
 // The grazing curve met on the way from a place, where the motion from rest is stable, to another.
-Curve grazing_curve(const Place& from, const Place& to, std::int64_t period) {
+Curve grazing_curve(const PlanePoint& from, const PlanePoint& to, std::int64_t period) {
     scene::Oscillator<double> oscillator = beam_of_170mm();
     oscillator.frequency = from.column;
     oscillator.gap = from.row;
@@ -167,7 +167,7 @@ OrbitPoint orbit_at_special(const Curve& curve, SpecialKind kind) {
 }
 
 // A cell of a map of 128 by 128 cells.
-Place cell(int column, int row) {
+PlanePoint cell(int column, int row) {
     return {0.5 + 4.0 * column / 127, 5.0 * row / 127};
 }
 

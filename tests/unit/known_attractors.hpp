@@ -15,22 +15,22 @@ inline std::vector<regime::FoundAttractor> found_from(const scene::Oscillator<do
                                                       double displacement, double velocity,
                                                       const regime::EngineSettings& settings = {}) {
     std::vector<regime::FoundAttractor> found;
-    regime::CycleDesk desk;
+    regime::CycleBroker broker;
     std::ignore = regime::complete(
-        regime::find_steady_state(desk, oscillator, start_at(oscillator, displacement, velocity), {}, settings,
-                                  regime::Measures{}, {nullptr, &found}),
-        desk);
+        regime::find_steady_state(broker, oscillator, start_at(oscillator, displacement, velocity), {},
+                                  settings, regime::Measures{}, {nullptr, &found}),
+        broker);
     return found;
 }
 
 inline regime::CellResult solve_knowing(const regime::AttractorTable& known,
                                         const scene::Oscillator<double>& oscillator, double displacement,
                                         double velocity) {
-    regime::CycleDesk desk;
+    regime::CycleBroker broker;
     return regime::complete(
-        regime::find_steady_state(desk, oscillator, start_at(oscillator, displacement, velocity), {}, {},
+        regime::find_steady_state(broker, oscillator, start_at(oscillator, displacement, velocity), {}, {},
                                   regime::Measures{}, {&known, nullptr}),
-        desk);
+        broker);
 }
 
 }  // namespace peterka::testing

@@ -166,11 +166,11 @@ TEST(TilePool, RunsEndAtHoles) {
     for (const std::int64_t turn : {0, 1, 2, 5, 6, 9}) missing.add(order.tile(turn).value());
     TilePool pool(order, missing);
     EXPECT_EQ(pool.remaining(), 6);
-    EXPECT_EQ(pool.take(2), (Turns{0, 2}));
-    EXPECT_EQ(pool.take(10), (Turns{2, 3}));
-    EXPECT_EQ(pool.take(10), (Turns{5, 7}));
+    EXPECT_EQ(pool.take(2), (TurnRange{0, 2}));
+    EXPECT_EQ(pool.take(10), (TurnRange{2, 3}));
+    EXPECT_EQ(pool.take(10), (TurnRange{5, 7}));
     EXPECT_EQ(pool.remaining(), 1);
-    EXPECT_EQ(pool.take(10), (Turns{9, 10}));
+    EXPECT_EQ(pool.take(10), (TurnRange{9, 10}));
     EXPECT_EQ(pool.remaining(), 0);
     EXPECT_EQ(pool.all(), 6);
     EXPECT_EQ(pool.take(1).size(), 0);
@@ -186,7 +186,7 @@ TEST(TilePool, EveryTileIsDealtOnce) {
     TilePool pool(order, missing);
     TileSet dealt(100);
     while (pool.remaining() > 0) {
-        const Turns run = pool.take(deal_size(pool.remaining(), pool.all(), 3));
+        const TurnRange run = pool.take(deal_size(pool.remaining(), pool.all(), 3));
         ASSERT_GT(run.size(), 0);
         for (std::int64_t turn = run.first; turn < run.end; ++turn) {
             const std::int64_t tile = order.tile(turn).value();

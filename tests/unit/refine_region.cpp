@@ -58,7 +58,8 @@ std::vector<CellResult> refine_all(const job::Job& job, const CellAt& cell_at, c
     Region region(job, rectangle);
     for (auto places = region.next(); !places.empty(); places = region.next()) {
         std::vector<attractors::SolvedCell> results;
-        for (const parallel::Place& place : places) results.push_back({cell_at(place.row, place.column), {}});
+        for (const parallel::CellIndex& place : places)
+            results.push_back({cell_at(place.row, place.column), {}});
         region.put(results);
         computed += places.size();
     }

@@ -25,9 +25,10 @@ CubicShift shift_at(scene::Oscillator<double> oscillator, double cubic) {
     const CellResult without = find_steady_state(oscillator, start_at(oscillator), {});
     EXPECT_EQ(without.regime, Regime::periodic);
     oscillator.cubic = cubic;
-    CycleDesk desk;
+    CycleBroker broker;
     return complete(
-        shift_by_cubic(desk, oscillator, {Engine::split, 1e-9, without.largest_displacement}, without), desk);
+        shift_by_cubic(broker, oscillator, {Engine::split, 1e-9, without.largest_displacement}, without),
+        broker);
 }
 
 // Close to period doublings and folds, where the bound 3 k3 u^2/k over 1 - |multiplier| fails.

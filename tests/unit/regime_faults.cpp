@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "regime/steady_state.hpp"
 #include "rig.hpp"
 
@@ -48,14 +48,14 @@ struct Solved {
 };
 
 Solved solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outcome::done) {
-    CycleDesk desk;
+    CycleBroker broker;
     CycleMap map = make_cycle_map(cell.oscillator, cell.settings);
-    const auto search = find_steady_state(desk, cell.oscillator, testing::start_at(cell.oscillator), {},
+    const auto search = find_steady_state(broker, cell.oscillator, testing::start_at(cell.oscillator), {},
                                           cell.settings, {cell.detail}, {});
     search.start();
     std::int64_t n = 0;
     while (!search.done()) {
-        const CycleOrder& order = desk.order();
+        const CycleRequest& order = broker.order();
         scene::State<double> from = order.from;
         std::vector<Cycle<double>> cycles;
         for (bool goes_on = true; goes_on && cycles.size() < order.cycles; ++n) {
@@ -65,7 +65,7 @@ Solved solve(const Case& cell, std::int64_t broken = -1, Outcome outcome = Outco
             from = cycles.back().end;
             goes_on = cycles.back().outcome == Outcome::done;
         }
-        desk.serve(cycles);
+        broker.serve(cycles);
     }
     return {search.result(), n};
 }

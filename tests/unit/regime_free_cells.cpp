@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
 #include "same_bytes.hpp"
@@ -85,7 +85,7 @@ TEST(FreeCells, NoneIsSoughtWhereTheMotionWithoutAStopReachesIt) {
     EXPECT_EQ(free_cells.computed(), 0);
 }
 
-// So none of them is looked for (regime/settling.cpp).
+// So none of them is looked for (regime/lasting_motion_proof.cpp).
 TEST(Contacts, NoneLastsWhereTheHammerRestsBeforeTheStop) {
     std::mt19937 random(22);
     const auto between = [&](double low, double high) {
@@ -114,16 +114,16 @@ TEST(FreeCells, NoSearchIsBegunForThem) {
     const scene::Scene scene(job);
     const AttractorTable nothing_known;
     std::int64_t solved = 0;
-    attractors::CellCrowd crowd(scene, nothing_known, [&](const auto& /*cell*/) { ++solved; });
+    attractors::MultiStartPool pool(scene, nothing_known, [&](const auto& /*cell*/) { ++solved; });
     std::int64_t at_once = 0;
     for (std::int64_t i = 0; i < 36; ++i) {
         at_once += solve_at_once(job, scene.cell(i / 6, i % 6)) ? 1 : 0;
-        crowd.add(i / 6, i % 6, i);
+        pool.add(i / 6, i % 6, i);
     }
     EXPECT_GT(at_once, 12);
     EXPECT_LT(at_once, 36);
-    EXPECT_EQ(crowd.searches(), 36 - at_once);
-    while (!crowd.empty()) crowd.step();
+    EXPECT_EQ(pool.searches(), 36 - at_once);
+    while (!pool.empty()) pool.step();
     EXPECT_EQ(solved, 36);
 }
 

@@ -23,9 +23,9 @@ using testing::paper_rig;
 using testing::solve_knowing;
 
 std::optional<KnownOrbit> orbit_of(const scene::Oscillator<double>& oscillator, const FoundAttractor& found) {
-    CycleDesk desk;
+    CycleBroker broker;
     std::int64_t spent = 0;
-    auto orbit = complete(find_known_orbit(desk, oscillator, found, &spent), desk);
+    auto orbit = complete(find_known_orbit(broker, oscillator, found, &spent), broker);
     EXPECT_LE(spent, 6 * found.result.period);
     return orbit;
 }
@@ -79,8 +79,8 @@ TEST(KnownOrbit, OneOfSeveralCyclesIsSeenFromEachOfItsPoints) {
     ASSERT_EQ(found.front().result.period, 2);
     const auto known = orbit_of(oscillator, found.front());
     ASSERT_TRUE(known.has_value());
-    CycleDesk desk;
-    const StroboscopicMap map(oscillator, {}, desk);
+    CycleBroker broker;
+    const StroboscopicMap map(oscillator, {}, broker);
     const Point first = map.scaled(scene::State<double>(
         found.front().result.orbit_displacement - oscillator.gap, found.front().result.orbit_velocity));
     const auto here = known->seen_from(first + Point(1e-3, 0));

@@ -63,11 +63,11 @@ struct Orbit {
 
 Orbit orbit_at(const scene::Oscillator<double>& oscillator, std::int64_t count) {
     const CellResult result = testing::solve(oscillator);
-    CycleDesk desk;
-    StroboscopicMap map(oscillator, {}, desk);
+    CycleBroker broker;
+    StroboscopicMap map(oscillator, {}, broker);
     const Point point =
         map.scaled(scene::State<double>(result.orbit_displacement - oscillator.gap, result.orbit_velocity));
-    return {oscillator, result, complete(find_neighbourhoods(map, point, result.period, count), desk)};
+    return {oscillator, result, complete(find_neighbourhoods(map, point, result.period, count), broker)};
 }
 
 // 1/1, 1/2, 2/2 and 3/2 of the 170 mm rig, and the 1/1 that coexists with no impact.
@@ -99,8 +99,8 @@ TEST(Neighbourhood, EveryStateInsideConverges) {
     for (const Orbit& orbit : orbits()) {
         SCOPED_TRACE(::testing::Message() << "z = " << orbit.result.impacts << "/" << orbit.result.period);
         ASSERT_FALSE(orbit.neighbourhoods.empty());
-        CycleDesk desk;
-        const StroboscopicMap scales(orbit.oscillator, {}, desk);
+        CycleBroker broker;
+        const StroboscopicMap scales(orbit.oscillator, {}, broker);
         for (const Neighbourhood& ellipse : orbit.neighbourhoods) {
             EXPECT_GT(ellipse.reach().minCoeff(), 1e-3);
             for (int n = 0; n < 8; ++n) {
@@ -120,8 +120,8 @@ TEST(Neighbourhood, EveryStateInsideConverges) {
 TEST(Neighbourhood, HoldsNoStartOfAnotherBasin) {
     const auto oscillator = paper_rig(beam_150mm, 1.8, 1.6);
     const Orbit orbit = orbit_at(oscillator, 1);
-    CycleDesk desk;
-    const StroboscopicMap scales(oscillator, {}, desk);
+    CycleBroker broker;
+    const StroboscopicMap scales(oscillator, {}, broker);
     int inside = 0;
     int elsewhere = 0;
     for (double displacement = -4; displacement <= 1.6; displacement += 0.1) {
@@ -140,9 +140,9 @@ TEST(Neighbourhood, HoldsNoStartOfAnotherBasin) {
 
 TEST(Neighbourhood, NoneWhereThePointIsNoOrbit) {
     const auto oscillator = paper_rig(beam_170mm, 2.0, 0);
-    CycleDesk desk;
-    StroboscopicMap map(oscillator, {}, desk);
-    EXPECT_TRUE(complete(find_neighbourhoods(map, {-1, 0.5}, 1, 1), desk).empty());
+    CycleBroker broker;
+    StroboscopicMap map(oscillator, {}, broker);
+    EXPECT_TRUE(complete(find_neighbourhoods(map, {-1, 0.5}, 1, 1), broker).empty());
 }
 
 }  // namespace

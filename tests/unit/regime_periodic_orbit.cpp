@@ -28,10 +28,10 @@ Followed follow_one_a_cycle(double last_frequency, double most_stretch) {
     for (int step = 1; step <= steps; ++step) {
         oscillator.frequency = first_frequency + (last_frequency - first_frequency) * step / steps;
         const bool last = step == steps;
-        CycleDesk desk;
-        StroboscopicMap map(oscillator, {}, desk);
-        followed.orbit = last ? complete(find_orbit(map, Points{map.scaled(point)}, most_stretch), desk)
-                              : complete(find_orbit(map, Points{map.scaled(point)}), desk);
+        CycleBroker broker;
+        StroboscopicMap map(oscillator, {}, broker);
+        followed.orbit = last ? complete(find_orbit(map, Points{map.scaled(point)}, most_stretch), broker)
+                              : complete(find_orbit(map, Points{map.scaled(point)}), broker);
         followed.cycles = map.cycles_spent();
         if (!followed.orbit) break;
         point = map.unscaled(followed.orbit->point());

@@ -50,8 +50,8 @@ TEST(SolveAtOnce, SaysWhatTheSearchSays) {
         const job::Job job = any_job(random);
         const scene::Cell cell = any_cell(job, random);
         const auto at_once = solve_at_once(job, cell);
-        CycleDesk desk;
-        const CellResult searched = complete(solve_cell(desk, job, cell), desk);
+        CycleBroker broker;
+        const CellResult searched = complete(solve_cell(broker, job, cell), broker);
         if (at_once) {
             ++at_once_too;
             EXPECT_TRUE(testing::same_bytes(*at_once, searched)) << n;

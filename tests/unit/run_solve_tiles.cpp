@@ -16,7 +16,7 @@
 namespace peterka {
 namespace {
 
-using parallel::Place;
+using parallel::CellIndex;
 using parallel::Tile;
 
 constexpr std::int64_t tiles = 40;
@@ -48,9 +48,9 @@ std::int64_t most_begun(std::size_t most_in_hand) {
     Row row;
     const TileWork work{.begin =
                             [](const Tile& tile) {
-                                return std::vector<Place>{{tile.row, tile.column}};
+                                return std::vector<CellIndex>{{tile.row, tile.column}};
                             },
-                        .go_on = [](const auto&...) { return std::vector<Place>(); },
+                        .go_on = [](const auto&...) { return std::vector<CellIndex>(); },
                         .most_in_hand = most_in_hand};
     solve_tiles(scene, {}, work, row);
     EXPECT_EQ(std::ssize(row.done), tiles);

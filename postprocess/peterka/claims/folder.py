@@ -13,7 +13,8 @@ import numpy as np
 from ..arrays import Integers, Mask, Reals
 from ..files.checked_hdf5 import LARGEST, is_number
 from ..files.harmless import harmless
-from ..files.opened import STANDARD_GRAVITY, NotDrawable, OpenedFile
+from ..errors import PeterkaFileError
+from ..files.opened import STANDARD_GRAVITY, OpenedFile
 from ..files.regimes import CHAOTIC, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
 from ..maps.comparison import label_codes
 from ..maps.curves_file import Crossing, CurvesFile
@@ -150,7 +151,7 @@ class Folder:
         plane = read_plane(path)
         kind = "basin" if path.relative_to(self.path).as_posix().startswith(BASINS) else "map"
         if plane.kind != kind:
-            raise NotDrawable(f"{path} is a {plane.kind}; a {kind} of this name is needed")
+            raise PeterkaFileError(f"{path} is a {plane.kind}; a {kind} of this name is needed")
         return plane
 
     def picture(self, name: str) -> bool:
@@ -162,7 +163,7 @@ def require_alike(planes: Sequence[Plane]) -> None:
     """Planes that are compared cell by cell."""
     for plane in planes[1:]:
         if plane.regime.shape != planes[0].regime.shape:
-            raise NotDrawable(f"{plane.path} has {plane.regime.shape} cells, and {planes[0].path} {planes[0].regime.shape}; "
+            raise PeterkaFileError(f"{plane.path} has {plane.regime.shape} cells, and {planes[0].path} {planes[0].regime.shape}; "
                               "they are compared cell by cell")
 
 
@@ -201,4 +202,4 @@ def _require(table, keys, least=-LARGEST):
             raise ValueError(f"{key} = {harmless(table[key], 40)}")
 
 
-__all__ = ["Folder", "LARGEST", "NotDrawable", "Plane", "SMALLEST", "read_plane", "require_alike"]
+__all__ = ["Folder", "LARGEST", "Plane", "SMALLEST", "read_plane", "require_alike"]

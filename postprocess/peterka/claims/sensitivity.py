@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .folder import LARGEST, SMALLEST, Folder, NotDrawable, Plane
+from ..errors import PeterkaFileError
+from .folder import LARGEST, SMALLEST, Folder, Plane
 from .gap_zero import BAND_HALF, BAND_ONE, HALF_HZ, PEAK_HZ, PEAK_N, at_edge, force_at, limits_hz
 from .record import SOME, percent
 
@@ -128,7 +129,7 @@ def _parameter(plane, name):
     except (KeyError, TypeError, ValueError):
         value = 0.0
     if not SMALLEST <= value <= LARGEST:
-        raise NotDrawable(f"{plane.path} doesn't tell the {words} ({table}.{key}), or it is nothing")
+        raise PeterkaFileError(f"{plane.path} doesn't tell the {words} ({table}.{key}), or it is nothing")
     return value
 
 

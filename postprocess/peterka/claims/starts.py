@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..arrays import Mask, Reals
-from .folder import Folder, NotDrawable, Plane, require_alike
+from ..errors import PeterkaFileError
+from .folder import Folder, Plane, require_alike
 from .record import HIGH_GAP, SOME, Claim, claim, near, not_computed, off_by, percent
 from .sensitivity import contact_damping_with_both, outcomes
 from .spans import around_bands
@@ -93,7 +94,7 @@ def _second_basin(folder):
     if plane is None:
         return not_computed("fig_24b", f"{PLACE}b", SAYS["fig_24b"], "basin_135mm.h5")
     if plane.last_impact is None:
-        raise NotDrawable(f"{plane.path} holds no last_impact")
+        raise PeterkaFileError(f"{plane.path} holds no last_impact")
     lives = plane.last_impact[plane.quiet & (plane.last_impact > 0)]
     late = plane.share(plane.strikes | (plane.last_impact > MANY))
     planes = folder.planes("nearby_135mm/gap_")

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
-from ..look import axes, style
+from ..plotting import axes, style
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import class_picture
 from .folder import Plane

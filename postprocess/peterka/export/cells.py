@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.coordinates import unit_of
-from ..files.opened import NotDrawable
+from ..errors import PeterkaFileError
 from ..maps.map_file import PeterkaFile
 
 REGIMES = ("no_impact", "periodic", "chaotic", "sustained_contact", "unresolved", "failed")
@@ -52,7 +52,7 @@ def fields_of(file: PeterkaFile) -> list[Field]:
     for name in [*first, *(name for name in file.data.names() if name not in first and PLAIN_NAME.fullmatch(name))]:
         try:
             kind = file.data.dataset(name, file.shape, INTEGER + REAL).dtype.kind
-        except NotDrawable:  # a group, an axis, or a table of something else
+        except PeterkaFileError:  # a group, an axis, or a table of something else
             continue
         if name.startswith("peak_force") and name.endswith("_ratio") and file.newtons:
             found.append(Field(name, f"{name.removesuffix('_ratio')}_n", file.newtons, False))

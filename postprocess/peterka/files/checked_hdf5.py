@@ -2,7 +2,7 @@
 
 Sizes and types are checked before anything is read, and links and data that lie in other files are refused
 (own_objects.py), so that a file can neither ask for any amount of memory nor make this program read what is not its own.
-Before HDF5 opens it, its raw bytes are compared with their checksum (raw_bytes.py); verify() compares the whole of it with its checksums. Every refusal is a NotDrawable whose message is one sentence with the file's name.
+Before HDF5 opens it, its raw bytes are compared with their checksum (raw_bytes.py); verify() compares the whole of it with its checksums. Every refusal is a PeterkaFileError whose message is one sentence with the file's name.
 """
 
 import os
@@ -17,6 +17,7 @@ import h5py
 import numpy as np
 
 from ..arrays import Integers
+from ..errors import PeterkaFileError
 from . import own_objects, raw_bytes, seal
 from .harmless import harmless
 
@@ -30,17 +31,13 @@ _WORD = re.compile(r"[A-Za-z0-9_.+-]{1,60}")
 _ERRORS = (OSError, RuntimeError, KeyError, ValueError, TypeError)  # what h5py raises on damaged files
 
 
-class NotDrawable(Exception):
-    """The file cannot be drawn; the message says why in one line."""
-
-
 class Content(Protocol):
     """What the readers read: a file, or a dataset in its place. The members are told of at CheckedFile."""
 
     path: Path
     may_be_part: bool
 
-    def refusal(self, reason: str) -> NotDrawable: ...
+    def refusal(self, reason: str) -> PeterkaFileError: ...
 
     def attribute(self, name: str, of: str = "/") -> str | int | float | None: ...
 
@@ -91,9 +88,9 @@ class CheckedFile:
         except (*_ERRORS, MemoryError) as error:
             raise self.refusal(f"is damaged ({_first_line(error)})") from error
 
-    def refusal(self, reason: str) -> NotDrawable:
+    def refusal(self, reason: str) -> PeterkaFileError:
         """The exception to raise: 'FILE reason'."""
-        return NotDrawable(f"{self.path} {reason}")
+        return PeterkaFileError(f"{self.path} {reason}")
 
     def attribute(self, name: str, of: str = "/") -> str | int | float | None:
         """A scalar attribute of the root, or of a dataset that was checked before, as str, int or float; None where it
@@ -179,7 +176,7 @@ class CheckedFile:
         try:
             dataset = self._own(name)
             value = dataset[()] if dataset.shape == () and dataset.dtype.kind == "S" else b""
-        except (NotDrawable, *_ERRORS):
+        except (PeterkaFileError, *_ERRORS):
             return []
         text = value.decode("utf-8", "replace") if isinstance(value, bytes) else ""
         return [harmless(line, None) for line in text[:MAX_TEXT].splitlines() if line.strip()]

@@ -1,7 +1,7 @@
 """A table as a CSV file from anybody: a line with the names of its columns, then one line for each row.
 
 Columns are parted by commas, by semicolons or by tabs, whichever the first line has; with semicolons or tabs numbers may
-have decimal commas. Empty lines and lines that begin with # are passed over. What can't be read raises NotDrawable.
+have decimal commas. Empty lines and lines that begin with # are passed over. What can't be read raises PeterkaFileError.
 """
 
 import csv
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
-from .checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from .harmless import harmless
 
 SEPARATORS = (";", "\t", ",")
@@ -28,9 +28,9 @@ class CsvTable:
     rows: list[tuple[int, dict[str, str]]]
     decimal_commas: bool
 
-    def refusal(self, reason: str, line: int | None = None) -> NotDrawable:
+    def refusal(self, reason: str, line: int | None = None) -> PeterkaFileError:
         """The exception to raise: 'FILE:line reason'."""
-        return NotDrawable(f"{self.path}{'' if line is None else f':{line}'} {reason}")
+        return PeterkaFileError(f"{self.path}{'' if line is None else f':{line}'} {reason}")
 
     def number(self, line: int, cells: dict[str, str], name: str) -> float | None:
         """The finite number in a cell; None where it is empty."""
@@ -52,17 +52,17 @@ def read_csv_table(path: Path, known: Collection[str], what: str, largest_bytes:
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1)
              if line.strip() and not line.startswith("#")]
     if len(lines) < 2:
-        raise NotDrawable(f"{path} has no {what}; it needs a line with the names of its columns and one for each of them")
+        raise PeterkaFileError(f"{path} has no {what}; it needs a line with the names of its columns and one for each of them")
     separator = next((mark for mark in SEPARATORS if mark in lines[0][1]), ",")
     try:
         cells = list(csv.reader([line for _, line in lines], delimiter=separator))
     except csv.Error as error:
-        raise NotDrawable(f"{path} is no list of {what}: {error}") from error
+        raise PeterkaFileError(f"{path} is no list of {what}: {error}") from error
     names = tuple(name.strip() for name in cells[0])
     _check_names(path, names, known)
     for (number, _), row in zip(lines[1:], cells[1:]):
         if len(row) != len(names):
-            raise NotDrawable(f"{path}:{number} has {len(row)} cells, and its first line names {len(names)} columns")
+            raise PeterkaFileError(f"{path}:{number} has {len(row)} cells, and its first line names {len(names)} columns")
     rows = [(number, dict(zip(names, row))) for (number, _), row in zip(lines[1:], cells[1:])]
     return CsvTable(path, names, rows, separator != ",")
 
@@ -75,7 +75,7 @@ def column_names(path: Path) -> list[str]:
             lines = islice(iter(lambda: file.readline(LONGEST_LINE), ""), LONGEST_HEAD)
             first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     except OSError as error:
-        raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
+        raise PeterkaFileError(f"{path} cannot be read: {error.strerror or error}") from error
     separator = next((mark for mark in SEPARATORS if mark in first), ",")
     return [name.strip() for name in first.split(separator)]
 
@@ -85,18 +85,18 @@ def _text(path, what, largest_bytes):
         with open(path, "rb") as file:
             content = file.read(largest_bytes + 1)
         if len(content) > largest_bytes:
-            raise NotDrawable(f"{path} is too large for a list of {what}")
+            raise PeterkaFileError(f"{path} is too large for a list of {what}")
         return content.decode("utf-8-sig")
     except OSError as error:
-        raise NotDrawable(f"{path} cannot be read: {error.strerror or error}") from error
+        raise PeterkaFileError(f"{path} cannot be read: {error.strerror or error}") from error
     except UnicodeDecodeError as error:
-        raise NotDrawable(f"{path} is not a text in UTF-8; save it as CSV") from error
+        raise PeterkaFileError(f"{path} is not a text in UTF-8; save it as CSV") from error
 
 
 def _check_names(path, names, known):
     for name in names:
         if name not in known:
-            raise NotDrawable(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(known)}")
+            raise PeterkaFileError(f"{path} has the unknown column '{harmless(name, 40)}'; it may have {', '.join(known)}")
     twice = [name for name in names if names.count(name) > 1]
     if twice:
-        raise NotDrawable(f"{path} has {min(twice)} twice; each quantity has one column")
+        raise PeterkaFileError(f"{path} has {min(twice)} twice; each quantity has one column")

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .checked_hdf5 import NotDrawable, check_range, is_number, meanings
+from ..errors import PeterkaFileError
+from .checked_hdf5 import check_range, is_number, meanings
 
 if TYPE_CHECKING:
     import xarray
@@ -30,9 +31,9 @@ class DatasetContent:
     def verify(self) -> None:
         """Its file was verified when it was opened."""
 
-    def refusal(self, reason: str) -> NotDrawable:
+    def refusal(self, reason: str) -> PeterkaFileError:
         """The exception to raise: 'the dataset of FILE reason'."""
-        return NotDrawable(f"the dataset of {self.path} {reason}")
+        return PeterkaFileError(f"the dataset of {self.path} {reason}")
 
     def attribute(self, name: str, of: str = "/") -> str | int | float | None:
         """As CheckedFile.attribute."""

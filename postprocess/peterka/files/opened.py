@@ -1,6 +1,6 @@
 """A peterka file of any kind, open and with a checked header: layout version, kind, title and plain attributes.
 
-What cannot be drawn raises NotDrawable. Use it, or a class made of it, in a `with` block.
+What cannot be drawn raises PeterkaFileError. Use it, or a class made of it, in a `with` block.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 
-from .checked_hdf5 import LARGEST, CheckedFile, NotDrawable, is_number, shown
+from ..errors import PeterkaFileError
+from .checked_hdf5 import LARGEST, CheckedFile, is_number, shown
 from .dataset_content import DatasetContent
 from .harmless import harmless
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 Source: TypeAlias = "str | os.PathLike | xarray.Dataset"
 
-__all__ = ["KINDS", "NotDrawable", "OpenedFile", "STANDARD_GRAVITY"]
+__all__ = ["KINDS", "OpenedFile", "STANDARD_GRAVITY"]
 
 LAYOUTS = (2, 3)  # that can be read; in those of 2 status 0, named proved, may hide that rounding decides a label
 KINDS = ("map", "basin", "sweep", "trace", "study", "curves")

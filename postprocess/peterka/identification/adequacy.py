@@ -11,7 +11,7 @@ import numpy as np
 from scipy.stats import f, norm
 
 from ..arrays import Reals
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from .problem import SHARP
 from .recording import Recording
 from .solve import Solved, settle
@@ -25,22 +25,22 @@ ADVICE = "cut out one release with --from and --to; where the cart moves, give i
 
 
 def refuse_other_motion(recording: Recording, found: Solved, begun: Begin, impacts: int, given: Mapping[str, float]) -> None:
-    """NotDrawable where the whole motion of one leg isn't the recorded one."""
+    """PeterkaFileError where the whole motion of one leg isn't the recorded one."""
     named = {"gap": f"{1e3 * given.get('gap', 0):.4g} mm from the stop", "omega": "with these springs", "damping_ratio": ""}
     what = " ".join(["the motion of a hammer that was let go over a cart at rest", *(named[name] for name in given if named[name])])
     touches = found.problem.motion(found.value, 0).touches
     if len(touches) < impacts:
-        raise NotDrawable(f"{recording.path} isn't {what}: it shows {impacts} impacts, and the nearest such motion has {len(touches)}. "
+        raise PeterkaFileError(f"{recording.path} isn't {what}: it shows {impacts} impacts, and the nearest such motion has {len(touches)}. "
                           f"{_hint(given)}")
     if begun.alone is not None:
         chance, more = _impacts_left(found, begun.alone)
         if chance < CHANCE:
-            raise NotDrawable(f"{recording.path} isn't {what}: its impacts are off the nearest one by {more:.3g} times what they are off a "
+            raise PeterkaFileError(f"{recording.path} isn't {what}: its impacts are off the nearest one by {more:.3g} times what they are off a "
                               f"spring and a dashpot by themselves, which noise does in less than one of {1 / CHANCE:.0e} cases. {_hint(given)}")
     for name in found.problem.names:
         chance, share = _between_left(found, name)
         if chance < CHANCE and share > LEAST_SWING:
-            raise NotDrawable(f"{recording.path} isn't {what}: between impacts its {name} is off the nearest one by {100 * share:.2g} % of "
+            raise PeterkaFileError(f"{recording.path} isn't {what}: between impacts its {name} is off the nearest one by {100 * share:.2g} % of "
                               f"its range, and not by noise. {_hint(given)}")
 
 

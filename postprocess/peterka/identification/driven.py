@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from .first_guess import look
 from .fit import Fit, finished, telling
 from .problem import SLOW
@@ -28,9 +28,9 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
     "damping_ratio" of the springs where they are known; else errors allow for springs that swing about as fast as impacts come."""
     given, guess = dict(given or {}), look(recording)
     if not guess.sharp:
-        raise NotDrawable(f"{recording.path} has neither force nor acceleration, without which single impacts can't be told")
+        raise PeterkaFileError(f"{recording.path} has neither force nor acceleration, without which single impacts can't be told")
     if guess.contact < SEEN:
-        raise NotDrawable(f"{recording.path} is too coarse to see the contact: the hardest impact has {guess.contact} samples, and {SEEN} "
+        raise PeterkaFileError(f"{recording.path} is too coarse to see the contact: the hardest impact has {guess.contact} samples, and {SEEN} "
                           f"are needed at least; record at {2e-3 * SEEN / guess.contact / recording.step:.3g} kHz or more")
     begun = begin(recording, guess, mass)
     used, unused, weak = [], [], 0
@@ -48,7 +48,7 @@ def fit_driven(recording: Recording, mass: float, given: Mapping[str, float] | N
         else:
             used.append(impact)
     if not used:
-        raise NotDrawable(f"{recording.path} has no impact to tell the stop by: {'; '.join(unused[:3])}")
+        raise PeterkaFileError(f"{recording.path} has no impact to tell the stop by: {'; '.join(unused[:3])}")
     chosen = [used[at] for at in np.unique(np.linspace(0, len(used) - 1, MOST).astype(int))]
     if weak:
         unused.append(f"{weak} impacts aren't used: their forces are below {100 * WEAKEST:.0f} % of the hardest one's")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Reals
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from .problem import SHARP
 from .recording import Recording
 
@@ -59,7 +59,7 @@ class Guess:
 
 
 def look(recording: Recording) -> Guess:
-    """The Guess from a recording; NotDrawable where it shows no impact that could be measured."""
+    """The Guess from a recording; PeterkaFileError where it shows no impact that could be measured."""
     signals = recording.signals
     offsets = {name: float(np.nanmedian(_some(values))) for name, values in signals.items()}
     noise = {name: noise_of(values) for name, values in signals.items()}
@@ -73,7 +73,7 @@ def look(recording: Recording) -> Guess:
         sign = 1 if highest - offset >= offset - lowest else -1
         pulses = _pulses(values, sign, offset, noise[sharp], max(highest - offset, offset - lowest))
     if not pulses:
-        raise NotDrawable(f"{recording.path} shows no impact: its {sharp} never stands out of the rest by "
+        raise PeterkaFileError(f"{recording.path} shows no impact: its {sharp} never stands out of the rest by "
                           f"{OVER_NOISE} times the noise")
     guess = Guess({}, offsets, noise, ranges, sharp, pulses)
     hardest = pulses[guess.hardest]
@@ -173,7 +173,7 @@ def _refuse_clipped(recording, name, values, pulse):
     at = pulse.top - pulse.first
     run = int(np.argmin(np.append(flat[at:], False))) + int(np.argmin(np.append(flat[at::-1], False))) - 1
     if run >= 3 and run > FLAT_TOP * (pulse.last - pulse.first):
-        raise NotDrawable(f"{recording.path} is clipped: its {name} stays at {height:.4g} for {run} samples at the top of the "
+        raise PeterkaFileError(f"{recording.path} is clipped: its {name} stays at {height:.4g} for {run} samples at the top of the "
                           f"hardest impact, at {recording.begin + pulse.top * recording.step:.6g} s; record with a larger range")
 
 
@@ -194,7 +194,7 @@ def _bends(recording):
     """(sign, Pulses) of a displacement alone: an impact is where its speed turns at once, seen over as many samples as show
     it best."""
     if "displacement" not in recording.signals:
-        raise NotDrawable(f"{recording.path} has no force, acceleration or displacement of the hammer")
+        raise PeterkaFileError(f"{recording.path} has no force, acceleration or displacement of the hammer")
     values = np.asarray(recording.signals["displacement"], dtype=float)
     there = np.isfinite(values)
     values = np.interp(np.arange(len(values)), np.flatnonzero(there), values[there])
@@ -202,7 +202,7 @@ def _bends(recording):
     width, bend, limit = max(bends, key=lambda found: np.abs(found[1]).max() / found[2])
     at = int(np.argmax(np.abs(bend)))
     if not abs(bend[at]) > limit:
-        raise NotDrawable(f"{recording.path} shows no impact: its displacement never turns back at once")
+        raise PeterkaFileError(f"{recording.path} shows no impact: its displacement never turns back at once")
     sign = -int(np.sign(bend[at]))
     beyond = np.flatnonzero(-sign * bend > max(limit, 0.05 * abs(bend[at])))
     groups = np.split(beyond, np.flatnonzero(np.diff(beyond) > 2 * width) + 1)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Reals
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from .adequacy import refuse_other_motion
 from .first_guess import Guess, look
 from .flights import Start, from_events
@@ -63,7 +63,7 @@ class Fit:
 
 def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = None) -> Fit:
     """The Fit of a Recording over a cart at rest; mass [kg]; `given`: "gap" [m], "omega" [rad/s], "damping_ratio" where they are known.
-    NotDrawable where the recording doesn't tell."""
+    PeterkaFileError where the recording doesn't tell."""
     given, guess = dict(given or {}), look(recording)
     begun, samples = begin(recording, guess, mass), samples_of(recording, guess)
     starts = from_events(begun, mass, given)[:1]
@@ -82,7 +82,7 @@ def fit(recording: Recording, mass: float, given: Mapping[str, float] | None = N
         except (ValueError, np.linalg.LinAlgError):
             pass  # it led nowhere
     if not found:
-        raise NotDrawable(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
+        raise PeterkaFileError(f"{recording.path} isn't the motion of a hammer that was let go over a cart at rest")
     best = min(found, key=lambda one: one.cost)
     return agreeing(finished(recording, guess, best, begun.impacts), begun, given)
 
@@ -116,7 +116,7 @@ def _begun(problem, begun, one, given):
 def fit_alone(recording: Recording, guess: Guess, begun: Begin, mass: float) -> Fit:
     """The Fit of the hardest impact by itself, where nothing else is told."""
     if begun.alone is None:
-        raise NotDrawable(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
+        raise PeterkaFileError(f"{recording.path} is too coarse to see the contact, which lasts for about {guess.contact} samples, and "
                           "shows no flights that tell it otherwise")
     return telling(finished(recording, guess, begun.alone, [begun.impacts[guess.hardest]]))
 
@@ -163,5 +163,5 @@ def telling(fit: Fit) -> Fit:
     else:
         told += f", ci/sqrt(m ki) = {2 * found.value['stop_ratio']:.3g} ± {2 * ratio:.2g}"
     coarse_words = f"; {seen} samples lie in the hardest contact" if seen else ""
-    raise NotDrawable(f"{recording.path} doesn't tell the stop: {told}{coarse_words}. Record force or acceleration, with less noise or at a "
+    raise PeterkaFileError(f"{recording.path} doesn't tell the stop: {told}{coarse_words}. Record force or acceleration, with less noise or at a "
                       "higher rate, beside a displacement, or measure restitution and contact time")

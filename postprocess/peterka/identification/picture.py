@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..look import axes, style, units
-from ..look.linear_ticks import LinearNumbers, LinearTicks
+from ..plotting import axes, style, units
+from ..plotting.linear_ticks import LinearNumbers, LinearTicks
 from .fit import Fit
 
 WIDTH, ROW, HEAD = 7.0, 2.35, 0.75  # in: two journal columns, the height of a signal, and of what is above and below

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Reals
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 
 FEWEST_SAMPLES = 50
 UNEVEN = 0.3  # of a step, by which a time may be off its place: as far as few printed digits move it
@@ -42,7 +42,7 @@ class Recording:
         first = 0 if begin is None else int(np.clip(np.ceil((begin - self.begin) / self.step - 1e-6), 0, self.count))
         last = self.count if end is None else int(np.clip(np.floor((end - self.begin) / self.step + 1e-6) + 1, first, self.count))
         if last - first < FEWEST_SAMPLES:
-            raise NotDrawable(f"{self.path} has {last - first} samples" + " between --from and --to" * (last - first < self.count)
+            raise PeterkaFileError(f"{self.path} has {last - first} samples" + " between --from and --to" * (last - first < self.count)
                               + f"; {FEWEST_SAMPLES} are needed at least")
         return Recording(self.path, self.begin + first * self.step, self.step,
                          {name: signal[first:last] for name, signal in self.signals.items()})

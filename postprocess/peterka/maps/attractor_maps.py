@@ -11,9 +11,9 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, PERIODIC
-from ..look import axes
-from ..look.classes import CLASSES, INDEX, classify
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.classes import CLASSES, INDEX, classify
+from ..plotting.picture import picture
 from .field_map import scale_colours
 from .map_file import KICKS, PeterkaFile
 from .reduce import LIMIT, block_size, class_picture, orbit_picture, with_edges

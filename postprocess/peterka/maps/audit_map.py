@@ -10,10 +10,10 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
 from ..arrays import Reals
-from ..look import axes
-from ..look.classes import CLASSES, INDEX
-from ..look.fills import Fill, fill
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.classes import CLASSES, INDEX
+from ..plotting.fills import Fill, fill
+from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import orbit_picture
 

@@ -17,10 +17,10 @@ from matplotlib.lines import Line2D
 
 from ..files.job_numbers import edge_of_no_impact
 from ..files.regimes import CHAOTIC, NO_IMPACT, PERIODIC
-from ..look import axes, style, units
-from ..look.classes import CLASSES, INDEX, class_of, classify
-from ..look.fills import Fill, fill
-from ..look.picture import picture
+from ..plotting import axes, style, units
+from ..plotting.classes import CLASSES, INDEX, class_of, classify
+from ..plotting.fills import Fill, fill
+from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import class_picture
 

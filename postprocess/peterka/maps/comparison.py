@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from ..arrays import Integers, Mask, Reals
 from ..files.harmless import harmless
-from ..files.opened import NotDrawable
+from ..errors import PeterkaFileError
 from ..files.regimes import NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from ..look.classes import class_of
+from ..plotting.classes import class_of
 from .common_plane import CommonPlane
 from .map_file import PeterkaFile
 
@@ -53,7 +53,7 @@ class Comparison:
 
 
 def compare(first: PeterkaFile, second: PeterkaFile) -> Comparison:
-    """The Comparison of two open files; NotDrawable where they don't lie over the same plane."""
+    """The Comparison of two open files; PeterkaFileError where they don't lie over the same plane."""
     plane = CommonPlane(first, second)
     cells = same_regime = same_label = 0
     moves: Counter[tuple[str, str]] = Counter()
@@ -178,4 +178,4 @@ def _percent(count, total):
     return f"{100 * count / total:>10.3f} %"
 
 
-__all__ = ["Comparison", "NotDrawable", "compare", "text"]
+__all__ = ["Comparison", "PeterkaFileError", "compare", "text"]

@@ -10,7 +10,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from ..look import axes, style, units
+from ..plotting import axes, style, units
 from .comparison import NAMES, Comparison, differing_keys, has_lasting_force, label_codes, there
 from .map_file import PeterkaFile
 from .reduce import LIMIT, block_size, largest, with_edges

@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..files.regimes import NOT_COMPUTED
-from ..look import axes
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import class_picture
 

@@ -72,7 +72,7 @@ class CurvesFile(PeterkaFile):
     coordinates = {"curves": ("gap_ratio", "frequency_ratio")}
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
         super().check_content()
         self.curves = self._curves() if self.data.has("curve_kind") else []
         self.specials = self._specials() if self.data.has("special_kind") else []

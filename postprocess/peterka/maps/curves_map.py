@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look import axes
-from ..look.classes import CLASSES, INDEX
+from ..plotting import axes
+from ..plotting.classes import CLASSES, INDEX
 from .curves_file import CurvesFile
 from .peterka_map import WIDTH, legend_entries
 from .reduce import orbit_picture

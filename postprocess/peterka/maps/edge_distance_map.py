@@ -6,9 +6,9 @@ The size of the drift, whichever way it goes; the file has its sign. A block of 
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..look import axes, style
-from ..look.coordinates import label
-from ..look.picture import picture
+from ..plotting import axes, style
+from ..plotting.coordinates import label
+from ..plotting.picture import picture
 from .curves_file import EDGE_KINDS, CurvesFile
 from .field_map import scale_colours
 from .reduce import LIMIT, block_size, class_picture, with_edges

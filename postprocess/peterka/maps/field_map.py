@@ -14,10 +14,10 @@ from matplotlib.colors import ListedColormap, LogNorm, Normalize
 
 from ..arrays import Integers, Mask
 from ..files.regimes import CHAOTIC, PERIODIC
-from ..look import axes, style
-from ..look.classes import CLASSES, INDEX, classify
-from ..look.fills import Fill, grey
-from ..look.notes import write_beside
+from ..plotting import axes, style
+from ..plotting.classes import CLASSES, INDEX, classify
+from ..plotting.fills import Fill, grey
+from ..plotting.notes import write_beside
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile

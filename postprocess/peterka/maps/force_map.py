@@ -7,8 +7,8 @@ without a force; where no cell has one there is no picture.
 from matplotlib.axes import Axes
 
 from ..files.regimes import PERIODIC
-from ..look import style, units
-from ..look.picture import picture
+from ..plotting import style, units
+from ..plotting.picture import picture
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import field_map
 from .field_map import Field, Scale

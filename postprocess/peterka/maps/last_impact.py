@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..files.regimes import CHAOTIC, FAILED, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from ..look import axes, style
-from ..look.fills import Fill, grey
-from ..look.picture import picture
+from ..plotting import axes, style
+from ..plotting.fills import Fill, grey
+from ..plotting.picture import picture
 from .map_file import PeterkaFile
 from .reduce import class_picture
 

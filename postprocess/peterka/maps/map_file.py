@@ -6,7 +6,7 @@ Layout versions 2 and 3: two coordinate vectors and the data on [rows][columns],
 or the same in SI units, which are brought to ratios where the file tells how (files/coordinates.py);
 with regime int8, impacts and period int32, peak_force_ratio f64 [F/(m g)], for basins attractor int32 and the group
 `attractors`; where the job asks for them the f64 of QUANTITIES, int8 chatter (0 or 1), int8 computed (0 or 1, refined
-maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises NotDrawable.
+maps), int32 last_impact (-1: none), and the group `audit`. What cannot be drawn raises PeterkaFileError.
 """
 
 import re
@@ -23,11 +23,12 @@ from ..files.checked_hdf5 import INTEGER, REAL, shown
 from ..files.coordinates import Coordinate, coordinate
 from ..files.harmless import harmless
 from ..files.job_axes import axes_of_job
-from ..files.opened import NotDrawable, OpenedFile
+from ..errors import PeterkaFileError
+from ..files.opened import OpenedFile
 from ..files.regimes import CHAOTIC, NOT_COMPUTED, check_labels
 from .tables import Attractors, read_attractors, read_audit
 
-__all__ = ["Attractors", "Axis", "NotDrawable", "PeterkaFile", "QUANTITIES"]
+__all__ = ["Attractors", "Axis", "PeterkaFileError", "PeterkaFile", "QUANTITIES"]
 
 COORDINATES = {"map": ("gap_ratio", "frequency_ratio"), "basin": ("velocity_ratio", "displacement_ratio")}
 # Optional datasets and the ways to write their unit; the first one is shown.
@@ -108,7 +109,7 @@ class PeterkaFile(OpenedFile):
         return band
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
         if self.kind not in self.coordinates:
             raise self.refusal(f"is of kind {shown(self.kind)}; a {' or '.join(self.coordinates)} file is needed")
         self.rows, self.columns = (self._axis(name) for name in self._coordinates())
@@ -172,7 +173,7 @@ class PeterkaFile(OpenedFile):
         """Whether it is a number on the plane in a unit of UNITS: what later versions store is drawn, too."""
         try:
             self.data.dataset(name, self.shape, REAL)
-        except NotDrawable:
+        except PeterkaFileError:
             return False
         if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
             return False  # it names a picture's file

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 
 from ..files.regimes import FAILED, NO_IMPACT, NOT_COMPUTED, PERIODIC, SUSTAINED_CONTACT
-from ..look import style, units
-from ..look.picture import picture
+from ..plotting import style, units
+from ..plotting.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
 from .map_file import PeterkaFile

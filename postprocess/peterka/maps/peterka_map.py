@@ -16,9 +16,9 @@ from matplotlib.patches import Patch
 
 from ..arrays import Integers
 from ..files.job_numbers import UnreadableJob, edge_of_no_impact, swing_of, tables_of
-from ..look import axes
-from ..look.classes import CLASSES, INDEX
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.classes import CLASSES, INDEX
+from ..plotting.picture import picture
 from ..measurements import marks
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from .map_file import PeterkaFile

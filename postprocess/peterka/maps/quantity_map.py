@@ -10,8 +10,8 @@ from collections.abc import Callable
 from matplotlib.axes import Axes
 
 from ..files.regimes import FAILED, NOT_COMPUTED, UNRESOLVED
-from ..look import units
-from ..look.picture import picture
+from ..plotting import units
+from ..plotting.picture import picture
 from . import field_map
 from .field_map import WITHOUT_IMPACTS, Field, Scale
 from .map_file import PeterkaFile

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Integers, Reals
-from ..look import classes
-from ..look.drawn import Plane
+from ..plotting import classes
+from ..plotting.drawn import Plane
 from .map_file import PeterkaFile
 
 LIMIT = 2000

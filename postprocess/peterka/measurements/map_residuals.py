@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..files.regimes import NAMES, NOT_COMPUTED, NO_IMPACT, PERIODIC
-from ..look.drawn import Plane
+from ..plotting.drawn import Plane
 from . import tables
 from .matches import Known, Match, Place, around, distance, matches
 from .points import AXES, Point

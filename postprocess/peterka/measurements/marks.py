@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look import axes
-from ..look.drawn import Plane
-from ..look.notes import write_at
-from ..look.seen import SEEN
+from ..plotting import axes
+from ..plotting.drawn import Plane
+from ..plotting.notes import write_at
+from ..plotting.seen import SEEN
 from .points import AXES, Point
 
 SHAPES, FACES = "Dos^vP<>", ("white", "black", "#AAAAAA")  # 24 pairs

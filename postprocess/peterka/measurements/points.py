@@ -20,7 +20,7 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ..files.checked_hdf5 import NotDrawable
+from ..errors import PeterkaFileError
 from ..files.csv_table import read_csv_table
 from ..files.harmless import harmless
 from ..files.opened import OpenedFile
@@ -105,11 +105,11 @@ def read_measurements(path: Path, file: OpenedFile) -> Measurements:
 def _check_axes(file):
     if file.kind == "sweep":
         if AXES.get(file.axis_name) != "frequency":
-            raise NotDrawable(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequencies")
+            raise PeterkaFileError(f"{file.path} runs over {file.axis_name}; measured points are drawn over frequencies")
     elif file.kind != "map":
-        raise NotDrawable(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
+        raise PeterkaFileError(f"{file.path} is of kind {file.kind}; measured points are drawn over a sweep or a map")
     elif {AXES.get(axis.name) for axis in (file.rows, file.columns)} != {"frequency", "gap"}:
-        raise NotDrawable(f"{file.path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
+        raise PeterkaFileError(f"{file.path} runs over {file.columns.name} and {file.rows.name}; measured points are drawn over "
                           "frequencies and gaps")
 
 
@@ -135,7 +135,7 @@ def _scales(path, file, names):
         for pair in (PAIRS[quantity], ERRORS[quantity]):
             for name, factor in zip(pair, scale):
                 if name in names and factor is None:
-                    raise NotDrawable(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in SI units")
+                    raise PeterkaFileError(f"{path} has a column {name}, and {file.path} doesn't say what a ratio of 1 is in SI units")
     return scales
 
 
@@ -200,5 +200,5 @@ def _with_few_names(path, measured):
             points[number] = replace(points[number], label="")
     series = list(dict.fromkeys(point.series for point in points))
     if len(series) > MOST_SERIES:
-        raise NotDrawable(f"{path} has {len(series)} series; {MOST_SERIES} can be told apart")
+        raise PeterkaFileError(f"{path} has {len(series)} series; {MOST_SERIES} can be told apart")
     return Measurements(points, left_out)

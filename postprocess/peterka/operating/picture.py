@@ -7,9 +7,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from ..arrays import Reals
-from ..look import axes, style, units
-from ..look.notes import write_beside
-from ..look.seen import SEEN
+from ..plotting import axes, style, units
+from ..plotting.notes import write_beside
+from ..plotting.seen import SEEN
 from ..maps.map_file import PeterkaFile
 from ..maps.reduce import block_size, largest, with_edges
 from .admitted import Quantity

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from ..look import units
+from ..plotting import units
 from ..maps.map_file import PeterkaFile
 from .admitted import ANY, JOB, Quantity
 from .drift import Reach, unit_of

@@ -12,9 +12,10 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
-from ..files.checked_hdf5 import INTEGER, REAL, NotDrawable
+from ..errors import PeterkaFileError
+from ..files.checked_hdf5 import INTEGER, REAL
 from ..files.opened import OpenedFile
-from ..look import classes
+from ..plotting import classes
 from ..maps.map_file import PeterkaFile
 
 from . import planes
@@ -95,7 +96,7 @@ def shape_of(file: OpenedFile, name: str) -> tuple[int, ...] | None:
     """None where it is no dataset of numbers."""
     try:
         return file.data.dataset(name, None, INTEGER + REAL).shape
-    except NotDrawable:
+    except PeterkaFileError:
         return None
 
 
@@ -110,7 +111,7 @@ def _shortened(values, room):
 def _words(file, dataset):
     try:
         return {"words": {str(number): word for number, word in file.data.words(dataset).items()}}
-    except NotDrawable:
+    except PeterkaFileError:
         return {}
 
 

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from ..look import classes
-from ..look.axes import si_scale
-from ..look.coordinates import IN_MILLIMETRES, label
+from ..plotting import classes
+from ..plotting.axes import si_scale
+from ..plotting.coordinates import IN_MILLIMETRES, label
 from ..maps import basin_map, field_map
 from ..maps.curves_file import CurvesFile
 from ..maps.map_file import PeterkaFile, axis_of

@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..look import axes, style
+from ..plotting import axes, style
 from .dealing import MOST_REPLAYS, Machine, Replay, typical
 from .run_record import RunRecord
 from .tile_costs import TileCosts, goes_by_squares, tiles_of

@@ -28,7 +28,7 @@ class RunRecord:
 
 
 def read_record(path: Path) -> RunRecord:
-    """The RunRecord of the file at this path; NotDrawable where it has none."""
+    """The RunRecord of the file at this path; PeterkaFileError where it has none."""
     with PeterkaFile(path) as file:
         rows, columns = tiles_of(file.shape)
         file.data.dataset("run/tile_seconds", (rows * columns,), REAL)

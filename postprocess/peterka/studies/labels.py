@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullLocator
 
-from ..look import axes
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
 from .study_file import StudyFile
 from .work_precision import care

@@ -13,8 +13,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from ..arrays import Reals
-from ..look import axes, figures
-from ..look.picture import picture
+from ..plotting import axes, figures
+from ..plotting.picture import picture
 from .methods import marker_look
 from .study_file import Stability, StudyFile
 

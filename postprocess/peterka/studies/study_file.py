@@ -73,7 +73,7 @@ class StudyFile(OpenedFile):
         return float(np.mean(np.isfinite(table.changed_share) if self.topic == "labels" else table.outcome != ""))
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
         topic = self.data.attribute("topic")
         if not isinstance(topic, str) or topic not in _READERS:
             raise self.refusal(f"is a study of {shown(topic)}; this program draws {', '.join(_READERS)}")

@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look import axes
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.picture import picture
 from .methods import draw_points, look, marker_look, methods_in_order
 from .study_file import StudyFile, WorkPrecision
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look.picture import picture
+from ..plotting.picture import picture
 from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels

@@ -13,7 +13,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..files.opened import NotDrawable, OpenedFile
+from ..errors import PeterkaFileError
+from ..files.opened import OpenedFile
 from ..files.regimes import NO_IMPACT, PERIODIC
 from ..maps.curves_file import RIG, SAME_GAP, WORDS, CurvesFile
 from ..maps.curves_map import COLOURS, LOOKS
@@ -37,17 +38,17 @@ NO_BORDERS: tuple[Border, ...] = ()
 def read_borders(path: Path, sweep: OpenedFile) -> list[Border]:
     """The borders that the sweep's branches meet, by gap and frequency."""
     if not isinstance(sweep, SweepFile) or sweep.axis_name != "frequency_ratio":
-        raise NotDrawable(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
+        raise PeterkaFileError(f"{sweep.path} is no sweep over frequency_ratio; borders are drawn over one")
     with CurvesFile(path) as file:
         if _rig(file) != _rig(sweep):
-            raise NotDrawable(f"{path} has the curves of another rig than {sweep.path}")
+            raise PeterkaFileError(f"{path} has the curves of another rig than {sweep.path}")
         crossings = file.crossings
     borders = [Border(each.frequency_ratio, gap, each.curve.kind, each.curve.impacts, each.curve.period)
                for gap in sweep.gaps if gap is not None
                for each in crossings if abs(each.gap_ratio - gap) < SAME_GAP]
     if not borders:
         gaps = ", ".join(f"{gap:.10g}" for gap in sweep.gaps if gap is not None)
-        raise NotDrawable(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] gap_ratio = [{gaps}]")
+        raise PeterkaFileError(f"{path} tells no border at the gaps of {sweep.path}; compute it with [curves] gap_ratio = [{gaps}]")
     return sorted((border for border in borders if _is_met(sweep, border)),
                   key=lambda border: (border.gap, border.frequency_ratio))
 

@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look import style, units
-from ..look.picture import picture
+from ..plotting import style, units
+from ..plotting.picture import picture
 from ..maps.curves_file import UnstableBranch
 from ..measurements.points import NOTHING_MEASURED, Measurements
 from . import every_attractor, sweep_panels

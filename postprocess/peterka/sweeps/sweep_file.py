@@ -5,7 +5,7 @@ Layout versions 2 and 3, on [branch][frequency_ratio], or another axis of its jo
 jump int8; on [branch][frequency_ratio][sample], NaN-padded f64: stroboscopic_displacement [x/A0 at forcing phase 0] and
 impact_displacement [x/A0 at first touch]. With [starts], on [attractor][branch][frequency_ratio]: basin_share, attractor_peak_force_ratio f64,
 attractor_regime int8, attractor_impacts and attractor_period int32, start_attractor int32 without the first; and samples of all attractors' motions, attractor_stroboscopic_displacement and
-attractor_impact_displacement. What cannot be drawn raises NotDrawable.
+attractor_impact_displacement. What cannot be drawn raises PeterkaFileError.
 """
 
 from dataclasses import dataclass
@@ -120,7 +120,7 @@ class SweepFile(OpenedFile):
         return np.asarray(self.data.values("start_attractor", branch.row))
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
         names = axes_of_job(self.data.attribute("job"))
         self.axis = coordinate(self, names[0] if len(names) == 1 and self.data.has(names[0]) else "frequency_ratio")
         self.axis_name = self.axis.name

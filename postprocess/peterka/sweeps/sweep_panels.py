@@ -12,10 +12,10 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
-from ..look import axes, style
-from ..look.classes import CLASSES, INDEX, classify, named
-from ..look.coordinates import IN_MILLIMETRES, label
-from ..look.fills import fill
+from ..plotting import axes, style
+from ..plotting.classes import CLASSES, INDEX, classify, named
+from ..plotting.coordinates import IN_MILLIMETRES, label
+from ..plotting.fills import fill
 from ..measurements import marks
 from ..measurements.points import Measurements
 from .sweep_file import SweepFile

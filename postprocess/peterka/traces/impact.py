@@ -4,8 +4,8 @@ acceleration."""
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..look import figures
-from ..look.picture import picture
+from ..plotting import figures
+from ..plotting.picture import picture
 from . import trace_look
 from .trace_file import TraceFile
 

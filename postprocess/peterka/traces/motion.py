@@ -7,8 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..look import axes
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.picture import picture
 from . import trace_look
 from .trace_file import TraceFile
 

@@ -9,8 +9,8 @@ from matplotlib.lines import Line2D
 
 from ..arrays import Integers
 from ..files.regimes import CHAOTIC
-from ..look import axes
-from ..look.picture import picture
+from ..plotting import axes
+from ..plotting.picture import picture
 from . import trace_look
 from .trace_file import TraceFile
 

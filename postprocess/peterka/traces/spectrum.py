@@ -7,8 +7,8 @@ swing of the springs in flight. Resonances of the structure, as measurements sho
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..look import axes, figures
-from ..look.picture import picture
+from ..plotting import axes, figures
+from ..plotting.picture import picture
 from . import trace_look
 from .trace_file import TraceFile
 

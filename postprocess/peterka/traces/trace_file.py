@@ -5,7 +5,7 @@
     impact    the hardest of them closely: MOTION and time_from_touch over a time of its own, with its peak
     spectrum, impact_spectrum   of the motion, and of the hardest impact with the flight after it
 Displacements are in A0 and forces over the hammer's weight in the file; `millimetres` and `newtons` are the factors to
-mm and N. What cannot be drawn raises NotDrawable.
+mm and N. What cannot be drawn raises PeterkaFileError.
 """
 
 from dataclasses import dataclass
@@ -45,7 +45,7 @@ class TraceFile(OpenedFile):
     computed = 1  # it is written whole
 
     def check_content(self) -> None:
-        """Sets what the class is told to have; NotDrawable where it isn't what it should be."""
+        """Sets what the class is told to have; PeterkaFileError where it isn't what it should be."""
         self.motion = self._columns("", MOTION)
         if not np.all(np.diff(self.motion["time"]) > 0):
             raise self.refusal("has a time that does not ascend")

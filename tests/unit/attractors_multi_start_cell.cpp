@@ -1,5 +1,5 @@
 // A cell with many starts against one search for each of them; and its smallest kick against kicks one by one.
-#include "attractors/cell_search.hpp"
+#include "attractors/multi_start_cell.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,21 +41,21 @@ job::Job two_found(std::int64_t starts) {
 SolvedCell searched(const job::Job& job, Ends ends = Ends::counted) {
     const scene::Scene scene(job);
     const regime::AttractorTable nothing;
-    const Setting setting(scene, nothing, ends);
-    CellSearch search(setting, 0, 0);
-    std::vector<Ended> ended;
+    const MapContext context(scene, nothing, ends);
+    MultiStartCell search(context, 0, 0);
+    std::vector<SearchOutcome> ended;
     for (auto begins = search.next({}); !begins.empty(); begins = search.next(ended)) {
         ended.clear();
-        for (const Begin& begin : begins) {
-            Ended& end = ended.emplace_back();
-            regime::CycleDesk desk;
-            end.result = regime::complete(begin(desk, &end.found), desk);
+        for (const SearchFactory& begin : begins) {
+            SearchOutcome& end = ended.emplace_back();
+            regime::CycleBroker broker;
+            end.result = regime::complete(begin(broker, &end.found), broker);
         }
     }
     return search.result();
 }
 
-TEST(CellSearch, SharesAreThoseOfSingleSearches) {
+TEST(MultiStartCell, SharesAreThoseOfSingleSearches) {
     constexpr std::int64_t count = 40;
     const job::Job job = two_found(count);
     const scene::Cell cell = scene::Scene(job).cell(0, 0);
@@ -88,7 +88,7 @@ TEST(CellSearch, SharesAreThoseOfSingleSearches) {
     EXPECT_GT(solved.cell.cycles, own.cycles + count);
 }
 
-TEST(CellSearch, TheFirstStartOnEachAttractorIsTold) {
+TEST(MultiStartCell, TheFirstStartOnEachAttractorIsTold) {
     const job::Job job = two_found(40);
     const SolvedCell told = searched(job, Ends::told);
     const SolvedCell firsts = searched(job, Ends::firsts);
@@ -104,7 +104,7 @@ TEST(CellSearch, TheFirstStartOnEachAttractorIsTold) {
 
 // Without starts the cell's own motion is kicked: just below the smallest kick it comes back, and at it it
 // doesn't.
-TEST(CellSearch, TheSmallestKickParts) {
+TEST(MultiStartCell, TheSmallestKickParts) {
     job::Job job = two_attractors(0);
     job.output.fields = {job::OptionalField::critical_kick};
     const scene::Cell cell = scene::Scene(job).cell(0, 0);

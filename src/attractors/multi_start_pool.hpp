@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "attractors/cell_search.hpp"
+#include "attractors/multi_start_cell.hpp"
 #include "attractors/solved_cell.hpp"
-#include "regime/cell_pool.hpp"
+#include "regime/search_pool.hpp"
 
 namespace peterka::attractors {
 
-class CellCrowd {
+class MultiStartPool {
   public:
     // The number under which a cell was added, what it is, and the seconds of computing that were its share.
     struct Solved {
@@ -27,8 +27,8 @@ class CellCrowd {
     using Take = std::function<void(Solved solved)>;
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive this.
-    CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
-              Ends ends = Ends::counted);
+    MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
+                   Ends ends = Ends::counted);
 
     [[nodiscard]] bool has_room() const { return waiting_.empty() && pool_.has_room(); }
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
@@ -39,23 +39,23 @@ class CellCrowd {
 
   private:
     struct Open {
-        explicit Open(CellSearch of_cell) : search(std::move(of_cell)) {}
+        explicit Open(MultiStartCell of_cell) : search(std::move(of_cell)) {}
 
-        CellSearch search;
-        std::vector<Ended> ended = {};  // of the searches that run
+        MultiStartCell search;
+        std::vector<SearchOutcome> ended = {};  // of the searches that run
         std::size_t running = 0;
         double seconds = 0;
     };
     struct Waiting {
-        Begin begin;
+        SearchFactory begin;
         std::int64_t number;
     };
 
     void begin_next(std::int64_t number, Open& cell);
-    void keep(const regime::CellPool::Solved& search);
+    void keep(const regime::SearchPool::Solved& search);
     void fill_pool();
 
-    Setting setting_;
+    MapContext context_;
     bool searches_many_;
     Take take_;
     std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
@@ -63,7 +63,7 @@ class CellCrowd {
         searches_;  // cell and place, by number
     std::int64_t next_search_ = 0;
     std::deque<Waiting> waiting_;
-    regime::CellPool pool_;
+    regime::SearchPool pool_;
 };
 
 }  // namespace peterka::attractors

@@ -36,9 +36,9 @@ double gain(double damping_ratio);
 [[nodiscard]] std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>& flight,
                                                          const scene::State<double>& x);
 
-class Settling {
+class LastingMotionProof {
   public:
-    explicit Settling(const StroboscopicMap& map);
+    explicit LastingMotionProof(const StroboscopicMap& map);
 
     // Proved for every later time, from the state at forcing phase 0; nothing where it isn't.
     [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x) const;

@@ -1,5 +1,5 @@
 // Motions that last for ever: how far from the free orbit of a hammer with a cubic spring a trajectory may be.
-#include "regime/settling.hpp"
+#include "regime/lasting_motion_proof.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ double integral_of_impulse_response(double zeta) {
     return sum;
 }
 
-TEST(Settling, GainIsTheIntegralOfTheImpulseResponse) {
+TEST(LastingMotionProof, GainIsTheIntegralOfTheImpulseResponse) {
     for (const double zeta : {0.02, 0.1, 0.4, 0.9, 1.3}) {
         EXPECT_NEAR(gain(zeta) / integral_of_impulse_response(zeta), 1, 1e-4) << zeta;
     }
@@ -32,14 +32,14 @@ TEST(Settling, GainIsTheIntegralOfTheImpulseResponse) {
 
 struct FreeHammer {
     scene::Oscillator<double> oscillator;
-    CycleDesk desk;
+    CycleBroker broker;
     StroboscopicMap map;
-    Settling settling;
+    LastingMotionProof settling;
     SettledMotion motion;  // of the hammer that never touches the stop
 
     explicit FreeHammer(const scene::Oscillator<double>& with_cubic)
         : oscillator(with_cubic),
-          map(oscillator, {Engine::arkode, 1e-9}, desk),
+          map(oscillator, {Engine::arkode, 1e-9}, broker),
           settling(map),
           motion(settled()) {}
 
@@ -70,7 +70,7 @@ scene::Oscillator<double> damped_hammer(double cubic, job::CubicForm form) {
 
 // Distances grow to at most 1/(1 - L H) of their linear amplitude: what is proved ends there, and not at the
 // stop.
-TEST(Settling, ACubicSpringTakesItsShareOfTheRoom) {
+TEST(LastingMotionProof, ACubicSpringTakesItsShareOfTheRoom) {
     for (const auto form : {job::CubicForm::relative, job::CubicForm::absolute}) {
         const FreeHammer hammer(damped_hammer(1e-3, form));
         const double gap = hammer.oscillator.gap;
@@ -88,12 +88,12 @@ TEST(Settling, ACubicSpringTakesItsShareOfTheRoom) {
     }
 }
 
-TEST(Settling, ACubicSpringThatIsTooStrongProvesNothing) {
+TEST(LastingMotionProof, ACubicSpringThatIsTooStrongProvesNothing) {
     auto oscillator = damped_hammer(1e-3, job::CubicForm::relative);
     oscillator.cubic = 6.5e-3;  // L H = 1.1
-    CycleDesk desk;
-    const StroboscopicMap map(oscillator, {Engine::arkode, 1e-9}, desk);
-    const Settling settling(map);
+    CycleBroker broker;
+    const StroboscopicMap map(oscillator, {Engine::arkode, 1e-9}, broker);
+    const LastingMotionProof settling(map);
     EXPECT_TRUE(settling.may_settle());
     oscillator.cubic = 0;
     EXPECT_FALSE(settling.stays_free(trajectory::FreeFlight<double>(oscillator).steady()).has_value());

@@ -1,33 +1,34 @@
-#include "attractors/cell_crowd.hpp"
+#include "attractors/multi_start_pool.hpp"
 
 #include <utility>
 
 namespace peterka::attractors {
 
-CellCrowd::CellCrowd(const scene::Scene& scene, const regime::AttractorTable& known, Take take, Ends ends)
-    : setting_(scene, known, ends),
+MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
+                               Ends ends)
+    : context_(scene, known, ends),
       searches_many_(scene.job().starts.count > 0 || scene.job().output.has(job::OptionalField::critical_kick)),
       take_(std::move(take)),
       pool_(
           scene, known, [this](const auto& search) { keep(search); },
-          searches_many_ ? regime::CellPool::Findings::handed_on : regime::CellPool::Findings::dropped) {}
+          searches_many_ ? regime::SearchPool::Findings::handed_on : regime::SearchPool::Findings::dropped) {}
 
-void CellCrowd::add(std::int64_t row, std::int64_t column, std::int64_t number) {
+void MultiStartPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (!searches_many_)
         return pool_.add(row, column, number);  // a single search, which nobody asks what it found
-    auto open = std::make_unique<Open>(CellSearch(setting_, row, column));
+    auto open = std::make_unique<Open>(MultiStartCell(context_, row, column));
     Open& cell = *cells_.emplace(number, std::move(open)).first->second;
     begin_next(number, cell);
     fill_pool();
 }
 
-void CellCrowd::step() {
+void MultiStartPool::step() {
     fill_pool();
     if (!pool_.empty()) pool_.step();
 }
 
 // A search may end as soon as it is added, and then those that wait grow more.
-void CellCrowd::fill_pool() {
+void MultiStartPool::fill_pool() {
     while (!waiting_.empty() && pool_.has_room()) {
         const Waiting next = std::move(waiting_.front());
         waiting_.pop_front();
@@ -35,9 +36,9 @@ void CellCrowd::fill_pool() {
     }
 }
 
-void CellCrowd::begin_next(std::int64_t number, Open& cell) {
-    const std::vector<Ended> ended = std::exchange(cell.ended, {});
-    std::vector<Begin> searches = cell.search.next(ended);
+void MultiStartPool::begin_next(std::int64_t number, Open& cell) {
+    const std::vector<SearchOutcome> ended = std::exchange(cell.ended, {});
+    std::vector<SearchFactory> searches = cell.search.next(ended);
     if (searches.empty()) {
         Solved solved{number, cell.search.result(), cell.seconds};
         cells_.erase(number);
@@ -52,7 +53,7 @@ void CellCrowd::begin_next(std::int64_t number, Open& cell) {
     }
 }
 
-void CellCrowd::keep(const regime::CellPool::Solved& search) {
+void MultiStartPool::keep(const regime::SearchPool::Solved& search) {
     if (!searches_many_) return take_({search.number, {search.result, {}}, search.seconds});
     const auto where = searches_.find(search.number);
     const auto [number, place] = where->second;

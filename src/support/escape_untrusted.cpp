@@ -1,4 +1,4 @@
-#include "support/harmless.hpp"
+#include "support/escape_untrusted.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::string shown(std::uint32_t code) {
 
 std::string made_harmless(std::string_view text, std::size_t longest, bool keeps_lines) {
     constexpr std::string_view cut = "...";
-    std::string harmless;
+    std::string escape_untrusted;
     std::size_t uncut = 0;  // of it, with room for that behind
     while (!text.empty()) {
         const auto letter = first_letter(text);
@@ -63,17 +63,18 @@ std::string made_harmless(std::string_view text, std::size_t longest, bool keeps
         } else if (is_command(letter->code) && !(keeps_lines && letter->code == '\n')) {
             piece = shown(letter->code);
         }
-        if (harmless.size() + piece.size() > longest) return harmless.substr(0, uncut).append(cut);
-        harmless += piece;
-        if (harmless.size() + cut.size() <= longest) uncut = harmless.size();
+        if (escape_untrusted.size() + piece.size() > longest)
+            return escape_untrusted.substr(0, uncut).append(cut);
+        escape_untrusted += piece;
+        if (escape_untrusted.size() + cut.size() <= longest) uncut = escape_untrusted.size();
         text.remove_prefix(bytes);
     }
-    return harmless;
+    return escape_untrusted;
 }
 
 }  // namespace
 
-std::string harmless(std::string_view text, std::size_t longest) {
+std::string escape_untrusted(std::string_view text, std::size_t longest) {
     return made_harmless(text, longest, false);
 }
 

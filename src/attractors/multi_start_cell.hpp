@@ -28,8 +28,8 @@ namespace peterka::attractors {
 enum class Ends { counted, told, firsts };
 
 // What the cells of a map share; outlives their searches.
-struct Setting {
-    Setting(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts);
+struct MapContext {
+    MapContext(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts);
 
     const scene::Scene& scene;
     const regime::AttractorTable& known;  // for [start]: none but in a basin
@@ -38,13 +38,13 @@ struct Setting {
     Ends ends;
 };
 
-class CellSearch {
+class MultiStartCell {
   public:
-    CellSearch(const Setting& setting, std::int64_t row, std::int64_t column);
+    MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column);
 
     // The next searches, once the last ones have ended, whose ends are given in their order; none: it is
     // solved.
-    [[nodiscard]] std::vector<Begin> next(std::span<const Ended> ended);
+    [[nodiscard]] std::vector<SearchFactory> next(std::span<const SearchOutcome> ended);
     [[nodiscard]] SolvedCell result() const;
 
   private:
@@ -57,28 +57,28 @@ class CellSearch {
         bool tried = false;  // to prove its neighbourhood
     };
 
-    [[nodiscard]] std::vector<Begin> next_round();
-    [[nodiscard]] std::vector<Begin> attractors_worth_knowing();
-    [[nodiscard]] std::vector<Begin> orbits_to_kick();
+    [[nodiscard]] std::vector<SearchFactory> next_round();
+    [[nodiscard]] std::vector<SearchFactory> attractors_worth_knowing();
+    [[nodiscard]] std::vector<SearchFactory> orbits_to_kick();
     void learn(std::size_t known, bool follows, bool proves);
-    [[nodiscard]] std::vector<Begin> learn_all();
+    [[nodiscard]] std::vector<SearchFactory> learn_all();
     [[nodiscard]] double expected(const Known& known) const;
     [[nodiscard]] bool is_worth_following(const Known& known) const;
     [[nodiscard]] bool is_worth_proving(const Known& known) const;
     void know_more();
-    [[nodiscard]] std::vector<Begin> finish_starts();
+    [[nodiscard]] std::vector<SearchFactory> finish_starts();
     void tell_attractors();
     void tell_mean_life();
-    [[nodiscard]] Sooner sooner() const;
-    void take_starts(std::span<const Ended> ended);
+    [[nodiscard]] EarlyVerdict sooner() const;
+    void take_starts(std::span<const SearchOutcome> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
-    [[nodiscard]] std::vector<Begin> begin_kicks();
+    [[nodiscard]] std::vector<SearchFactory> begin_kicks();
     void take_kicks();
-    [[nodiscard]] Begin search_from(const scene::State<double>& start, Sooner sooner = {}) const;
+    [[nodiscard]] SearchFactory search_from(const scene::State<double>& start, EarlyVerdict sooner = {}) const;
     [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;
-    [[nodiscard]] std::int64_t count() const { return setting_.of_starts.starts.count; }
+    [[nodiscard]] std::int64_t count() const { return context_.of_starts.starts.count; }
 
-    const Setting& setting_;
+    const MapContext& context_;
     scene::Cell cell_;
     Stage stage_ = Stage::begin;
     std::int64_t begun_ = 0;  // of the starts

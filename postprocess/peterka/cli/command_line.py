@@ -11,7 +11,7 @@ from typing import IO, NoReturn
 from matplotlib.figure import Figure
 
 from ..files.harmless import harmless
-from ..look import axes
+from ..plotting import axes
 
 FORMATS = ("png", "pdf", "svg")
 DEFAULT_FORMATS = "png,pdf"

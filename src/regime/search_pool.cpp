@@ -1,4 +1,4 @@
-#include "regime/cell_pool.hpp"
+#include "regime/search_pool.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -23,15 +23,15 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 }  // namespace
 
 // A search in hand.
-struct CellPool::Member : Reused {
-    Member(const Begin& begin, Findings findings, std::int64_t its_number)
-        : number(its_number), search(begin(desk, findings == Findings::handed_on ? &found : nullptr)) {}
+struct SearchPool::Member : Reused {
+    Member(const SearchFactory& begin, Findings findings, std::int64_t its_number)
+        : number(its_number), search(begin(broker, findings == Findings::handed_on ? &found : nullptr)) {}
 
     std::int64_t number;
-    CycleDesk desk;
+    CycleBroker broker;
     std::vector<FoundAttractor> found;
     Task<CellResult> search;
-    std::int64_t engine = 0;     // of desk.engines_used(): that for which the batch was chosen
+    std::int64_t engine = 0;     // of broker.engines_used(): that for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
     double seconds = 0;
@@ -44,14 +44,14 @@ struct CellPool::Member : Reused {
     // a rigid stop presses at phase 0.
     [[nodiscard]] bool fits_batch() const {
         if (!batch) return false;
-        const trajectory::Recorder<double>* recorder = desk.order().recorder;
+        const trajectory::Recorder<double>* recorder = broker.order().recorder;
         if (recorder == nullptr) return true;
-        const bool crosses = batch->stop == batch::Stop::rigid && desk.oscillator().gap < 0;
+        const bool crosses = batch->stop == batch::Stop::rigid && broker.oscillator().gap < 0;
         return !(recorder->records_contacts() || crosses);
     }
 };
 
-struct CellPool::Group {
+struct SearchPool::Group {
     Group(const scene::Oscillator<double>& rig, const Batch& batch)
         : kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
     // Of cells with rigs of their own.
@@ -68,15 +68,15 @@ struct CellPool::Group {
     [[nodiscard]] bool record(std::size_t slot) {
         Member& cell = *cells[slot];
         cell.course.push_back(map.cycle(slot));
-        if (trajectory::Recorder<double>* recorder = cell.desk.order().recorder)
+        if (trajectory::Recorder<double>* recorder = cell.broker.order().recorder)
             recorder->cycles(map.totals(slot));
-        return cell.course.size() == cell.desk.order().cycles ||
+        return cell.course.size() == cell.broker.order().cycles ||
                cell.course.back().outcome != trajectory::Cycle<double>::Outcome::done;
     }
     // Tells the search in a slot what they were.
     void tell(std::size_t slot) {
         Member& cell = *cells[slot];
-        cell.desk.serve(cell.course);
+        cell.broker.serve(cell.course);
         cell.course.clear();
     }
 
@@ -87,11 +87,11 @@ struct CellPool::Group {
     double last_step_seconds = 0;
 };
 
-CellPool::CellPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
+SearchPool::SearchPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
     : scene_(scene), known_(known), take_(std::move(take)), findings_(findings), free_(scene) {}
-CellPool::~CellPool() = default;
+SearchPool::~SearchPool() = default;
 
-bool CellPool::has_room() const {
+bool SearchPool::has_room() const {
     if (alone_.size() >= most_alone || in_hand_ >= most_in_hand) return false;
     std::size_t waiting = 0;
     for (const Group& group : groups_) {
@@ -100,20 +100,20 @@ bool CellPool::has_room() const {
     return in_hand_ - waiting < enough;
 }
 
-void CellPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
+void SearchPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     const scene::Cell place = scene_.cell(row, column);
     // that takes less time than a look at the clock
     if (const auto result = free_.told_by_another(place)) return take_({number, *result, 0, {}});
     const Stopwatch stopwatch;
     if (const auto result = free_.find(place)) return take_({number, *result, stopwatch.seconds(), {}});
     add(
-        [&](CycleDesk& desk, auto* found) {
-            return solve_cell(desk, scene_.job(), place, {&known_, found});
+        [&](CycleBroker& broker, auto* found) {
+            return solve_cell(broker, scene_.job(), place, {&known_, found});
         },
         number);
 }
 
-void CellPool::add(const Begin& begin, std::int64_t number) {
+void SearchPool::add(const SearchFactory& begin, std::int64_t number) {
     auto cell = std::make_unique<Member>(begin, findings_, number);
     ++in_hand_;
     ++searches_;
@@ -125,9 +125,9 @@ void CellPool::add(const Begin& begin, std::int64_t number) {
 }
 
 // Where its engine has one.
-std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
-    const EngineSettings& settings = desk.settings();
-    const scene::Oscillator<double>& oscillator = desk.oscillator();
+std::optional<SearchPool::Batch> SearchPool::batch_of(const CycleBroker& broker) {
+    const EngineSettings& settings = broker.settings();
+    const scene::Oscillator<double>& oscillator = broker.oscillator();
     if (!has_batch(oscillator, settings.engine)) return std::nullopt;
     const batch::Stop stop =
         scene::is_rigid(oscillator.contact) ? batch::Stop::rigid : batch::Stop::spring_dashpot;
@@ -139,35 +139,35 @@ std::optional<CellPool::Batch> CellPool::batch_of(const CycleDesk& desk) {
     return Batch{batch::Springs::split, steps, stop};
 }
 
-CellPool::Group& CellPool::group_for(const Member& cell) {
+SearchPool::Group& SearchPool::group_for(const Member& cell) {
     const auto found = std::ranges::find(groups_, *cell.batch, &Group::kind);
     if (found != groups_.end()) return *found;
     if (scene_.rigs_differ()) return groups_.emplace_back(*cell.batch);
-    return groups_.emplace_back(cell.desk.oscillator(), *cell.batch);
+    return groups_.emplace_back(cell.broker.oscillator(), *cell.batch);
 }
 
 // Puts a cell whose search waits where its order is served.
-void CellPool::enter(std::unique_ptr<Member> cell) {
-    if (cell->engine != cell->desk.engines_used()) {
-        cell->engine = cell->desk.engines_used();
-        cell->batch = batch_of(cell->desk);
+void SearchPool::enter(std::unique_ptr<Member> cell) {
+    if (cell->engine != cell->broker.engines_used()) {
+        cell->engine = cell->broker.engines_used();
+        cell->batch = batch_of(cell->broker);
     }
     if (!cell->fits_batch()) {
         alone_.push_back(std::move(cell));
         return;
     }
-    const scene::Oscillator<double>& oscillator = cell->desk.oscillator();
+    const scene::Oscillator<double>& oscillator = cell->broker.oscillator();
     Group& group = group_for(*cell);
     if (scene_.rigs_differ()) {
-        group.map.add(oscillator, cell->desk.order().from);
+        group.map.add(oscillator, cell->broker.order().from);
     } else {
-        group.map.add(oscillator.frequency, oscillator.gap, cell->desk.order().from);
+        group.map.add(oscillator.frequency, oscillator.gap, cell->broker.order().from);
     }
     cell->charged_before = group.charged;
     group.cells.push_back(std::move(cell));
 }
 
-void CellPool::step() {
+void SearchPool::step() {
     bool waits = true;
     for (Group& group : groups_) {  // on the way more may be appended
         if (!group.is_full()) continue;
@@ -181,7 +181,7 @@ void CellPool::step() {
     if (most != groups_.end() && !most->cells.empty()) advance(*most);
 }
 
-void CellPool::advance(Group& group) {
+void SearchPool::advance(Group& group) {
     // Each cell is charged for the step before: those that leave in this one were charged when they came.
     group.charged += group.last_step_seconds / static_cast<double>(group.cells.size());
     const Stopwatch stopwatch;
@@ -193,15 +193,15 @@ void CellPool::advance(Group& group) {
     group.last_step_seconds = stopwatch.seconds();
 }
 
-void CellPool::serve(Group& group, std::size_t slot) {
+void SearchPool::serve(Group& group, std::size_t slot) {
     Member& cell = *group.cells[slot];
     group.tell(slot);
     if (cell.search.done()) return finish(*leave(group, slot));
-    if (cell.engine != cell.desk.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
-    group.map.set_state(slot, cell.desk.order().from);
+    if (cell.engine != cell.broker.engines_used() || !cell.fits_batch()) return enter(leave(group, slot));
+    group.map.set_state(slot, cell.broker.order().from);
 }
 
-std::unique_ptr<CellPool::Member> CellPool::leave(Group& group, std::size_t slot) {
+std::unique_ptr<SearchPool::Member> SearchPool::leave(Group& group, std::size_t slot) {
     group.map.remove(slot);
     std::unique_ptr<Member> cell = std::move(group.cells[slot]);
     group.cells[slot] = std::move(group.cells.back());
@@ -210,15 +210,15 @@ std::unique_ptr<CellPool::Member> CellPool::leave(Group& group, std::size_t slot
     return cell;
 }
 
-void CellPool::serve_alone() {
+void SearchPool::serve_alone() {
     const Stopwatch stopwatch;
     Member& cell = *alone_.front();
     if (!cell.scalar) cell.scalar.emplace();
     const auto stays = [&] {
-        return !cell.search.done() && cell.engine == cell.desk.engines_used() && !cell.fits_batch();
+        return !cell.search.done() && cell.engine == cell.broker.engines_used() && !cell.fits_batch();
     };
     do {
-        cell.scalar->serve(cell.desk);
+        cell.scalar->serve(cell.broker);
     } while (stays() && stopwatch.seconds() < seconds_alone);
     cell.seconds += stopwatch.seconds();
     if (stays()) return;
@@ -228,7 +228,7 @@ void CellPool::serve_alone() {
     enter(std::move(front));
 }
 
-void CellPool::finish(const Member& cell) {
+void SearchPool::finish(const Member& cell) {
     --in_hand_;
     take_({cell.number, cell.search.result(), cell.seconds, cell.found});
 }

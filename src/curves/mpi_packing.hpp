@@ -22,7 +22,7 @@ class NumberReader {
         return first;
     }
     std::int64_t integer() { return static_cast<std::int64_t>(number()); }
-    Place place() {
+    PlanePoint place() {
         const double column = number();
         return {column, number()};
     }

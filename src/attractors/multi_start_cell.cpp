@@ -1,4 +1,4 @@
-#include "attractors/cell_search.hpp"
+#include "attractors/multi_start_cell.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace peterka::attractors {
 namespace {
 
 using regime::CellResult;
-using regime::CycleDesk;
+using regime::CycleBroker;
 using regime::FoundAttractor;
 
 // Rounds have 1, 3, 4, 4, 4, 4, 5, 6, 7, ..., 256, 256, ... starts: each knows what a fifth fewer have found.
@@ -34,23 +34,23 @@ job::Job of_starts(job::Job job) {
     return job;
 }
 
-Task<CellResult> find_orbit(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
+Task<CellResult> find_orbit(CycleBroker& broker, scene::Oscillator<double> oscillator, FoundAttractor found,
                             std::optional<regime::KnownOrbit>* orbit) {
     std::int64_t spent = 0;
-    *orbit = co_await regime::find_known_orbit(desk, oscillator, found, &spent);
+    *orbit = co_await regime::find_known_orbit(broker, oscillator, found, &spent);
     co_return CellResult{.cycles = static_cast<std::int32_t>(spent)};
 }
 
-Task<CellResult> find_places(CycleDesk& desk, scene::Oscillator<double> oscillator, FoundAttractor found,
+Task<CellResult> find_places(CycleBroker& broker, scene::Oscillator<double> oscillator, FoundAttractor found,
                              std::vector<regime::Neighbourhood>* places) {
-    regime::Places proved = co_await regime::find_places(desk, oscillator, found, 1);
+    regime::Places proved = co_await regime::find_places(broker, oscillator, found, 1);
     *places = std::move(proved.neighbourhoods);
     co_return CellResult{.cycles = static_cast<std::int32_t>(proved.cycles)};
 }
 
 }  // namespace
 
-Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts)
+MapContext::MapContext(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts)
     : scene(map),
       known(known_before),
       of_starts(attractors::of_starts(map.job())),
@@ -59,20 +59,20 @@ Setting::Setting(const scene::Scene& map, const regime::AttractorTable& known_be
     of_short_starts.steady_state = Prospects::smaller(of_starts.steady_state);
 }
 
-CellSearch::CellSearch(const Setting& setting, std::int64_t row, std::int64_t column)
-    : setting_(setting),
-      cell_(setting.scene.cell(row, column)),
+MultiStartCell::MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column)
+    : context_(context),
+      cell_(context.scene.cell(row, column)),
       chaos_may_end_(cell_.oscillator.gap < 0 || may_stay_free(cell_.oscillator)) {}
 
-std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
-    for (const Ended& each : ended) cycles_ += each.result.cycles;
+std::vector<SearchFactory> MultiStartCell::next(std::span<const SearchOutcome> ended) {
+    for (const SearchOutcome& each : ended) cycles_ += each.result.cycles;
     switch (std::exchange(stage_, Stage::starts)) {
         case Stage::begin:
             break;
         case Stage::starts: {
             take_starts(ended);
             if (seen_ == count()) return finish_starts();
-            std::vector<Begin> searches = attractors_worth_knowing();
+            std::vector<SearchFactory> searches = attractors_worth_knowing();
             if (searches.empty()) break;
             stage_ = Stage::attractors;
             return searches;
@@ -84,7 +84,7 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
             know_more();
             return begin_kicks();
         case Stage::kicks: {
-            std::vector<Begin> searches = kicks_->next(ended);
+            std::vector<SearchFactory> searches = kicks_->next(ended);
             stage_ = Stage::kicks;
             if (searches.empty()) take_kicks();
             return searches;
@@ -93,40 +93,40 @@ std::vector<Begin> CellSearch::next(std::span<const Ended> ended) {
     return next_round();
 }
 
-SolvedCell CellSearch::result() const {
+SolvedCell MultiStartCell::result() const {
     SolvedCell solved = solved_;
     solved.cell.cycles =
         static_cast<std::int32_t>(std::min<std::int64_t>(cycles_, std::numeric_limits<std::int32_t>::max()));
     return solved;
 }
 
-std::vector<Begin> CellSearch::next_round() {
-    std::vector<Begin> searches;
+std::vector<SearchFactory> MultiStartCell::next_round() {
+    std::vector<SearchFactory> searches;
     if (begun_ == 0) {
-        searches.emplace_back([this](CycleDesk& desk, std::vector<FoundAttractor>* found) {
-            return regime::solve_cell(desk, setting_.scene.job(), cell_, {&setting_.known, found});
+        searches.emplace_back([this](CycleBroker& broker, std::vector<FoundAttractor>* found) {
+            return regime::solve_cell(broker, context_.scene.job(), cell_, {&context_.known, found});
         });
     }
     const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
     for (; begun_ < end; ++begun_) {
-        searches.push_back(search_from(start_of(setting_.of_starts.starts, cell_, begun_), sooner()));
+        searches.push_back(search_from(start_of(context_.of_starts.starts, cell_, begun_), sooner()));
     }
     return searches;
 }
 
-Begin CellSearch::search_from(const scene::State<double>& start, Sooner sooner) const {
-    return [this, start, sooner](CycleDesk& desk, std::vector<FoundAttractor>* found) {
-        return regime::solve_cell(desk, sooner.unresolved ? setting_.of_short_starts : setting_.of_starts,
+SearchFactory MultiStartCell::search_from(const scene::State<double>& start, EarlyVerdict sooner) const {
+    return [this, start, sooner](CycleBroker& broker, std::vector<FoundAttractor>* found) {
+        return regime::solve_cell(broker, sooner.unresolved ? context_.of_short_starts : context_.of_starts,
                                   {cell_.oscillator, start}, {&table_, found, sooner.chaos});
     };
 }
 
 // Where chaos may end on a motion without impacts, only a run of its own tells whether a start has left it.
-Sooner CellSearch::sooner() const {
-    return chaos_may_end_ ? Sooner{} : prospects_.sooner();
+EarlyVerdict MultiStartCell::sooner() const {
+    return chaos_may_end_ ? EarlyVerdict{} : prospects_.sooner();
 }
 
-void CellSearch::take_starts(std::span<const Ended> ended) {
+void MultiStartCell::take_starts(std::span<const SearchOutcome> ended) {
     if (seen_ == 0) {
         solved_.cell = ended.front().result;
         prospects_.take(solved_.cell);
@@ -135,17 +135,17 @@ void CellSearch::take_starts(std::span<const Ended> ended) {
         if (count() == 0) tally_.add(solved_.cell, ended.front().found);
         ended = ended.subspan(1);
     }
-    for (const Ended& start : ended) {
+    for (const SearchOutcome& start : ended) {
         tally_.add(start.result, start.found);
         prospects_.take(start.result);
         life_.take(start.result);
-        if (setting_.ends == Ends::told) solved_.ends.push_back(start.result);
+        if (context_.ends == Ends::told) solved_.ends.push_back(start.result);
         take_found(start.found);
     }
     seen_ += static_cast<std::int64_t>(ended.size());
 }
 
-void CellSearch::take_found(std::span<const FoundAttractor> found) {
+void MultiStartCell::take_found(std::span<const FoundAttractor> found) {
     for (const FoundAttractor& each : found) {
         if (each.result.regime != regime::Regime::periodic) continue;
         const auto known = std::ranges::find_if(known_, [&](const Known& other) {
@@ -160,20 +160,20 @@ void CellSearch::take_found(std::span<const FoundAttractor> found) {
 }
 
 // Of the starts to come, as far as those before them tell.
-double CellSearch::expected(const Known& known) const {
+double MultiStartCell::expected(const Known& known) const {
     return static_cast<double>(known.times) / static_cast<double>(seen_ + 1) *
            static_cast<double>(count() - seen_);
 }
 
-bool CellSearch::is_worth_following(const Known& known) const {
+bool MultiStartCell::is_worth_following(const Known& known) const {
     return !known.followed && expected(known) >= 1;
 }
 
-bool CellSearch::is_worth_proving(const Known& known) const {
+bool MultiStartCell::is_worth_proving(const Known& known) const {
     return !known.tried && expected(known) >= starts_worth_a_proof;
 }
 
-std::vector<Begin> CellSearch::attractors_worth_knowing() {
+std::vector<SearchFactory> MultiStartCell::attractors_worth_knowing() {
     learned_.clear();
     for (std::size_t i = 0; i < known_.size(); ++i) {
         learn(i, is_worth_following(known_[i]), is_worth_proving(known_[i]));
@@ -182,32 +182,32 @@ std::vector<Begin> CellSearch::attractors_worth_knowing() {
 }
 
 // Kicks are many, and most of them lead back.
-std::vector<Begin> CellSearch::orbits_to_kick() {
+std::vector<SearchFactory> MultiStartCell::orbits_to_kick() {
     learned_.clear();
     for (std::size_t i = 0; i < known_.size(); ++i) learn(i, !known_[i].followed, !known_[i].tried);
     return learn_all();
 }
 
-void CellSearch::learn(std::size_t known, bool follows, bool proves) {
+void MultiStartCell::learn(std::size_t known, bool follows, bool proves) {
     known_[known].followed |= follows;
     known_[known].tried |= proves;
     if (follows) learned_.push_back({.known = known, .proves = false});
     if (proves) learned_.push_back({.known = known, .proves = true});
 }
 
-std::vector<Begin> CellSearch::learn_all() {
-    std::vector<Begin> searches;
+std::vector<SearchFactory> MultiStartCell::learn_all() {
+    std::vector<SearchFactory> searches;
     for (Learned& learned : learned_) {
-        searches.emplace_back([this, &learned](CycleDesk& desk, std::vector<FoundAttractor>*) {
+        searches.emplace_back([this, &learned](CycleBroker& broker, std::vector<FoundAttractor>*) {
             const FoundAttractor& found = known_[learned.known].found;
-            return learned.proves ? find_places(desk, oscillator_of(found), found, &learned.places)
-                                  : find_orbit(desk, oscillator_of(found), found, &learned.orbit);
+            return learned.proves ? find_places(broker, oscillator_of(found), found, &learned.places)
+                                  : find_orbit(broker, oscillator_of(found), found, &learned.orbit);
         });
     }
     return searches;
 }
 
-void CellSearch::know_more() {
+void MultiStartCell::know_more() {
     for (Learned& learned : learned_) {
         const FoundAttractor& found = known_[learned.known].found;
         if (learned.orbit) table_.add(oscillator_of(found), found, std::move(*learned.orbit));
@@ -215,30 +215,30 @@ void CellSearch::know_more() {
     }
 }
 
-std::vector<Begin> CellSearch::finish_starts() {
+std::vector<SearchFactory> MultiStartCell::finish_starts() {
     kept_ = tally_.in_order();
-    const bool asks_for_kicks = setting_.scene.job().output.has(job::OptionalField::critical_kick);
+    const bool asks_for_kicks = context_.scene.job().output.has(job::OptionalField::critical_kick);
     if (count() > 0) tell_attractors();
     if (!asks_for_kicks) return {};
-    std::vector<Begin> searches = orbits_to_kick();
+    std::vector<SearchFactory> searches = orbits_to_kick();
     stage_ = Stage::orbits_to_kick;
     return searches.empty() ? begin_kicks() : searches;
 }
 
-void CellSearch::tell_attractors() {
+void MultiStartCell::tell_attractors() {
     solved_.cell.attractors = static_cast<std::int32_t>(kept_.size());
-    const auto kept = static_cast<std::size_t>(setting_.of_starts.starts.attractors);
-    keep_most(kept_, own_, setting_.ends == Ends::firsts ? kept_.size() + 1 : kept);
+    const auto kept = static_cast<std::size_t>(context_.of_starts.starts.attractors);
+    keep_most(kept_, own_, context_.ends == Ends::firsts ? kept_.size() + 1 : kept);
     solved_.cell.start_attractor = slot_of(kept_, solved_.cell);
     for (const Tally::Entry& entry : kept_) {
         solved_.attractors.push_back(as_attractor(entry, count()));
-        if (setting_.ends == Ends::firsts) solved_.firsts.push_back({entry.result, entry.first});
+        if (context_.ends == Ends::firsts) solved_.firsts.push_back({entry.result, entry.first});
     }
     tell_mean_life();
 }
 
 // Of chaos, or of what is chaotic for as long as it was followed.
-void CellSearch::tell_mean_life() {
+void MultiStartCell::tell_mean_life() {
     const auto lives = [](const CellAttractor& each) {
         return each.regime == cell::Regime::chaotic || each.status == cell::Status::chaotic_so_far;
     };
@@ -248,23 +248,23 @@ void CellSearch::tell_mean_life() {
     slot->mean_life_error = life_.error() * cell_.oscillator.period();
 }
 
-std::vector<Begin> CellSearch::begin_kicks() {
+std::vector<SearchFactory> MultiStartCell::begin_kicks() {
     stage_ = Stage::kicks;
-    const Interval velocities = velocities_of(setting_.of_starts.starts, cell_.scales);
+    const Interval velocities = velocities_of(context_.of_starts.starts, cell_.scales);
     const double largest = std::max(std::abs(velocities.from), std::abs(velocities.to));
     kicks_.emplace(cell_.oscillator, kept_, largest, table_,
                    [this](const auto& start) { return search_from(start); });
     return next({});
 }
 
-void CellSearch::take_kicks() {
+void MultiStartCell::take_kicks() {
     if (count() == 0) solved_.cell.kick = kicks_->smallest(0);
     for (std::size_t slot = 0; slot < solved_.attractors.size(); ++slot) {
         solved_.attractors[slot].kick = kicks_->smallest(slot);
     }
 }
 
-scene::Oscillator<double> CellSearch::oscillator_of(const FoundAttractor& found) const {
+scene::Oscillator<double> MultiStartCell::oscillator_of(const FoundAttractor& found) const {
     scene::Oscillator<double> oscillator = cell_.oscillator;
     oscillator.cubic = found.cubic;
     return oscillator;

@@ -1,7 +1,7 @@
 // Where a search leaves its orders of forcing cycles, and whoever has an engine serves them.
 //
 // A search is written as if it integrated by itself, but pauses at every order: so one engine can carry a
-// thousand searches at once (regime/cell_pool.hpp), and another one alone (regime/scalar_engine.hpp).
+// thousand searches at once (regime/search_pool.hpp), and another one alone (regime/scalar_engine.hpp).
 #pragma once
 
 #include <coroutine>
@@ -19,20 +19,20 @@ namespace peterka::regime {
 
 // Forcing cycles in a row, from a state (delta, delta') at forcing phase 0; a recorder gathers what happens on
 // the way. After a cycle that fails there are no more.
-struct CycleOrder {
+struct CycleRequest {
     scene::State<double> from;
     trajectory::Recorder<double>* recorder = nullptr;
     std::size_t cycles = 1;
 };
 
-class CycleDesk {
+class CycleBroker {
   public:
     struct Served {
-        CycleDesk* desk;
+        CycleBroker* broker;
         [[nodiscard]] bool await_ready() const noexcept { return false; }
-        void await_suspend(std::coroutine_handle<> searching) const noexcept { desk->searching_ = searching; }
+        void await_suspend(std::coroutine_handle<> searching) const noexcept { broker->searching_ = searching; }
         [[nodiscard]] std::span<const trajectory::Cycle<double>> await_resume() const noexcept {
-            return desk->served_;
+            return broker->served_;
         }
     };
 
@@ -43,8 +43,8 @@ class CycleDesk {
         ++engines_used_;
     }
 
-    // co_await desk.cycles(order) gives the cycles, for as long as no others are ordered.
-    [[nodiscard]] auto cycles(const CycleOrder& order) {
+    // co_await broker.cycles(order) gives the cycles, for as long as no others are ordered.
+    [[nodiscard]] auto cycles(const CycleRequest& order) {
         order_ = order;
         return Served{this};
     }
@@ -53,7 +53,7 @@ class CycleDesk {
     [[nodiscard]] const scene::Oscillator<double>& oscillator() const { return oscillator_; }
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
     [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // another number: another engine
-    [[nodiscard]] const CycleOrder& order() const { return order_; }
+    [[nodiscard]] const CycleRequest& order() const { return order_; }
     // The search goes on up to its next order, or to its end.
     void serve(std::span<const trajectory::Cycle<double>> cycles) {
         served_ = cycles;
@@ -64,7 +64,7 @@ class CycleDesk {
     scene::Oscillator<double> oscillator_;
     EngineSettings settings_;
     std::int64_t engines_used_ = 0;
-    CycleOrder order_;
+    CycleRequest order_;
     std::span<const trajectory::Cycle<double>> served_;  // of the last order
     std::coroutine_handle<> searching_;
 };

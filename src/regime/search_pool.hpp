@@ -19,7 +19,7 @@
 #include "batch/batched_cycle_map.hpp"
 #include "regime/attractor_table.hpp"
 #include "regime/cell_result.hpp"
-#include "regime/cycle_desk.hpp"
+#include "regime/cycle_broker.hpp"
 #include "regime/free_cells.hpp"
 #include "regime/scalar_engine.hpp"
 #include "scene/scene.hpp"
@@ -27,7 +27,7 @@
 
 namespace peterka::regime {
 
-class CellPool {
+class SearchPool {
   public:
     // The number under which a cell was added, its result, the seconds of computing that were its share, and
     // what its searches found, for those who ask.
@@ -42,17 +42,18 @@ class CellPool {
     enum class Findings { dropped, handed_on };
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive the pool.
-    CellPool(const scene::Scene& scene, const AttractorTable& known, Take take,
-             Findings findings = Findings::dropped);
-    ~CellPool();
+    SearchPool(const scene::Scene& scene, const AttractorTable& known, Take take,
+               Findings findings = Findings::dropped);
+    ~SearchPool();
 
     // Room for more cells; the batch is best kept full.
     [[nodiscard]] bool has_room() const;
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
-    // Any search on the same rig, begun at a desk; what it finds goes to the list, if there is one.
-    using Begin = std::function<Task<CellResult>(CycleDesk& desk, std::vector<FoundAttractor>* found)>;
-    void add(const Begin& begin, std::int64_t number);
+    // Any search on the same rig, begun at a broker; what it finds goes to the list, if there is one.
+    using SearchFactory =
+        std::function<Task<CellResult>(CycleBroker& broker, std::vector<FoundAttractor>* found)>;
+    void add(const SearchFactory& begin, std::int64_t number);
     // Begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
 
@@ -71,7 +72,7 @@ class CellPool {
         batch::Stop stop;
         friend bool operator==(const Batch&, const Batch&) = default;
     };
-    static std::optional<Batch> batch_of(const CycleDesk& desk);
+    static std::optional<Batch> batch_of(const CycleBroker& broker);
     [[nodiscard]] Group& group_for(const Member& cell);
     void enter(std::unique_ptr<Member> cell);
     void advance(Group& group);

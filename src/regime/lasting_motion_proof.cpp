@@ -1,4 +1,4 @@
-#include "regime/settling.hpp"
+#include "regime/lasting_motion_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace peterka::regime {
 
 namespace {
 
-Task<Passage> one_cycle(StroboscopicMap& map, Point from, Recorder<double>& recorder) {
+Task<CycleResult> one_cycle(StroboscopicMap& map, Point from, Recorder<double>& recorder) {
     co_return co_await map.cycle(from, &recorder);
 }
 
@@ -22,7 +22,7 @@ double gain(double damping_ratio) {
     return 1 / std::tanh(std::numbers::pi * damping_ratio / (2 * std::sqrt(1 - damping_ratio * damping_ratio)));
 }
 
-Settling::Settling(const StroboscopicMap& map)
+LastingMotionProof::LastingMotionProof(const StroboscopicMap& map)
     : oscillator_(map.oscillator()),
       free_flight_(without_cubic(map.oscillator())),
       contact_(contact_of(without_cubic(map.oscillator()))) {
@@ -42,20 +42,20 @@ Settling::Settling(const StroboscopicMap& map)
     }
 }
 
-void Settling::find_free_orbit(const StroboscopicMap& map) {
+void LastingMotionProof::find_free_orbit(const StroboscopicMap& map) {
     const double amplitude = free_flight_.amplitude();
     if (!std::isfinite(amplitude)) return;
     // the same hammer with its stop out of reach
     scene::Oscillator<double> far = oscillator_;
     far.gap = 4 * (1 + amplitude);
-    CycleDesk desk;
-    StroboscopicMap free_map(far, map.settings(), desk);
+    CycleBroker broker;
+    StroboscopicMap free_map(far, map.settings(), broker);
     const scene::State<double> start(free_flight_.steady()[0] + oscillator_.gap - far.gap,
                                      free_flight_.steady()[1]);
-    const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), desk);
+    const auto orbit = complete(find_orbit(free_map, free_map.scaled(start), 1), broker);
     if (!orbit || !(orbit->multiplier < 1)) return;
     Recorder<double> recorder;
-    const Passage cycle = complete(one_cycle(free_map, orbit->point(), recorder), desk);
+    const CycleResult cycle = complete(one_cycle(free_map, orbit->point(), recorder), broker);
     if (!cycle.ok || cycle.touched) return;
     const scene::State<double> point = free_map.unscaled(orbit->point());
     free_orbit_ = {{point[0] + far.gap - oscillator_.gap, point[1]},
@@ -63,7 +63,7 @@ void Settling::find_free_orbit(const StroboscopicMap& map) {
                    recorder.totals().displacement_bound};
 }
 
-bool Settling::close_enough(const scene::State<double>& x) const {
+bool LastingMotionProof::close_enough(const scene::State<double>& x) const {
     const double room = oscillator_.gap - free_orbit_->largest_displacement;
     const scene::State<double> e = x - free_orbit_->point;
     // linear amplitude of e, by the energy where the motion doesn't oscillate
@@ -84,7 +84,7 @@ std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>&
                          decays ? flight.amplitude() : flight.largest_displacement(x), decays};
 }
 
-std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x) const {
+std::optional<SettledMotion> LastingMotionProof::stays_free(const scene::State<double>& x) const {
     if (!may_stay_free_) return std::nullopt;
     if (oscillator_.cubic == 0) return free_for_ever(free_flight_, x);
     if (trajectory::phase_of(oscillator_, x) != trajectory::Phase::flight || !close_enough(x))
@@ -92,7 +92,7 @@ std::optional<SettledMotion> Settling::stays_free(const scene::State<double>& x)
     return SettledMotion{free_orbit_->point, free_orbit_->jacobian, 0, free_orbit_->largest_displacement};
 }
 
-Settling::Contact Settling::contact_of(const scene::Oscillator<double>& oscillator) {
+LastingMotionProof::Contact LastingMotionProof::contact_of(const scene::Oscillator<double>& oscillator) {
     // The springs press on average only where the hammer's rest lies behind the stop.
     if (oscillator.gap >= 0) return std::monostate{};
     if (oscillator.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(oscillator);
@@ -100,12 +100,12 @@ Settling::Contact Settling::contact_of(const scene::Oscillator<double>& oscillat
     return std::monostate{};  // no proof without a closed form
 }
 
-bool Settling::may_settle() const {
+bool LastingMotionProof::may_settle() const {
     if (oscillator_.cubic != 0 && !free_orbit_) return true;
     return may_stay_free_ || may_stay_in_contact_;
 }
 
-std::optional<SettledMotion> Settling::stays_in_contact(const scene::State<double>& x) const {
+std::optional<SettledMotion> LastingMotionProof::stays_in_contact(const scene::State<double>& x) const {
     if (!may_stay_in_contact_) return std::nullopt;
     return std::visit(
         [&]<class Law>(const Law& contact) -> std::optional<SettledMotion> {

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..files.checked_hdf5 import CheckedFile
 from ..files.opened import OpenedFile
-from ..look.axes import si_scale
-from ..look.coordinates import IN_MILLIMETRES
-from ..look.style import PALETTES, UNITS
+from ..plotting.axes import si_scale
+from ..plotting.coordinates import IN_MILLIMETRES
+from ..plotting.style import PALETTES, UNITS
 from ..maps.map_file import PeterkaFile
 from ..pictures import open_file
 

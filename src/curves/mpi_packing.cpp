@@ -1,4 +1,4 @@
-#include "curves/packed.hpp"
+#include "curves/mpi_packing.hpp"
 
 namespace peterka::curves {
 
@@ -9,7 +9,7 @@ double as_number(Integer value) {
     return static_cast<double>(value);
 }
 
-void pack(const Place& place, Numbers& to) {
+void pack(const PlanePoint& place, Numbers& to) {
     to.insert(to.end(), {place.column, place.row});
 }
 

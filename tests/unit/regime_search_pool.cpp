@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "regime/cell_pool.hpp"
+#include "regime/search_pool.hpp"
 #include "regime/solve_cell.hpp"
 #include "rig.hpp"
 #include "same_bytes.hpp"
@@ -45,7 +45,7 @@ std::vector<std::int64_t> all_cells(const scene::Scene& scene) {
 std::vector<CellResult> pooled(const scene::Scene& scene, const std::vector<std::int64_t>& cells) {
     std::vector<CellResult> results(cells.size());
     const AttractorTable nothing_known;
-    CellPool pool(scene, nothing_known, [&](const CellPool::Solved& solved) {
+    SearchPool pool(scene, nothing_known, [&](const SearchPool::Solved& solved) {
         results[static_cast<std::size_t>(solved.number)] = solved.result;
     });
     for (std::size_t n = 0; n < cells.size(); ++n) {
@@ -70,7 +70,7 @@ std::vector<CellResult> one_by_one(const scene::Scene& scene) {
 
 // Both engines round differently. A label may depend on that where a perturbation grew by e^20 (the fractal
 // boundaries of chaos), and nowhere else.
-TEST(CellPool, LabelsAWholeMapAsTheScalarEngineDoes) {
+TEST(SearchPool, LabelsAWholeMapAsTheScalarEngineDoes) {
     const scene::Scene scene(linear_job(60, 50));
     const auto together = pooled(scene);
     const auto alone = one_by_one(scene);
@@ -93,7 +93,7 @@ TEST(CellPool, LabelsAWholeMapAsTheScalarEngineDoes) {
     EXPECT_GT(struck, 100);    // end without impact after some
 }
 
-TEST(CellPool, ACellDoesNotDependOnItsCompany) {
+TEST(SearchPool, ACellDoesNotDependOnItsCompany) {
     const scene::Scene scene(linear_job(40, 30));
     const auto expected = pooled(scene);
     auto order = all_cells(scene);
@@ -106,7 +106,7 @@ TEST(CellPool, ACellDoesNotDependOnItsCompany) {
 }
 
 // The batch gathers no more than peak forces: what else is asked for comes from the scalar engine.
-TEST(CellPool, MeasuresImpactsToo) {
+TEST(SearchPool, MeasuresImpactsToo) {
     job::Job job = linear_job(9, 7);
     job.output.fields = {job::OptionalField::impact_speed, job::OptionalField::impulse,
                          job::OptionalField::force_per_cycle};
@@ -175,7 +175,7 @@ void expect_as_alone(const scene::Scene& scene) {
     EXPECT_GT(chatters, 30);
 }
 
-TEST(CellPool, SolvesRigidStopsAsOneCellAloneDoes) {
+TEST(SearchPool, SolvesRigidStopsAsOneCellAloneDoes) {
     expect_as_alone(scene::Scene(rigid_job(0.32, 0)));
     job::Job preloaded = rigid_job(0.2, -0.5);
     preloaded.columns = {0.4, 2.4, 40};
@@ -187,7 +187,7 @@ TEST(CellPool, SolvesRigidStopsAsOneCellAloneDoes) {
     expect_as_alone(scene::Scene(job));
 }
 
-TEST(CellPool, OtherLawsAreServedOneAfterTheOther) {
+TEST(SearchPool, OtherLawsAreServedOneAfterTheOther) {
     job::Job job = linear_job(3, 2);
     job.contact = job::HuntCrossley{5.5e8, 1.5, 1.0};
     const scene::Scene scene(job);
@@ -197,7 +197,7 @@ TEST(CellPool, OtherLawsAreServedOneAfterTheOther) {
 }
 
 // The cycles of a 2/2 orbit differ in force; those of a chaotic motion scatter.
-TEST(CellPool, ForcePerCycle) {
+TEST(SearchPool, ForcePerCycle) {
     job::Job job = linear_job(2, 1);
     job.output.fields = {job::OptionalField::force_per_cycle};
     job.columns = {2.7, 2.75, 2};  // gap 0: 2/2
@@ -234,7 +234,7 @@ TEST(CellPool, ForcePerCycle) {
 }
 
 // The paper's cubic, stronger ones, none, and one too strong to split: every cell fails.
-TEST(CellPool, SplitsTheCubicAsOneCellAloneDoes) {
+TEST(SearchPool, SplitsTheCubicAsOneCellAloneDoes) {
     for (const double stiffness : {238.2325, 5e3, 0.0, 1e10}) {
         const scene::Scene scene(split_job(stiffness));
         const auto results = pooled(scene);

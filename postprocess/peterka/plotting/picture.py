@@ -13,7 +13,7 @@ def picture(reader: Callable) -> Callable:
 
         data     such a file, or an xarray.Dataset that peterka.open or peterka.run gave, or a part of one
         ax       Axes made by subplots(), whose place the picture takes; None: a figure of its own
-        options  those of the picture, and the fields of look.style.Style, such as palette="grey"
+        options  those of the picture, and the fields of plotting.style.Style, such as palette="grey"
 
     and returns the Axes, a list where the picture has several panels, or None where there is nothing to draw."""
 

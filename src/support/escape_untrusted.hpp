@@ -11,7 +11,7 @@ namespace peterka {
 // As one line: control characters, marks that turn the direction of writing, and bytes that aren't UTF-8 are
 // shown as \x1b, \u009b, \xff; what is longer than so many bytes is cut. A text that was made harmless stays as
 // it is.
-[[nodiscard]] std::string harmless(std::string_view text, std::size_t longest = 200);
+[[nodiscard]] std::string escape_untrusted(std::string_view text, std::size_t longest = 200);
 
 // The same for whole pages, with their line breaks and of any length: everything that is printed goes through
 // it.
