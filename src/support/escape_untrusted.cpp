@@ -50,9 +50,9 @@ std::string shown(std::uint32_t code) {
     return code <= 0xffff ? fmt::format("\\u{:04x}", code) : fmt::format("\\U{:08x}", code);
 }
 
-std::string made_harmless(std::string_view text, std::size_t longest, bool keeps_lines) {
+std::string escaped_text(std::string_view text, std::size_t longest, bool keeps_lines) {
     constexpr std::string_view cut = "...";
-    std::string escape_untrusted;
+    std::string escaped;
     std::size_t uncut = 0;  // of it, with room for that behind
     while (!text.empty()) {
         const auto letter = first_letter(text);
@@ -63,23 +63,22 @@ std::string made_harmless(std::string_view text, std::size_t longest, bool keeps
         } else if (is_command(letter->code) && !(keeps_lines && letter->code == '\n')) {
             piece = shown(letter->code);
         }
-        if (escape_untrusted.size() + piece.size() > longest)
-            return escape_untrusted.substr(0, uncut).append(cut);
-        escape_untrusted += piece;
-        if (escape_untrusted.size() + cut.size() <= longest) uncut = escape_untrusted.size();
+        if (escaped.size() + piece.size() > longest) return escaped.substr(0, uncut).append(cut);
+        escaped += piece;
+        if (escaped.size() + cut.size() <= longest) uncut = escaped.size();
         text.remove_prefix(bytes);
     }
-    return escape_untrusted;
+    return escaped;
 }
 
 }  // namespace
 
 std::string escape_untrusted(std::string_view text, std::size_t longest) {
-    return made_harmless(text, longest, false);
+    return escaped_text(text, longest, false);
 }
 
-std::string harmless_page(std::string_view text) {
-    return made_harmless(text, std::string_view::npos, true);
+std::string escape_untrusted_page(std::string_view text) {
+    return escaped_text(text, std::string_view::npos, true);
 }
 
 }  // namespace peterka

@@ -15,6 +15,6 @@ namespace peterka {
 
 // The same for whole pages, with their line breaks and of any length: everything that is printed goes through
 // it.
-[[nodiscard]] std::string harmless_page(std::string_view text);
+[[nodiscard]] std::string escape_untrusted_page(std::string_view text);
 
 }  // namespace peterka

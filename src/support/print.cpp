@@ -14,7 +14,7 @@
 namespace peterka {
 
 void print(const std::string& text, std::string_view nevertheless) {
-    const std::string shown = harmless_page(text);
+    const std::string shown = escape_untrusted_page(text);
     errno = 0;
     const bool written = std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size();
     if (written && std::fflush(stdout) == 0) return;

@@ -13,7 +13,7 @@ namespace peterka {
 
 template <class... Values>
 void tell(fmt::format_string<Values...> format, Values&&... values) {
-    const std::string text = harmless_page(fmt::format(format, std::forward<Values>(values)...));
+    const std::string text = escape_untrusted_page(fmt::format(format, std::forward<Values>(values)...));
     static_cast<void>(std::fputs(text.c_str(), stderr));
 }
 

@@ -13,7 +13,7 @@ TEST(Harmless, LeavesPlainTextAlone) {
     for (const std::string text :
          {"Peterka map, 170 mm: Ω/ω = 2.0 (§ 3)", "日本語 🙂", "a\\b \"c\" 'd'", ""}) {
         EXPECT_EQ(escape_untrusted(text), text);
-        EXPECT_EQ(harmless_page(text), text);
+        EXPECT_EQ(escape_untrusted_page(text), text);
     }
 }
 
@@ -37,7 +37,7 @@ TEST(Harmless, ShowsWhatIsNoUtf8ByteByByte) {
 
 TEST(Harmless, APieceIsOneLineAndAPageKeepsItsLines) {
     EXPECT_EQ(escape_untrusted("first\nsecond\u2028third"), "first\\x0asecond\\u2028third");
-    EXPECT_EQ(harmless_page("first\nse\rcond\n"), "first\nse\\x0dcond\n");
+    EXPECT_EQ(escape_untrusted_page("first\nse\rcond\n"), "first\nse\\x0dcond\n");
 }
 
 TEST(Harmless, IsCutBetweenLetters) {
