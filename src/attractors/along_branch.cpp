@@ -24,7 +24,7 @@ std::vector<SolvedCell> solve_row(const scene::Scene& scene, std::int64_t row,
     const regime::AttractorTable none;
     MultiStartPool pool(
         scene, none,
-        [&](MultiStartPool::Solved cell) {
+        [&](MultiStartPool::NumberedCell cell) {
             solved[static_cast<std::size_t>(cell.number)] = std::move(cell.cell);
         },
         Ends::firsts);
@@ -71,11 +71,11 @@ void erase(PointAttractors& point, std::ptrdiff_t slot) {
 }
 
 // What other points of the row, and the closed form, know of each.
-std::vector<KnownMotions::Found> find_known(const scene::Scene& scene, std::int64_t row,
-                                            const std::vector<PointAttractors>& points,
-                                            const std::function<void()>& look) {
+std::vector<KnownMotions::NewResult> find_known(const scene::Scene& scene, std::int64_t row,
+                                                const std::vector<PointAttractors>& points,
+                                                const std::function<void()>& look) {
     KnownMotions known(scene, row, row + 1, look);
-    std::vector<KnownMotions::Known> news;
+    std::vector<KnownMotions::CellMotion> news;
     std::int64_t cell = row * scene.columns();
     for (const PointAttractors& point : points) {
         std::vector<KnownMotion> here;
@@ -83,9 +83,9 @@ std::vector<KnownMotions::Found> find_known(const scene::Scene& scene, std::int6
         for (const KnownMotion& motion : here) news.push_back({cell, motion});
         known.add(cell++, std::move(here));
     }
-    std::vector<KnownMotions::Found> found = known.free_motions();
+    std::vector<KnownMotions::NewResult> found = known.free_motions();
     while (!news.empty()) {
-        const std::vector<KnownMotions::Found> more = known.spread(news);
+        const std::vector<KnownMotions::NewResult> more = known.spread(news);
         news.clear();
         for (const auto& each : more) news.push_back({each.cell, KnownMotions::motion_of(each.result)});
         found.insert(found.end(), more.begin(), more.end());

@@ -35,8 +35,8 @@ KickScan::KickScan(int period, double largest)
       largest_(largest),
       slow_(static_cast<std::size_t>(2 * stretches) * static_cast<std::size_t>(period)) {}
 
-std::vector<KickTried> KickScan::next(std::span<const Way> ways) {
-    take(ways);
+std::vector<KickTried> KickScan::next(std::span<const Outcome> outcomes) {
+    take(outcomes);
     switch (stage_) {
         case Stage::growing:
             tried_ = growing();
@@ -54,36 +54,36 @@ std::vector<KickTried> KickScan::next(std::span<const Way> ways) {
     return tried_;
 }
 
-void KickScan::take(std::span<const Way> ways) {
+void KickScan::take(std::span<const Outcome> outcomes) {
     const double before = bound();
-    for (std::size_t i = 0; i < ways.size(); ++i) take_one(tried_[i], ways[i]);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) take_one(tried_[i], outcomes[i]);
     if (chaotic_ && chaos_dies()) dies_ = true;
     smallest_ = settled_;
     if (chaotic_ && !dies_ && (!settled_ || chaotic_->size() < settled_->size())) smallest_ = chaotic_;
-    if (!ways.empty()) choose_stage(before);
+    if (!outcomes.empty()) choose_stage(before);
 }
 
-void KickScan::take_one(const KickTried& kick, const Way& way) {
-    spent_ += way.cycles;
+void KickScan::take_one(const KickTried& kick, const Outcome& outcome) {
+    spent_ += outcome.cycles;
     const auto keep_smaller = [&kick](std::optional<KickTried>& smallest) {
         if (!smallest || kick.size() < smallest->size()) smallest = kick;
     };
-    switch (way.end) {
-        case Way::End::elsewhere:
+    switch (outcome.end) {
+        case Outcome::End::elsewhere:
             return keep_smaller(settled_);
-        case Way::End::chaos:
-            shortest_stay_ = stayed_ == 0 ? way.chaotic : std::min(shortest_stay_, way.chaotic);
+        case Outcome::End::chaos:
+            shortest_stay_ = stayed_ == 0 ? outcome.chaotic : std::min(shortest_stay_, outcome.chaotic);
             ++stayed_;
             return keep_smaller(chaotic_);
-        case Way::End::back:
+        case Outcome::End::back:
             break;
     }
-    if (way.chaotic > 0) {
+    if (outcome.chaotic > 0) {
         ++returned_;
-        lives_ += way.chaotic;
+        lives_ += outcome.chaotic;
     }
     Slow& slow = place_of(kick);
-    if (way.cycles >= slow.cycles || slow.kick.size() > bound()) slow = {kick, way.cycles};
+    if (outcome.cycles >= slow.cycles || slow.kick.size() > bound()) slow = {kick, outcome.cycles};
 }
 
 // Lives are spread exponentially; their mean is that of those that ended, for the others may have no end.

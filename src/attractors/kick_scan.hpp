@@ -26,7 +26,7 @@ namespace peterka::attractors {
 class KickScan {
   public:
     // What became of a kick.
-    struct Way {
+    struct Outcome {
         enum class End : std::uint8_t { back, elsewhere, chaos };
         End end = End::back;
         std::int64_t cycles = 0;   // of its search
@@ -37,7 +37,7 @@ class KickScan {
     KickScan(int period, double largest);
 
     // The next kicks, once those before have ended; none: it is done.
-    [[nodiscard]] std::vector<KickTried> next(std::span<const Way> ways);
+    [[nodiscard]] std::vector<KickTried> next(std::span<const Outcome> outcomes);
 
     [[nodiscard]] bool found() const { return smallest_.has_value(); }
     // Ends elsewhere, if found().
@@ -52,8 +52,8 @@ class KickScan {
         std::int64_t cycles = -1;
     };
 
-    void take(std::span<const Way> ways);
-    void take_one(const KickTried& kick, const Way& way);
+    void take(std::span<const Outcome> outcomes);
+    void take_one(const KickTried& kick, const Outcome& outcome);
     [[nodiscard]] bool chaos_dies() const;
     void choose_stage(double before);
     [[nodiscard]] std::vector<KickTried> growing();

@@ -10,14 +10,14 @@ namespace peterka::attractors {
 namespace {
 
 // A search that fails tells nothing.
-KickScan::Way way_of(const regime::CellResult& settled, const regime::CellResult& ended) {
+KickScan::Outcome outcome_of(const regime::CellResult& settled, const regime::CellResult& ended) {
     using enum regime::Regime;
-    KickScan::Way way{.cycles = ended.cycles};
-    if (ended.forgot_after > 0) way.chaotic = ended.followed_cycles - ended.forgot_after;
-    if (ended.regime == failed || regime::same_attractor(settled, ended)) return way;
-    const bool is_chaos = ended.regime == chaotic || (ended.regime == unresolved && way.chaotic > 0);
-    way.end = is_chaos ? KickScan::Way::End::chaos : KickScan::Way::End::elsewhere;
-    return way;
+    KickScan::Outcome outcome{.cycles = ended.cycles};
+    if (ended.forgot_after > 0) outcome.chaotic = ended.followed_cycles - ended.forgot_after;
+    if (ended.regime == failed || regime::same_attractor(settled, ended)) return outcome;
+    const bool is_chaos = ended.regime == chaotic || (ended.regime == unresolved && outcome.chaotic > 0);
+    outcome.end = is_chaos ? KickScan::Outcome::End::chaos : KickScan::Outcome::End::elsewhere;
+    return outcome;
 }
 
 }  // namespace
@@ -57,18 +57,18 @@ bool Kicks::kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vec
 }
 
 // What became of its last kicks; `ended` goes on behind them.
-std::vector<KickScan::Way> Kicks::take(const Kicked& kicked, std::span<const SearchOutcome>& ended) {
-    std::vector<KickScan::Way> ways;
+std::vector<KickScan::Outcome> Kicks::take(const Kicked& kicked, std::span<const SearchOutcome>& ended) {
+    std::vector<KickScan::Outcome> outcomes;
     for (const bool carried : kicked.carried) {
         if (!carried) {
-            ways.push_back({});
+            outcomes.push_back({});
             continue;
         }
         const regime::CellResult& result = ended.front().result;
-        ways.push_back(way_of(kicked.result, result));
+        outcomes.push_back(outcome_of(kicked.result, result));
         ended = ended.subspan(1);
     }
-    return ways;
+    return outcomes;
 }
 
 cell::Kick Kicks::smallest(std::size_t slot) {

@@ -9,8 +9,8 @@
 
 #include "attractors/kick_scan.hpp"
 #include "attractors/kicked_orbit.hpp"
+#include "attractors/search_broker.hpp"
 #include "attractors/tally.hpp"
-#include "attractors/work.hpp"
 #include "scene/oscillator.hpp"
 
 namespace peterka::attractors {
@@ -24,7 +24,8 @@ class Kicks {
     Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
           const regime::AttractorTable& known, SearchFrom search_from);
 
-    // As that of MultiStartCell.
+    // The next searches, once the last ones have ended, whose outcomes are given in their order; none: it is
+    // done.
     [[nodiscard]] std::vector<SearchFactory> next(std::span<const SearchOutcome> ended);
 
     // Of the attractor in this slot; nothing was tried where it is not periodic.
@@ -41,8 +42,8 @@ class Kicks {
     };
 
     bool kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches);
-    [[nodiscard]] static std::vector<KickScan::Way> take(const Kicked& kicked,
-                                                         std::span<const SearchOutcome>& ended);
+    [[nodiscard]] static std::vector<KickScan::Outcome> take(const Kicked& kicked,
+                                                             std::span<const SearchOutcome>& ended);
 
     scene::Oscillator<double> cell_;
     const regime::AttractorTable& known_;

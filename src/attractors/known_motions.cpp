@@ -42,7 +42,7 @@ void KnownMotions::add(std::int64_t cell, std::vector<KnownMotion> known) {
     of(cell) = {true, std::move(known)};
 }
 
-std::vector<KnownMotions::Found> KnownMotions::free_motions() {
+std::vector<KnownMotions::NewResult> KnownMotions::free_motions() {
     constexpr KnownMotion free{.regime = Regime::no_impact, .period = 1};
     std::vector<Attempt> attempts;
     for (std::int64_t cell = first_ * scene_.columns(); cell < end_ * scene_.columns(); ++cell) {
@@ -53,13 +53,13 @@ std::vector<KnownMotions::Found> KnownMotions::free_motions() {
     return solve(attempts);
 }
 
-std::vector<KnownMotions::Found> KnownMotions::spread(std::span<const Known> news) {
+std::vector<KnownMotions::NewResult> KnownMotions::spread(std::span<const CellMotion> news) {
     return solve(attempts(news));
 }
 
-std::vector<KnownMotions::Attempt> KnownMotions::attempts(std::span<const Known> news) {
+std::vector<KnownMotions::Attempt> KnownMotions::attempts(std::span<const CellMotion> news) {
     std::vector<Attempt> attempts;
-    for (const Known& each : news) {
+    for (const CellMotion& each : news) {
         if (!can_be_followed(each.motion)) continue;
         const std::int64_t row = each.cell / scene_.columns();
         const std::int64_t column = each.cell % scene_.columns();
@@ -72,23 +72,23 @@ std::vector<KnownMotions::Attempt> KnownMotions::attempts(std::span<const Known>
     return attempts;
 }
 
-std::vector<KnownMotions::Found> KnownMotions::solve(const std::vector<Attempt>& attempts) {
+std::vector<KnownMotions::NewResult> KnownMotions::solve(const std::vector<Attempt>& attempts) {
     std::vector<cell::CellResult> results(attempts.size());
     const regime::AttractorTable none;
-    regime::SearchPool pool(scene_, none, [&](const regime::SearchPool::Solved& solved) {
-        results[static_cast<std::size_t>(solved.number)] = solved.result;
+    regime::SearchPool pool(scene_, none, [&](const regime::SearchPool::NumberedOutcome& solved) {
+        results[static_cast<std::size_t>(solved.number)] = solved.outcome.result;
     });
     std::size_t next = 0;
     while (next < attempts.size() || !pool.empty()) {
         look_();
         for (; next < attempts.size() && pool.has_room(); ++next) {
-            pool.add([this, &attempt = attempts[next]](regime::CycleBroker& broker,
-                                                       auto*) { return begin(broker, attempt); },
+            pool.add([this, &attempt = attempts[next]](
+                         regime::CycleBroker& broker) { return regime::outcome_of(begin(broker, attempt)); },
                      static_cast<std::int64_t>(next));
         }
         if (!pool.empty()) pool.step();
     }
-    std::vector<Found> found;
+    std::vector<NewResult> found;
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         const auto [cell, from] = attempts[i];
         const KnownMotion motion = motion_of(results[i]);

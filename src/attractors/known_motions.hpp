@@ -20,11 +20,11 @@ namespace peterka::attractors {
 class KnownMotions {
   public:
     // A cell by its number, row by row, with a motion that it knows, or gets.
-    struct Known {
+    struct CellMotion {
         std::int64_t cell;
         KnownMotion motion;
     };
-    struct Found {
+    struct NewResult {
         std::int64_t cell;
         cell::CellResult result;
     };
@@ -38,9 +38,9 @@ class KnownMotions {
     // What a cell of these rows knows; a cell that nobody adds gets nothing.
     void add(std::int64_t cell, std::vector<KnownMotion> known);
     // The motions without impact.
-    [[nodiscard]] std::vector<Found> free_motions();
+    [[nodiscard]] std::vector<NewResult> free_motions();
     // What is continued from others, in the order of cells; news: in that order.
-    [[nodiscard]] std::vector<Found> spread(std::span<const Known> news);
+    [[nodiscard]] std::vector<NewResult> spread(std::span<const CellMotion> news);
 
   private:
     struct Cell {
@@ -54,8 +54,8 @@ class KnownMotions {
     [[nodiscard]] bool is_there(std::int64_t row, std::int64_t column);
     [[nodiscard]] Cell& of(std::int64_t cell);
     [[nodiscard]] scene::Cell scene_of(std::int64_t cell) const;
-    [[nodiscard]] std::vector<Attempt> attempts(std::span<const Known> news);
-    [[nodiscard]] std::vector<Found> solve(const std::vector<Attempt>& attempts);
+    [[nodiscard]] std::vector<Attempt> attempts(std::span<const CellMotion> news);
+    [[nodiscard]] std::vector<NewResult> solve(const std::vector<Attempt>& attempts);
     [[nodiscard]] Task<cell::CellResult> begin(regime::CycleBroker& broker, const Attempt& attempt);
 
     const scene::Scene& scene_;

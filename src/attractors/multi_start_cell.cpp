@@ -34,18 +34,17 @@ job::Job of_starts(job::Job job) {
     return job;
 }
 
-Task<CellResult> find_orbit(CycleBroker& broker, scene::Oscillator<double> oscillator, FoundAttractor found,
-                            std::optional<regime::KnownOrbit>* orbit) {
-    std::int64_t spent = 0;
-    *orbit = co_await regime::find_known_orbit(broker, oscillator, found, &spent);
-    co_return CellResult{.cycles = static_cast<std::int32_t>(spent)};
+Task<SearchOutcome> find_orbit(CycleBroker& broker, scene::Oscillator<double> oscillator,
+                               FoundAttractor found) {
+    SearchOutcome learned;
+    learned.orbit = co_await regime::find_known_orbit(broker, oscillator, found, &learned.cycles);
+    co_return learned;
 }
 
-Task<CellResult> find_places(CycleBroker& broker, scene::Oscillator<double> oscillator, FoundAttractor found,
-                             std::vector<regime::Neighbourhood>* places) {
+Task<SearchOutcome> find_neighbourhoods(CycleBroker& broker, scene::Oscillator<double> oscillator,
+                                        FoundAttractor found) {
     regime::Places proved = co_await regime::find_places(broker, oscillator, found, 1);
-    *places = std::move(proved.neighbourhoods);
-    co_return CellResult{.cycles = static_cast<std::int32_t>(proved.cycles)};
+    co_return SearchOutcome{.neighbourhoods = std::move(proved.neighbourhoods), .cycles = proved.cycles};
 }
 
 }  // namespace
@@ -64,47 +63,33 @@ MultiStartCell::MultiStartCell(const MapContext& context, std::int64_t row, std:
       cell_(context.scene.cell(row, column)),
       chaos_may_end_(cell_.oscillator.gap < 0 || may_stay_free(cell_.oscillator)) {}
 
-std::vector<SearchFactory> MultiStartCell::next(std::span<const SearchOutcome> ended) {
-    for (const SearchOutcome& each : ended) cycles_ += each.result.cycles;
-    switch (std::exchange(stage_, Stage::starts)) {
-        case Stage::begin:
-            break;
-        case Stage::starts: {
-            take_starts(ended);
-            if (seen_ == count()) return finish_starts();
-            std::vector<SearchFactory> searches = attractors_worth_knowing();
-            if (searches.empty()) break;
-            stage_ = Stage::attractors;
-            return searches;
-        }
-        case Stage::attractors:
-            know_more();
-            break;
-        case Stage::orbits_to_kick:
-            know_more();
-            return begin_kicks();
-        case Stage::kicks: {
-            std::vector<SearchFactory> searches = kicks_->next(ended);
-            stage_ = Stage::kicks;
-            if (searches.empty()) take_kicks();
-            return searches;
-        }
+Task<SolvedCell> MultiStartCell::solve(SearchBroker& broker) {
+    for (;;) {
+        take_starts(co_await broker.searches(next_starts()));
+        if (seen_ == count()) break;
+        know_more(co_await broker.searches(attractors_worth_knowing()));
     }
-    return next_round();
+    kept_ = tally_.in_order();
+    if (count() > 0) tell_attractors();
+    if (context_.scene.job().output.has(job::OptionalField::critical_kick)) {
+        know_more(co_await broker.searches(orbits_to_kick()));
+        Kicks kicks = this->kicks();
+        std::vector<SearchOutcome> ended;
+        for (auto searches = kicks.next({}); !searches.empty(); searches = kicks.next(ended)) {
+            ended = co_await broker.searches(std::move(searches));
+        }
+        tell_kicks(kicks);
+    }
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+    solved_.cell.cycles = static_cast<std::int32_t>(std::min(broker.cycles(), most));
+    co_return std::move(solved_);
 }
 
-SolvedCell MultiStartCell::result() const {
-    SolvedCell solved = solved_;
-    solved.cell.cycles =
-        static_cast<std::int32_t>(std::min<std::int64_t>(cycles_, std::numeric_limits<std::int32_t>::max()));
-    return solved;
-}
-
-std::vector<SearchFactory> MultiStartCell::next_round() {
+std::vector<SearchFactory> MultiStartCell::next_starts() {
     std::vector<SearchFactory> searches;
     if (begun_ == 0) {
-        searches.emplace_back([this](CycleBroker& broker, std::vector<FoundAttractor>* found) {
-            return regime::solve_cell(broker, context_.scene.job(), cell_, {&context_.known, found});
+        searches.emplace_back([this](CycleBroker& broker) {
+            return regime::search_cell(broker, context_.scene.job(), cell_, {.known = &context_.known});
         });
     }
     const std::int64_t end = std::min(count(), begun_ + size_of_round(begun_));
@@ -115,9 +100,9 @@ std::vector<SearchFactory> MultiStartCell::next_round() {
 }
 
 SearchFactory MultiStartCell::search_from(const scene::State<double>& start, EarlyVerdict sooner) const {
-    return [this, start, sooner](CycleBroker& broker, std::vector<FoundAttractor>* found) {
-        return regime::solve_cell(broker, sooner.unresolved ? context_.of_short_starts : context_.of_starts,
-                                  {cell_.oscillator, start}, {&table_, found, sooner.chaos});
+    return [this, start, sooner](CycleBroker& broker) {
+        return regime::search_cell(broker, sooner.unresolved ? context_.of_short_starts : context_.of_starts,
+                                   {cell_.oscillator, start}, {.known = &table_, .chaos = sooner.chaos});
     };
 }
 
@@ -148,81 +133,73 @@ void MultiStartCell::take_starts(std::span<const SearchOutcome> ended) {
 void MultiStartCell::take_found(std::span<const FoundAttractor> found) {
     for (const FoundAttractor& each : found) {
         if (each.result.regime != regime::Regime::periodic) continue;
-        const auto known = std::ranges::find_if(known_, [&](const Known& other) {
+        const auto known = std::ranges::find_if(known_, [&](const CountedAttractor& other) {
             return other.found.cubic == each.cubic &&
                    regime::same_map(oscillator_of(each), other.found.settings, each.settings) &&
                    regime::same_orbit(other.found.result, each.result);
         });
-        Known& entry = known != known_.end() ? *known : known_.emplace_back(Known{each});
+        CountedAttractor& entry = known != known_.end() ? *known : known_.emplace_back(CountedAttractor{each});
         if (!entry.found.by_cubic) entry.found.by_cubic = each.by_cubic;
         ++entry.times;
     }
 }
 
 // Of the starts to come, as far as those before them tell.
-double MultiStartCell::expected(const Known& known) const {
+double MultiStartCell::expected(const CountedAttractor& known) const {
     return static_cast<double>(known.times) / static_cast<double>(seen_ + 1) *
            static_cast<double>(count() - seen_);
 }
 
-bool MultiStartCell::is_worth_following(const Known& known) const {
+bool MultiStartCell::is_worth_following(const CountedAttractor& known) const {
     return !known.followed && expected(known) >= 1;
 }
 
-bool MultiStartCell::is_worth_proving(const Known& known) const {
+bool MultiStartCell::is_worth_proving(const CountedAttractor& known) const {
     return !known.tried && expected(known) >= starts_worth_a_proof;
 }
 
 std::vector<SearchFactory> MultiStartCell::attractors_worth_knowing() {
-    learned_.clear();
-    for (std::size_t i = 0; i < known_.size(); ++i) {
-        learn(i, is_worth_following(known_[i]), is_worth_proving(known_[i]));
-    }
-    return learn_all();
-}
-
-// Kicks are many, and most of them lead back.
-std::vector<SearchFactory> MultiStartCell::orbits_to_kick() {
-    learned_.clear();
-    for (std::size_t i = 0; i < known_.size(); ++i) learn(i, !known_[i].followed, !known_[i].tried);
-    return learn_all();
-}
-
-void MultiStartCell::learn(std::size_t known, bool follows, bool proves) {
-    known_[known].followed |= follows;
-    known_[known].tried |= proves;
-    if (follows) learned_.push_back({.known = known, .proves = false});
-    if (proves) learned_.push_back({.known = known, .proves = true});
-}
-
-std::vector<SearchFactory> MultiStartCell::learn_all() {
+    learning_.clear();
     std::vector<SearchFactory> searches;
-    for (Learned& learned : learned_) {
-        searches.emplace_back([this, &learned](CycleBroker& broker, std::vector<FoundAttractor>*) {
-            const FoundAttractor& found = known_[learned.known].found;
-            return learned.proves ? find_places(broker, oscillator_of(found), found, &learned.places)
-                                  : find_orbit(broker, oscillator_of(found), found, &learned.orbit);
-        });
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        learn(i, is_worth_following(known_[i]), is_worth_proving(known_[i]), searches);
     }
     return searches;
 }
 
-void MultiStartCell::know_more() {
-    for (Learned& learned : learned_) {
-        const FoundAttractor& found = known_[learned.known].found;
-        if (learned.orbit) table_.add(oscillator_of(found), found, std::move(*learned.orbit));
-        table_.add(oscillator_of(found), found, learned.places);
+// Kicks are many, and most of them lead back.
+std::vector<SearchFactory> MultiStartCell::orbits_to_kick() {
+    learning_.clear();
+    std::vector<SearchFactory> searches;
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+        learn(i, !known_[i].followed, !known_[i].tried, searches);
     }
+    return searches;
 }
 
-std::vector<SearchFactory> MultiStartCell::finish_starts() {
-    kept_ = tally_.in_order();
-    const bool asks_for_kicks = context_.scene.job().output.has(job::OptionalField::critical_kick);
-    if (count() > 0) tell_attractors();
-    if (!asks_for_kicks) return {};
-    std::vector<SearchFactory> searches = orbits_to_kick();
-    stage_ = Stage::orbits_to_kick;
-    return searches.empty() ? begin_kicks() : searches;
+void MultiStartCell::learn(std::size_t known, bool follows, bool proves, std::vector<SearchFactory>& searches) {
+    const FoundAttractor& found = known_[known].found;
+    known_[known].followed |= follows;
+    known_[known].tried |= proves;
+    if (follows) {
+        searches.emplace_back([oscillator = oscillator_of(found), found](CycleBroker& broker) {
+            return find_orbit(broker, oscillator, found);
+        });
+    }
+    if (proves) {
+        searches.emplace_back([oscillator = oscillator_of(found), found](CycleBroker& broker) {
+            return find_neighbourhoods(broker, oscillator, found);
+        });
+    }
+    learning_.resize(searches.size(), known);
+}
+
+void MultiStartCell::know_more(std::vector<SearchOutcome> learned) {
+    for (std::size_t i = 0; i < learned.size(); ++i) {
+        const FoundAttractor& found = known_[learning_[i]].found;
+        if (learned[i].orbit) table_.add(oscillator_of(found), found, std::move(*learned[i].orbit));
+        table_.add(oscillator_of(found), found, learned[i].neighbourhoods);
+    }
 }
 
 void MultiStartCell::tell_attractors() {
@@ -248,19 +225,16 @@ void MultiStartCell::tell_mean_life() {
     slot->mean_life_error = life_.error() * cell_.oscillator.period();
 }
 
-std::vector<SearchFactory> MultiStartCell::begin_kicks() {
-    stage_ = Stage::kicks;
+Kicks MultiStartCell::kicks() const {
     const Interval velocities = velocities_of(context_.of_starts.starts, cell_.scales);
     const double largest = std::max(std::abs(velocities.from), std::abs(velocities.to));
-    kicks_.emplace(cell_.oscillator, kept_, largest, table_,
-                   [this](const auto& start) { return search_from(start); });
-    return next({});
+    return {cell_.oscillator, kept_, largest, table_, [this](const auto& start) { return search_from(start); }};
 }
 
-void MultiStartCell::take_kicks() {
-    if (count() == 0) solved_.cell.kick = kicks_->smallest(0);
+void MultiStartCell::tell_kicks(Kicks& kicks) {
+    if (count() == 0) solved_.cell.kick = kicks.smallest(0);
     for (std::size_t slot = 0; slot < solved_.attractors.size(); ++slot) {
-        solved_.attractors[slot].kick = kicks_->smallest(slot);
+        solved_.attractors[slot].kick = kicks.smallest(slot);
     }
 }
 

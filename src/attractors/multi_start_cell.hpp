@@ -8,18 +8,18 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "attractors/kicks.hpp"
 #include "attractors/mean_life.hpp"
 #include "attractors/prospects.hpp"
+#include "attractors/search_broker.hpp"
 #include "attractors/solved_cell.hpp"
 #include "attractors/tally.hpp"
-#include "attractors/work.hpp"
 #include "regime/attractor_table.hpp"
 #include "scene/scene.hpp"
+#include "support/task.hpp"
 
 namespace peterka::attractors {
 
@@ -42,65 +42,50 @@ class MultiStartCell {
   public:
     MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column);
 
-    // The next searches, once the last ones have ended, whose ends are given in their order; none: it is
-    // solved.
-    [[nodiscard]] std::vector<SearchFactory> next(std::span<const SearchOutcome> ended);
-    [[nodiscard]] SolvedCell result() const;
+    // All of it, round by round; the broker and this must outlive the task.
+    [[nodiscard]] Task<SolvedCell> solve(SearchBroker& broker);
 
   private:
-    enum class Stage { begin, starts, attractors, orbits_to_kick, kicks };
     // An attractor on one map, and how often it was found.
-    struct Known {
+    struct CountedAttractor {
         regime::FoundAttractor found;
         std::int64_t times = 0;
         bool followed = false;
         bool tried = false;  // to prove its neighbourhood
     };
 
-    [[nodiscard]] std::vector<SearchFactory> next_round();
+    [[nodiscard]] std::vector<SearchFactory> next_starts();
     [[nodiscard]] std::vector<SearchFactory> attractors_worth_knowing();
     [[nodiscard]] std::vector<SearchFactory> orbits_to_kick();
-    void learn(std::size_t known, bool follows, bool proves);
-    [[nodiscard]] std::vector<SearchFactory> learn_all();
-    [[nodiscard]] double expected(const Known& known) const;
-    [[nodiscard]] bool is_worth_following(const Known& known) const;
-    [[nodiscard]] bool is_worth_proving(const Known& known) const;
-    void know_more();
-    [[nodiscard]] std::vector<SearchFactory> finish_starts();
+    void learn(std::size_t known, bool follows, bool proves, std::vector<SearchFactory>& searches);
+    [[nodiscard]] double expected(const CountedAttractor& known) const;
+    [[nodiscard]] bool is_worth_following(const CountedAttractor& known) const;
+    [[nodiscard]] bool is_worth_proving(const CountedAttractor& known) const;
+    void know_more(std::vector<SearchOutcome> learned);
     void tell_attractors();
     void tell_mean_life();
     [[nodiscard]] EarlyVerdict sooner() const;
     void take_starts(std::span<const SearchOutcome> ended);
     void take_found(std::span<const regime::FoundAttractor> found);
-    [[nodiscard]] std::vector<SearchFactory> begin_kicks();
-    void take_kicks();
+    [[nodiscard]] Kicks kicks() const;
+    void tell_kicks(Kicks& kicks);
     [[nodiscard]] SearchFactory search_from(const scene::State<double>& start, EarlyVerdict sooner = {}) const;
     [[nodiscard]] scene::Oscillator<double> oscillator_of(const regime::FoundAttractor& found) const;
     [[nodiscard]] std::int64_t count() const { return context_.of_starts.starts.count; }
 
     const MapContext& context_;
     scene::Cell cell_;
-    Stage stage_ = Stage::begin;
     std::int64_t begun_ = 0;  // of the starts
     std::int64_t seen_ = 0;
-    std::int64_t cycles_ = 0;  // of all searches
     Tally tally_;
     Prospects prospects_;
     bool chaos_may_end_;  // a motion without impacts, or without end of a contact, exists, too
     MeanLife life_;
-    std::vector<Known> known_;
-    // Of known_, with what searches leave there.
-    struct Learned {
-        std::size_t known;
-        bool proves;  // places; or follows its orbit
-        std::optional<regime::KnownOrbit> orbit = {};
-        std::vector<regime::Neighbourhood> places = {};
-    };
-    std::vector<Learned> learned_;
+    std::vector<CountedAttractor> known_;
+    std::vector<std::size_t> learning_;  // of known_: what each search in hand is about
     regime::AttractorTable table_;
     Tally::Entry own_;  // of [start]
     std::vector<Tally::Entry> kept_;
-    std::optional<Kicks> kicks_;
     SolvedCell solved_;
 };
 

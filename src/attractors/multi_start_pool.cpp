@@ -10,15 +10,17 @@ MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::Attracto
       searches_many_(scene.job().starts.count > 0 || scene.job().output.has(job::OptionalField::critical_kick)),
       take_(std::move(take)),
       pool_(
-          scene, known, [this](const auto& search) { keep(search); },
-          searches_many_ ? regime::SearchPool::Findings::handed_on : regime::SearchPool::Findings::dropped) {}
+          scene, known, [this](auto search) { keep(std::move(search)); },
+          searches_many_ ? regime::SearchPool::Attractors::reported : regime::SearchPool::Attractors::dropped) {
+}
 
 void MultiStartPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (!searches_many_)
         return pool_.add(row, column, number);  // a single search, which nobody asks what it found
-    auto open = std::make_unique<Open>(MultiStartCell(context_, row, column));
+    auto open = std::make_unique<Open>(context_, row, column);
     Open& cell = *cells_.emplace(number, std::move(open)).first->second;
-    begin_next(number, cell);
+    cell.task.start();
+    begin_searches(number, cell);
     fill_pool();
 }
 
@@ -36,32 +38,34 @@ void MultiStartPool::fill_pool() {
     }
 }
 
-void MultiStartPool::begin_next(std::int64_t number, Open& cell) {
-    const std::vector<SearchOutcome> ended = std::exchange(cell.ended, {});
-    std::vector<SearchFactory> searches = cell.search.next(ended);
-    if (searches.empty()) {
-        Solved solved{number, cell.search.result(), cell.seconds};
+// That the cell waits for; where there are none it is solved.
+void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
+    if (cell.task.done()) {
+        NumberedCell solved{number, cell.task.result(), cell.seconds};
         cells_.erase(number);
         take_(std::move(solved));
         return;
     }
-    cell.ended.resize(searches.size());
-    cell.running = searches.size();
-    for (std::size_t place = 0; place < searches.size(); ++place) {
+    const std::vector<SearchFactory>& ordered = cell.broker.ordered();
+    cell.ended.resize(ordered.size());
+    cell.running = ordered.size();
+    for (std::size_t place = 0; place < ordered.size(); ++place) {
         searches_.emplace(next_search_, std::pair(number, place));
-        waiting_.push_back({std::move(searches[place]), next_search_++});
+        waiting_.push_back({ordered[place], next_search_++});
     }
 }
 
-void MultiStartPool::keep(const regime::SearchPool::Solved& search) {
-    if (!searches_many_) return take_({search.number, {search.result, {}}, search.seconds});
+void MultiStartPool::keep(regime::SearchPool::NumberedOutcome search) {
+    if (!searches_many_) return take_({search.number, {search.outcome.result, {}}, search.seconds});
     const auto where = searches_.find(search.number);
     const auto [number, place] = where->second;
     searches_.erase(where);
     Open& cell = *cells_.at(number);
-    cell.ended[place] = {search.result, {search.found.begin(), search.found.end()}};
+    cell.ended[place] = std::move(search.outcome);
     cell.seconds += search.seconds;
-    if (--cell.running == 0) begin_next(number, cell);
+    if (--cell.running > 0) return;
+    cell.broker.serve(std::exchange(cell.ended, {}));
+    begin_searches(number, cell);
 }
 
 }  // namespace peterka::attractors

@@ -19,12 +19,12 @@ namespace peterka::attractors {
 class MultiStartPool {
   public:
     // The number under which a cell was added, what it is, and the seconds of computing that were its share.
-    struct Solved {
+    struct NumberedCell {
         std::int64_t number;
         SolvedCell cell;
         double seconds;
     };
-    using Take = std::function<void(Solved solved)>;
+    using Take = std::function<void(NumberedCell solved)>;
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive this.
     MultiStartPool(const scene::Scene& scene, const regime::AttractorTable& known, Take take,
@@ -39,9 +39,12 @@ class MultiStartPool {
 
   private:
     struct Open {
-        explicit Open(MultiStartCell of_cell) : search(std::move(of_cell)) {}
+        Open(const MapContext& context, std::int64_t row, std::int64_t column)
+            : cell(context, row, column), task(cell.solve(broker)) {}
 
-        MultiStartCell search;
+        SearchBroker broker;
+        MultiStartCell cell;
+        Task<SolvedCell> task;
         std::vector<SearchOutcome> ended = {};  // of the searches that run
         std::size_t running = 0;
         double seconds = 0;
@@ -51,8 +54,8 @@ class MultiStartPool {
         std::int64_t number;
     };
 
-    void begin_next(std::int64_t number, Open& cell);
-    void keep(const regime::SearchPool::Solved& search);
+    void begin_searches(std::int64_t number, Open& cell);
+    void keep(regime::SearchPool::NumberedOutcome search);
     void fill_pool();
 
     MapContext context_;

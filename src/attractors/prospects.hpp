@@ -48,9 +48,9 @@ class Prospects {
     static constexpr double most_otherwise = 0.1;
 
     // Starts that were followed for more than a few cycles.
-    class Followed {
+    class LongStarts {
       public:
-        explicit Followed(std::int64_t few) : few_(few) {}
+        explicit LongStarts(std::int64_t few) : few_(few) {}
         // ends_so: as those that are to be called sooner. is_like: as long as its end wasn't known.
         void take(const regime::CellResult& result, bool ends_so, bool is_like) {
             const std::int64_t cycles = (ends_so ? result.observed_cycles : result.cycles) - few_;
@@ -75,8 +75,8 @@ class Prospects {
         std::int64_t otherwise_ = 0;
     };
 
-    Followed chaos_{regime::SearchContext::cycles_to_settle};
-    Followed unresolved_{max_cycles};
+    LongStarts chaos_{regime::SearchContext::cycles_to_settle};
+    LongStarts unresolved_{max_cycles};
 };
 
 }  // namespace peterka::attractors

@@ -91,7 +91,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
     const V grid_point = cubic ? w.end : min(floor(w.time * cells.per_step) + all(4), w.end);
     const V length = mul_sub(grid_point, cells.step, w.time);
-    const Found force = seek_force(cells, w.moment, length, fourth, every());
+    const MeetingMoment force = seek_force(cells, w.moment, length, fourth, every());
     const Mask resumes = force.found & (force.moment.delta > zero);
     const Mask has_left = force.found & (force.moment.delta < zero);
     const Moments end = end_of(flight, length);

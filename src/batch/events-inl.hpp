@@ -15,7 +15,7 @@ template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::strike() {
     const Waiting w = take(queues_.crossings);
     const Cells cells = cells_of(w.lanes);
-    const Found found =
+    const MeetingMoment found =
         first_meeting(cells, w.moment, gather(lanes_[Field::delta], w.lanes),
                       gather(lanes_[Field::velocity], w.lanes), gather(lanes_[Field::margin], w.lanes));
     const Mask which = found.found;
@@ -86,7 +86,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::hop() {
     const V length = mul_sub(w.end, cells.step, w.time);
     const Flight flight(cells, w.moment);
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], w.lanes));
-    const Found found = seek_touch(cells, w.moment, length, fourth, every());
+    const MeetingMoment found = seek_touch(cells, w.moment, length, fourth, every());
     leave_to_twin(cells, found.unsure);
     const Mask touches = found.found;
     const Mask stays_below = ~(found.unsure | touches);

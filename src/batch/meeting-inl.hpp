@@ -41,7 +41,7 @@ HWY_INLINE Moments meeting_moment(const auto& cells, const Moments& m, const Der
     return {all(0), mul_add(t, mul_add(t, high, d.second), m.velocity), phase.sine, phase.cosine};
 }
 
-struct Found {
+struct MeetingMoment {
     V time;  // since the stretch began
     Moments moment;
     Mask found;   // comes through zero there, for the first time
@@ -49,7 +49,8 @@ struct Found {
 };
 
 // A flight that starts below zero and ends a step of the grid later above it.
-HWY_INLINE Found first_meeting(const auto& cells, const Moments& start, V delta1, V velocity1, V margin) {
+HWY_INLINE MeetingMoment first_meeting(const auto& cells, const Moments& start, V delta1, V velocity1,
+                                       V margin) {
     // guess: Newton's method on the cubic through both ends
     const V h = cells.step;
     const V rise = delta1 - start.delta;
@@ -99,8 +100,8 @@ HWY_INLINE Found first_meeting(const auto& cells, const Moments& start, V delta1
 // and the bound on what bends it. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later, where
 // it is zero.
 template <class RiseOf, class Land>
-HWY_INLINE Found seek(const auto& cells, const Moments& start, V length, V fourth_derivative, Mask which,
-                      RiseOf rise_of, Land land) {
+HWY_INLINE MeetingMoment seek(const auto& cells, const Moments& start, V length, V fourth_derivative,
+                              Mask which, RiseOf rise_of, Land land) {
     const V zero = all(0);
     const Flight flight(cells, start);
     V time = zero;
@@ -157,16 +158,16 @@ HWY_INLINE Found seek(const auto& cells, const Moments& start, V length, V fourt
     return {end_time, end, found, unsure | active};
 }
 // The hammer's next touch.
-HWY_INLINE Found seek_touch(const auto& cells, const Moments& start, V length, V fourth_derivative,
-                            Mask which) {
+HWY_INLINE MeetingMoment seek_touch(const auto& cells, const Moments& start, V length, V fourth_derivative,
+                                    Mask which) {
     return seek(
         cells, start, length, fourth_derivative, which,
         [](const Moments& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
         [&](const Moments& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
 }
 // From where the stop doesn't press: the next moment at which it would, if it is still reached.
-HWY_INLINE Found seek_force(const auto& cells, const Moments& start, V length, V fourth_derivative,
-                            Mask which) {
+HWY_INLINE MeetingMoment seek_force(const auto& cells, const Moments& start, V length, V fourth_derivative,
+                                    Mask which) {
     const V fourth = fourth_derivative * mul_add(all(cells.rig.lag), max(cells.eta, cells.frequency), all(1));
     return seek(
         cells, start, length, fourth, which,

@@ -52,7 +52,7 @@ void set_unforced_times(Rig& rig, const Motion& contact) {
 }
 
 // A range of a/v and a bound of J/v.
-struct Range {
+struct ShareBounds {
     double least = -std::numeric_limits<double>::infinity();
     double largest = std::numeric_limits<double>::infinity();
     double jerk = std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ struct Range {
 
 // Narrowed to where first + (a/v) second + (J/v) remainder < 0; half of `first` is kept for the remainder, and
 // some for what lies between samples.
-Range narrowed(Range range, double first, double second, double remainder) {
+ShareBounds narrowed(ShareBounds range, double first, double second, double remainder) {
     if (!(first < 0)) return {0, 0, 0};
     const double room = -0.45 * first;
     if (second > 0) range.largest = std::min(range.largest, room / second);
@@ -95,21 +95,22 @@ void set_short_contacts(Rig& rig, const Motion& contact) {
         first_remainder.push_back(t * (rig.damping + area_slope));
         second_remainder.push_back(rig.damping + t * (std::abs(force[0].slope) + area_curvature));
     }
-    std::vector<Range> falling(samples + 2);
+    std::vector<ShareBounds> falling(samples + 2);
     for (std::size_t n = samples + 1; n-- > 0;) {
         falling[n] = narrowed(falling[n + 1], force[n].slope, force[n].value, first_remainder[n]);
     }
-    Range before;  // rising or concave at each sample up to here
-    Range widest{0, 0, 0};
+    ShareBounds before;  // rising or concave at each sample up to here
+    ShareBounds widest{0, 0, 0};
     for (std::size_t n = 0; n <= samples && time(n) < rig.exit_time; ++n) {
-        const Range both{std::max(before.least, falling[n].least), std::min(before.largest, falling[n].largest),
-                         std::min(before.jerk, falling[n].jerk)};
+        const ShareBounds both{std::max(before.least, falling[n].least),
+                               std::min(before.largest, falling[n].largest),
+                               std::min(before.jerk, falling[n].jerk)};
         if (both.width() > widest.width()) {
             widest = both;
             rig.falls_from = time(n);
         }
-        const Range rising = narrowed(before, -force[n].slope, -force[n].value, first_remainder[n]);
-        const Range concave = narrowed(before, force[n].curvature, force[n].slope, second_remainder[n]);
+        const ShareBounds rising = narrowed(before, -force[n].slope, -force[n].value, first_remainder[n]);
+        const ShareBounds concave = narrowed(before, force[n].curvature, force[n].slope, second_remainder[n]);
         before = rising.width() > concave.width() ? rising : concave;
     }
     if (!(widest.width() > 0)) return;

@@ -15,8 +15,8 @@ namespace {
 constexpr double step_aside = 1e-4;
 
 bool is_motion(const Rig& rig, const OrbitPoint& point) {
-    const Fault::Kind fault = find_fault(rig, point).kind;
-    return fault != Fault::Kind::pierces && fault != Fault::Kind::slow;
+    const OrbitFault::Kind fault = find_fault(rig, point).kind;
+    return fault != OrbitFault::Kind::pierces && fault != OrbitFault::Kind::slow;
 }
 
 bool is_stable(const Rig& rig, const OrbitPoint& point) {

@@ -23,7 +23,7 @@ using Label = std::pair<std::int64_t, std::int64_t>;  // q, p
 
 constexpr const char* kind_of_border[] = {"fold", "period doubling", "grazing"};
 
-std::vector<Label> common_labels(const Findings& found, std::int64_t most_period) {
+std::vector<Label> common_labels(const CurveSearchResult& found, std::int64_t most_period) {
     std::map<Label, std::int64_t> cells;
     for (const Site& site : found.sites) {
         if (site.is_periodic(most_period)) ++cells[{site.period, site.impacts}];
@@ -83,7 +83,7 @@ class AlongBorders {
 
     [[nodiscard]] std::vector<double> gaps(const job::Job& job) const { return asked_gaps(rig_, job); }
 
-    [[nodiscard]] std::vector<Border> at(const Findings& found, double gap) const {
+    [[nodiscard]] std::vector<Border> at(const CurveSearchResult& found, double gap) const {
         std::vector<Border> borders;
         for (const Curve& curve : found.curves) {
             for (const Crossing& crossing : curve.crossings) {
@@ -144,7 +144,7 @@ std::string borders_of(const Label& label, const std::vector<Border>& borders) {
 
 }  // namespace
 
-std::string borders_in_words(const scene::Scene& scene, const Findings& found) {
+std::string borders_in_words(const scene::Scene& scene, const CurveSearchResult& found) {
     const job::Job& job = scene.job();
     if (job.curves.gaps().empty()) return "";
     const std::vector<Label> labels = common_labels(found, job.curves.max_period);

@@ -9,6 +9,6 @@
 namespace peterka::curves {
 
 // Of regimes with more than 1 % of the coarse map; empty where the job names no gap.
-[[nodiscard]] std::string borders_in_words(const scene::Scene& scene, const Findings& found);
+[[nodiscard]] std::string borders_in_words(const scene::Scene& scene, const CurveSearchResult& found);
 
 }  // namespace peterka::curves

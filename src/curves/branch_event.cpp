@@ -33,11 +33,11 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
 }
 
 std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
-                                          const Fault& fault) {
+                                          const OrbitFault& fault) {
     const auto settle = [&](const OrbitPoint& guess) {
         return solve(stepper.rig(), guess, stepper.window(), stepper.conditions());
     };
-    if (fault.kind == Fault::Kind::pierces) return settle(with_grazing(to, fault));
+    if (fault.kind == OrbitFault::Kind::pierces) return settle(with_grazing(to, fault));
     const double before = from.orbit.events[fault.event].velocity;
     const double after = to.orbit.events[fault.event].velocity;
     const double share = before == after ? 1 : std::clamp(before / (before - after), 0.0, 1.0);
@@ -65,8 +65,8 @@ bool may_vanish(double from, double middle, double to) {
 bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, bool merges) {
     const auto middle = solve(stepper.rig(), between(from, to, 0.5), stepper.window(), stepper.conditions());
     if (!middle) return true;
-    const Fault::Kind fault = find_fault(stepper.rig(), *middle).kind;
-    if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow) return true;
+    const OrbitFault::Kind fault = find_fault(stepper.rig(), *middle).kind;
+    if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow) return true;
     return std::ranges::any_of(std::array{1, -1}, [&](int sign) {
         if (merges && sign > 0) return false;
         return may_vanish(bifurcation_of(stepper, from, sign), bifurcation_of(stepper, *middle, sign),
@@ -87,14 +87,14 @@ std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
         if (!found) return std::nullopt;
         result = {is_fold ? CurveKind::period_doubling : CurveKind::grazing, *found};
     }
-    const Fault::Kind fault = find_fault(stepper.rig(), result.point).kind;
-    if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow) return std::nullopt;
+    const OrbitFault::Kind fault = find_fault(stepper.rig(), result.point).kind;
+    if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow) return std::nullopt;
     return result;
 }
 
 }  // namespace
 
-BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const Fault& fault,
+BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, const OrbitFault& fault,
                   bool by_multipliers) {
     BranchEvent judged;
     double nearest = std::numeric_limits<double>::infinity();
@@ -119,7 +119,7 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
         offer(crossing_of_multiplier(stepper, from, to, sign),
               sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
     }
-    if (fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow) {
+    if (fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow) {
         offer(grazing_between(stepper, from, to, fault), CurveKind::grazing);
     }
     if (by_multipliers && !judged.seed && !judged.lost)

@@ -18,7 +18,7 @@ struct BranchEvent {
 // `fault` is what the orbit has at the farther point. Without `by_multipliers` only impacts count: at a point
 // of a curve a multiplier is 1 or -1 but for rounding.
 [[nodiscard]] BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
-                                const Fault& fault, bool by_multipliers = true);
+                                const OrbitFault& fault, bool by_multipliers = true);
 
 // Gives the point to which a step came `from` another the events of its true motion where these are others, but
 // as many impacts; false where it has no orbit with them.

@@ -71,7 +71,7 @@ Numbers CoarseMap::solve(std::int64_t part) const {
     const std::int64_t end = std::min(first + cells_in_part, count());
     std::vector<std::vector<Site>> sites(static_cast<std::size_t>(end - first));
     const regime::AttractorTable nothing_known;
-    const auto keep = [&](const attractors::MultiStartPool::Solved& solved) {
+    const auto keep = [&](const attractors::MultiStartPool::NumberedCell& solved) {
         const double gap = rig_->at(place(solved.number)).gap();
         std::vector<Site>& of_cell = sites[static_cast<std::size_t>(solved.number - first)];
         of_cell = {site_of(solved.cell.cell, gap)};

@@ -102,7 +102,7 @@ class Line {
             members.insert(members.end(), passed.begin(), passed.end());
             return true;
         };
-        const Followed followed = follow(rig_, orbit, map_.place(cell(last)), window_, look);
+        const FollowedOrbit followed = follow(rig_, orbit, map_.place(cell(last)), window_, look);
         if (followed.seed) {
             const double edge = value(followed.seed->point.place);
             return {edge, holds(edge) ? static_cast<EdgeKind>(followed.seed->kind) : EdgeKind::none};
@@ -124,8 +124,8 @@ class Line {
             solve(rig_, guess, window_, {Condition::on_line(place, {1, 0}), Condition::on_line(place, {0, 1})});
         if (!at) return Passing::no_motion;
         if (is_motion_of(*at, map_.site(cell(i)))) return Passing::of_the_cell;
-        const Fault::Kind fault = find_fault(rig_, *at).kind;
-        const bool lives = fault != Fault::Kind::pierces && fault != Fault::Kind::slow &&
+        const OrbitFault::Kind fault = find_fault(rig_, *at).kind;
+        const bool lives = fault != OrbitFault::Kind::pierces && fault != OrbitFault::Kind::slow &&
                            monodromy(rig_, at->orbit, at->place, {}).is_stable();
         return lives ? Passing::of_another : Passing::no_motion;
     }

@@ -26,23 +26,23 @@ class Follower {
         stepper_.set_step(length() / 3);
     }
 
-    Followed run(const OrbitPoint& stable, const LookAtStep& look) {
+    FollowedOrbit run(const OrbitPoint& stable, const StepVisitor& look) {
         const int most_steps = look ? 4000 : 300;
         Stepper::Here here = stepper_.at(stable);
         if (progress_along(here) < 0) here.tangent = -here.tangent;
         for (int step = 0; step < most_steps; ++step) {
             const auto next = stepper_.next(here, look ? longest_along(here) : std::max(0.02, length() / 2));
-            Followed lost{false, {}, here.point.place};
+            FollowedOrbit lost{false, {}, here.point.place};
             if (!next) return lost;
             Stepper::Here there = *next;
-            const Fault fault = find_fault(stepper_.rig(), there.point);
+            const OrbitFault fault = find_fault(stepper_.rig(), there.point);
             const BranchEvent judged = judge(stepper_, here.point, there.point, fault);
             if (judged.seed) {
                 if (look) static_cast<void>(look(here.point, there.point, judged.seed->point.place));
                 return {false, judged.seed, judged.seed->point.place};
             }
-            const bool too_long =
-                judged.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, here, there));
+            const bool too_long = judged.lost || (fault.kind == OrbitFault::Kind::pattern &&
+                                                  !change_events(stepper_, here, there));
             if (too_long || (look && !look(here.point, there.point, there.point.place))) {
                 if (stepper_.step() < 1e-6) return lost;
                 stepper_.set_step(stepper_.step() / 8);
@@ -89,8 +89,8 @@ class Follower {
 
 }  // namespace
 
-Followed follow(const Rig& rig, const OrbitPoint& stable, const PlanePoint& target, const PlanePoint& window,
-                const LookAtStep& look) {
+FollowedOrbit follow(const Rig& rig, const OrbitPoint& stable, const PlanePoint& target,
+                     const PlanePoint& window, const StepVisitor& look) {
     return Follower(rig, stable, target, window).run(stable, look);
 }
 
@@ -100,7 +100,7 @@ std::optional<OrbitPoint> stable_orbit_near(const Rig& rig, const PlanePoint& pl
     if (!orbit) return std::nullopt;
     auto found = solve(rig, {*orbit, place}, window,
                        {Condition::on_line(place, {1, 0}), Condition::on_line(place, {0, 1})});
-    if (!found || find_fault(rig, *found).kind != Fault::Kind::none) return std::nullopt;
+    if (!found || find_fault(rig, *found).kind != OrbitFault::Kind::none) return std::nullopt;
     if (!monodromy(rig, found->orbit, found->place, {}).is_stable()) return std::nullopt;
     return found;
 }

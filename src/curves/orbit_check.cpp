@@ -109,9 +109,9 @@ double top_after(const LegInTime& leg, const Event& touch) {
 }
 
 // A flight may rise above the stop while it has not left it yet, and at its very ends by rounding.
-Fault fault_of_flight(const LegInTime& leg) {
+OrbitFault fault_of_flight(const LegInTime& leg) {
     constexpr double depth = 1e-9;  // [A0] that is no impact, for a grazing curve runs along it
-    Fault fault;
+    OrbitFault fault;
     double highest = depth;
     bool has_left = leg.start[0] <= 0;
     double looked_until = leg.from;
@@ -129,21 +129,21 @@ Fault fault_of_flight(const LegInTime& leg) {
         if (!leaves_before(time) || x[0] <= highest || leg.to - time < margin || time - leg.from < margin)
             return;
         highest = x[0];
-        fault = {Fault::Kind::pierces, leg.event, time};
+        fault = {OrbitFault::Kind::pierces, leg.event, time};
     });
-    if (fault.kind != Fault::Kind::none) return fault;
+    if (fault.kind != OrbitFault::Kind::none) return fault;
     // what is too short to be seen so
     const auto met = first_in(leg);
     if (!met) return fault;
-    if (met->kind == EventKind::resume) return {Fault::Kind::pattern, leg.event, met->time};
+    if (met->kind == EventKind::resume) return {OrbitFault::Kind::pattern, leg.event, met->time};
     const double top = top_after(leg, *met);
-    if (leg.at(top)[0] > depth) fault = {Fault::Kind::pierces, leg.event, top};
+    if (leg.at(top)[0] > depth) fault = {OrbitFault::Kind::pierces, leg.event, top};
     return fault;
 }
 
-Fault fault_of_contact(const LegInTime& leg) {
+OrbitFault fault_of_contact(const LegInTime& leg) {
     const auto met = first_in(leg);
-    return met ? Fault{Fault::Kind::pattern, leg.event, met->time} : Fault{};
+    return met ? OrbitFault{OrbitFault::Kind::pattern, leg.event, met->time} : OrbitFault{};
 }
 
 bool has_lost_its_speed(const Event& event) {
@@ -154,23 +154,23 @@ bool has_lost_its_speed(const Event& event) {
 
 }  // namespace
 
-Fault find_fault(const Rig& rigs, const OrbitPoint& point) {
+OrbitFault find_fault(const Rig& rigs, const OrbitPoint& point) {
     const PlacedRig rig = rigs.at(point.place);
-    Fault pattern;
+    OrbitFault pattern;
     const std::size_t count = point.orbit.events.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (has_lost_its_speed(point.orbit.events[i]))
-            return {Fault::Kind::slow, i, point.orbit.events[i].time};
+            return {OrbitFault::Kind::slow, i, point.orbit.events[i].time};
     }
     for (std::size_t i = 0; i < count; ++i) {
         const LegInTime leg = leg_in_time(rig, point, i);
         if (!(leg.to > leg.from)) {
-            pattern = {Fault::Kind::pattern, i, leg.from};
+            pattern = {OrbitFault::Kind::pattern, i, leg.from};
             continue;
         }
-        const Fault fault = leg.presses() ? fault_of_contact(leg) : fault_of_flight(leg);
-        if (fault.kind == Fault::Kind::pierces) return fault;
-        if (fault.kind == Fault::Kind::pattern) pattern = fault;
+        const OrbitFault fault = leg.presses() ? fault_of_contact(leg) : fault_of_flight(leg);
+        if (fault.kind == OrbitFault::Kind::pierces) return fault;
+        if (fault.kind == OrbitFault::Kind::pattern) pattern = fault;
     }
     return pattern;
 }

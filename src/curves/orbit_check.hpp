@@ -10,7 +10,7 @@
 
 namespace peterka::curves {
 
-struct Fault {
+struct OrbitFault {
     enum class Kind : std::uint8_t {
         none,
         pierces,  // a flight reaches beyond the stop before its end
@@ -24,7 +24,7 @@ struct Fault {
 };
 
 // The first fault of a kind that ends a branch, or else one of the pattern.
-[[nodiscard]] Fault find_fault(const Rig& rig, const OrbitPoint& point);
+[[nodiscard]] OrbitFault find_fault(const Rig& rig, const OrbitPoint& point);
 
 // Largest F/(k A0) of the orbit; NaN with a rigid stop.
 [[nodiscard]] double peak_force(const Rig& rig, const OrbitPoint& point);

@@ -76,7 +76,7 @@ bool is_same_motion(const Orbit& a, const Orbit& b) {
            });
 }
 
-OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced) {
+OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced) {
     OrbitPoint result = point;
     const auto place = result.orbit.events.begin() + static_cast<std::ptrdiff_t>(pierced.event) + 1;
     result.orbit.events.insert(place, {EventKind::graze, false, pierced.time, 0});

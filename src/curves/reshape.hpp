@@ -21,7 +21,7 @@ namespace peterka::curves {
 [[nodiscard]] bool is_same_motion(const Orbit& a, const Orbit& b);
 
 // With a grazing where a flight reaches furthest.
-[[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const Fault& pierced);
+[[nodiscard]] OrbitPoint with_grazing(const OrbitPoint& point, const OrbitFault& pierced);
 
 // With a grazing in place of an impact that has lost its speed: it is left out, or, where the stop presses the
 // hammer there, becomes one with the impact before.

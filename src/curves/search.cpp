@@ -25,7 +25,7 @@ class CurveSearch {
           gap_axis_(gap_axis(scene.job())),
           wants_distances_(scene.job().curves.edge_distance) {}
 
-    Findings run() {
+    CurveSearchResult run() {
         const auto parts = deal_(map_.parts(), [&](std::int64_t part) { return map_.solve(part); });
         map_.put_together(parts);
         window_ = {map_.place(0), map_.place(map_.count() - 1), gaps_, gap_axis_};
@@ -86,7 +86,7 @@ class CurveSearch {
         Numbers numbers{0};
         const auto orbit = map_.orbit(edge.from, window_.size(), edge.site);
         if (!orbit) return numbers;
-        const Followed followed = follow(rig_, *orbit, map_.place(edge.to), window_.size());
+        const FollowedOrbit followed = follow(rig_, *orbit, map_.place(edge.to), window_.size());
         numbers[0] = followed.reached ? 1 : 0;
         if (followed.seed) pack(*followed.seed, numbers);
         return numbers;
@@ -260,7 +260,7 @@ class CurveSearch {
             const Curve& curve = found_.curves[i];
             return std::tuple(curve.period, curve.impacts, curve.kind);
         });
-        Findings sorted = found_;
+        CurveSearchResult sorted = found_;
         for (std::size_t i = 0; i < order.size(); ++i) {
             sorted.curves[i] = found_.curves[order[i]];
             sorted.seconds[i] = found_.seconds[order[i]];
@@ -278,12 +278,12 @@ class CurveSearch {
     Window window_;
     PlanePoint cell_;
     std::vector<std::pair<std::int64_t, std::int64_t>> reached_;
-    Findings found_;
+    CurveSearchResult found_;
 };
 
 }  // namespace
 
-Findings find_curves(const scene::Scene& scene, const Deal& deal) {
+CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal) {
     return CurveSearch(scene, deal).run();
 }
 

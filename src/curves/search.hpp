@@ -29,7 +29,7 @@ struct EdgeCount {
     [[nodiscard]] std::int64_t unexplained() const { return edges - on_curve - basin; }
 };
 
-struct Findings {
+struct CurveSearchResult {
     std::vector<Site> sites;  // the coarse map, row by row
     // and of its cells, where the job asks for them
     std::vector<EdgeDistance> along_columns;
@@ -42,6 +42,6 @@ struct Findings {
     std::int64_t followed = 0;        // edges across which an orbit was followed
 };
 
-[[nodiscard]] Findings find_curves(const scene::Scene& scene, const Deal& deal);
+[[nodiscard]] CurveSearchResult find_curves(const scene::Scene& scene, const Deal& deal);
 
 }  // namespace peterka::curves

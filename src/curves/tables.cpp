@@ -32,7 +32,7 @@ void add_places(Columns& columns, const char* prefix, const AxesOfFile& axes, co
     }
 }
 
-Numbers forces_of_cells(const scene::Scene& scene, const Findings& found) {
+Numbers forces_of_cells(const scene::Scene& scene, const CurveSearchResult& found) {
     Numbers forces;
     for (std::int64_t cell = 0; cell < std::ssize(found.sites); ++cell) {
         const scene::Scales scales = scene.cell(cell / scene.columns(), cell % scene.columns()).scales;
@@ -42,7 +42,7 @@ Numbers forces_of_cells(const scene::Scene& scene, const Findings& found) {
 }
 
 // The coarse map, as the file of a map has it.
-std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) {
+std::vector<Table> coarse_map(const scene::Scene& scene, const CurveSearchResult& found) {
     const job::Job& job = scene.job();
     const AxesOfFile axes(job);
     const Dimension columns{axes.column.coordinate.name, scene.columns()};
@@ -75,7 +75,7 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const Findings& found) 
 }
 
 // How far each of its cells is from the edges of its own motion.
-std::vector<Table> distances(const scene::Scene& scene, const Findings& found) {
+std::vector<Table> distances(const scene::Scene& scene, const CurveSearchResult& found) {
     const AxesOfFile axes(scene.job());
     std::vector<Table> tables;
     const auto add = [&](const Variable& variable, const Numbers& values) {
@@ -104,7 +104,7 @@ struct Together {
     std::vector<Item> items;
     Numbers curve;
 
-    Together(const Findings& found, std::vector<Item> Curve::*part) {
+    Together(const CurveSearchResult& found, std::vector<Item> Curve::*part) {
         for (std::size_t i = 0; i < found.curves.size(); ++i) {
             const std::vector<Item>& of_curve = found.curves[i].*part;
             items.insert(items.end(), of_curve.begin(), of_curve.end());
@@ -114,7 +114,7 @@ struct Together {
 };
 
 // clang-format off
-Columns columns_of_curves(const Findings& found) {
+Columns columns_of_curves(const CurveSearchResult& found) {
     Numbers first;
     double points = 0;
     for (const Curve& curve : found.curves) {
@@ -134,7 +134,7 @@ Columns columns_of_curves(const Findings& found) {
     return curves;
 }
 
-Columns columns_of_points(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
+Columns columns_of_points(const CurveSearchResult& found, const Rig& rig, const AxesOfFile& axes) {
     const std::vector<CurvePoint> points = Together(found, &Curve::points).items;
     Columns of_points("/", "point", std::ssize(points));
     of_points.add_counter("number of the point");
@@ -148,7 +148,7 @@ Columns columns_of_points(const Findings& found, const Rig& rig, const AxesOfFil
     return of_points;
 }
 
-Columns columns_of_specials(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
+Columns columns_of_specials(const CurveSearchResult& found, const Rig& rig, const AxesOfFile& axes) {
     const auto [specials, curve] = Together(found, &Curve::specials);
     Columns of_specials("/", "special", std::ssize(specials));
     of_specials.add_counter("number of the special point");
@@ -158,7 +158,7 @@ Columns columns_of_specials(const Findings& found, const Rig& rig, const AxesOfF
     return of_specials;
 }
 
-Columns columns_of_crossings(const Findings& found, const Rig& rig, const AxesOfFile& axes) {
+Columns columns_of_crossings(const CurveSearchResult& found, const Rig& rig, const AxesOfFile& axes) {
     const auto [crossings, curve] = Together(found, &Curve::crossings);
     Columns of_crossings("/", "crossing", std::ssize(crossings));
     of_crossings.add_counter("number of the crossing");
@@ -169,7 +169,7 @@ Columns columns_of_crossings(const Findings& found, const Rig& rig, const AxesOf
     return of_crossings;
 }
 
-Columns columns_of_run(const Findings& found) {
+Columns columns_of_run(const CurveSearchResult& found) {
     Columns live("/run", "curve", std::ssize(found.curves));
     live.add_counter("number of the curve");
     live.add({"curve_seconds", Number::float64, nan, "s", "time that tracing the curve took"}, found.seconds);
@@ -193,7 +193,7 @@ std::vector<Table> counts_of_edges(const EdgeCount& edges) {
 
 }  // namespace
 
-std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found) {
+std::vector<map_file::Table> tables_of(const scene::Scene& scene, const CurveSearchResult& found) {
     const Rig rig(scene.job());
     const AxesOfFile axes(scene.job());
     std::vector<Table> tables = coarse_map(scene, found);

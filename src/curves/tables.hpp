@@ -9,6 +9,6 @@
 
 namespace peterka::curves {
 
-[[nodiscard]] std::vector<map_file::Table> tables_of(const scene::Scene& scene, const Findings& found);
+[[nodiscard]] std::vector<map_file::Table> tables_of(const scene::Scene& scene, const CurveSearchResult& found);
 
 }  // namespace peterka::curves

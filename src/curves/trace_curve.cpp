@@ -121,8 +121,8 @@ class HalfCurve {
             return Step::ends;
         }
         const bool leaves = !window_.holds(there.point.place);
-        const Fault fault = find_fault(rig_, there.point);
-        const bool breaks = fault.kind == Fault::Kind::pierces || fault.kind == Fault::Kind::slow;
+        const OrbitFault fault = find_fault(rig_, there.point);
+        const bool breaks = fault.kind == OrbitFault::Kind::pierces || fault.kind == OrbitFault::Kind::slow;
         if (breaks && has_same_events(here.point.orbit, there.point.orbit)) {
             const auto last = other_grazing(here.point, there.point, fault);
             if (last && window_.holds(last->place)) {
@@ -146,8 +146,8 @@ class HalfCurve {
             end = last || !window_.holds(here.point.place, -1e-9) ? CurveEnd::border : CurveEnd::lost;
         }
         if (leaves || breaks) return Step::ends;
-        return fault.kind != Fault::Kind::pattern || change_events(stepper_, here, there) ? Step::goes_on
-                                                                                          : Step::unclear;
+        return fault.kind != OrbitFault::Kind::pattern || change_events(stepper_, here, there) ? Step::goes_on
+                                                                                               : Step::unclear;
     }
 
     std::optional<OrbitPoint> at_border(const OrbitPoint& here, const OrbitPoint& there) const {
@@ -170,8 +170,8 @@ class HalfCurve {
     }
 
     std::optional<OrbitPoint> other_grazing(const OrbitPoint& here, const OrbitPoint& there,
-                                            const Fault& fault) const {
-        if (fault.kind == Fault::Kind::pierces) {
+                                            const OrbitFault& fault) const {
+        if (fault.kind == OrbitFault::Kind::pierces) {
             const OrbitPoint guess = with_grazing(there, fault);
             return solve(rig_, guess, window_.size(), stepper_.conditions());
         }

@@ -69,8 +69,9 @@ class BranchWalk {
         stepper_.set_step(first_step);
         const auto first = stepper_.next(from, first_step);
         if (!first || !window_.holds(first->point.place)) return;
-        const Fault::Kind fault = find_fault(rig_, first->point).kind;
-        if (fault == Fault::Kind::pierces || fault == Fault::Kind::slow || is_stable(first->point)) return;
+        const OrbitFault::Kind fault = find_fault(rig_, first->point).kind;
+        if (fault == OrbitFault::Kind::pierces || fault == OrbitFault::Kind::slow || is_stable(first->point))
+            return;
         UnstableBranch branch;
         branch.gap = coordinate(at.point.place, window_.gap_axis);
         branch.impacts = first->point.orbit.impacts();
@@ -112,7 +113,7 @@ class BranchWalk {
             const auto next = stepper_.next(here, std::min(0.1, 0.01 / std::max(share, 1e-3)));
             if (!next) return std::nullopt;
             Stepper::Here there = *next;
-            const Fault fault = find_fault(rig_, there.point);
+            const OrbitFault fault = find_fault(rig_, there.point);
             const BranchEvent event = judge(stepper_, here.point, there.point, fault);
             const bool leaves = !window_.holds(there.point.place);
             if (event.seed && (!leaves || window_.holds(event.seed->point.place))) {
@@ -124,7 +125,8 @@ class BranchWalk {
                 end_at_border(here.point, there.point, branch);
                 return std::nullopt;
             }
-            if (event.lost || (fault.kind == Fault::Kind::pattern && !change_events(stepper_, here, there))) {
+            if (event.lost ||
+                (fault.kind == OrbitFault::Kind::pattern && !change_events(stepper_, here, there))) {
                 if (stepper_.step() < 1e-6) return std::nullopt;
                 stepper_.set_step(stepper_.step() / 8);
                 continue;

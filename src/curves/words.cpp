@@ -22,7 +22,7 @@ constexpr std::array kind_words{"fold", "period doubling", "grazing"};
 constexpr std::array special_words{"fold with grazing", "period doubling with grazing", "two grazings", "cusp",
                                    "grazing without acceleration"};
 
-std::string table_of_curves(const Findings& found) {
+std::string table_of_curves(const CurveSearchResult& found) {
     struct Row {
         std::array<int, 3> curves{};
         std::size_t points = 0;
@@ -42,7 +42,7 @@ std::string table_of_curves(const Findings& found) {
     return text;
 }
 
-std::string specials_text(const Findings& found) {
+std::string specials_text(const CurveSearchResult& found) {
     std::array<int, special_words.size()> counts{};
     for (const Curve& curve : found.curves) {
         for (const Special& special : curve.specials) ++counts[static_cast<std::size_t>(special.kind)];
@@ -67,7 +67,7 @@ std::string edges_text(const EdgeCount& edges) {
 }
 
 // What length of the curves, in shares of the window, is of a kind.
-std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, const PlanePoint& window) {
+std::array<double, label_edge_kinds> lengths_by_edge(const CurveSearchResult& found, const PlanePoint& window) {
     std::array<double, label_edge_kinds> lengths{};
     for (const Curve& curve : found.curves) {
         for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
@@ -82,7 +82,7 @@ std::array<double, label_edge_kinds> lengths_by_edge(const Findings& found, cons
     return lengths;
 }
 
-std::string label_edges_text(const job::Job& job, const Findings& found) {
+std::string label_edges_text(const job::Job& job, const CurveSearchResult& found) {
     static constexpr std::array words{
         "where labels of the coarse map change within a cell",
         "where cells have the label of a motion that ends or changes, but on both sides",
@@ -112,7 +112,7 @@ std::string axis_in_words(std::string_view key) {
     return job::is_gap(key) ? "the gap" : std::string(key);
 }
 
-std::string distances_text(const job::Job& job, const Findings& found) {
+std::string distances_text(const job::Job& job, const CurveSearchResult& found) {
     if (found.along_columns.empty()) return "";
     const auto share = [](const std::vector<EdgeDistance>& all, auto&& is_one) {
         const auto cells = std::ranges::count_if(
@@ -133,7 +133,7 @@ std::string distances_text(const job::Job& job, const Findings& found) {
 
 }  // namespace
 
-std::string in_words(const scene::Scene& scene, const Findings& found) {
+std::string in_words(const scene::Scene& scene, const CurveSearchResult& found) {
     const job::Job& job = scene.job();
     const std::string title = job.title.empty() ? "(no title)" : job.title;
     if (found.curves.empty()) {
@@ -156,7 +156,7 @@ std::string in_words(const scene::Scene& scene, const Findings& found) {
         distances_text(job, found), borders_in_words(scene, found));
 }
 
-std::string speed_in_words(const Findings& found) {
+std::string speed_in_words(const CurveSearchResult& found) {
     std::vector<double> residuals;
     for (const Curve& curve : found.curves) {
         for (const CurvePoint& point : curve.points) residuals.push_back(point.residual);

@@ -97,21 +97,22 @@ struct Bracket {
 };
 
 // Where the signal first rises through zero between two samples, the first of which is not above zero;
-// look(time) gives a sample in between.
-template <class Look>
-std::optional<Bracket> first_rise(const Sample& a, const Sample& b, Look&& look, int depth = deepest_look) {
+// sample_at(time) gives a sample in between.
+template <class SampleAt>
+std::optional<Bracket> first_rise(const Sample& a, const Sample& b, SampleAt&& sample_at,
+                                  int depth = deepest_look) {
     const SignalCurve curve(a, b);
     if (curve.upper_bound() <= 0) return std::nullopt;
     if (b.value > 0 && (curve.rises() || depth == 0)) return Bracket{a, b};
     if (depth == 0) return std::nullopt;
-    const Sample middle = look((a.time + b.time) / 2);
-    if (const auto early = first_rise(a, middle, look, depth - 1)) return early;
-    return middle.value > 0 ? Bracket{a, middle} : first_rise(middle, b, look, depth - 1);
+    const Sample middle = sample_at((a.time + b.time) / 2);
+    if (const auto early = first_rise(a, middle, sample_at, depth - 1)) return early;
+    return middle.value > 0 ? Bracket{a, middle} : first_rise(middle, b, sample_at, depth - 1);
 }
 
 // The largest value between two samples, or `largest` where none exceeds it by more than this relative amount.
-template <class Look>
-double largest_between(const Sample& a, const Sample& b, Look&& look, double relative, double largest,
+template <class SampleAt>
+double largest_between(const Sample& a, const Sample& b, SampleAt&& sample_at, double relative, double largest,
                        int depth = deepest_look) {
     largest = std::max({largest, a.value, b.value});
     const SignalCurve curve(a, b);
@@ -119,14 +120,14 @@ double largest_between(const Sample& a, const Sample& b, Look&& look, double rel
     if (curve.is_concave()) {
         if (a.slope <= 0 || b.slope >= 0) return largest;
         const double share = sign_change([&](double s) { return -curve.slope(s); }, true);
-        const Sample top = look(a.time + share * (b.time - a.time));
+        const Sample top = sample_at(a.time + share * (b.time - a.time));
         // the curve's maximum is off by so little that the parabola's correction is exact
         const double correction = top.curvature < 0 ? top.slope * top.slope / (-2 * top.curvature) : 0;
         return std::max(largest, top.value + correction);
     }
-    const Sample middle = look((a.time + b.time) / 2);
-    largest = largest_between(a, middle, look, relative, largest, depth - 1);
-    return largest_between(middle, b, look, relative, largest, depth - 1);
+    const Sample middle = sample_at((a.time + b.time) / 2);
+    largest = largest_between(a, middle, sample_at, relative, largest, depth - 1);
+    return largest_between(middle, b, sample_at, relative, largest, depth - 1);
 }
 
 }  // namespace peterka::integrators

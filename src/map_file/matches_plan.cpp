@@ -60,9 +60,9 @@ class Taken {
     }
     // Whether all storage lies apart, inside a file of this size.
     [[nodiscard]] std::optional<std::string> fault(std::uint64_t file_size) {
-        std::ranges::sort(ranges_, {}, &Range::begin);
+        std::ranges::sort(ranges_, {}, &ByteSpan::begin);
         std::uint64_t free_from = 1;  // the file begins with its superblock
-        for (const Range& range : ranges_) {
+        for (const ByteSpan& range : ranges_) {
             if (range.begin < free_from || range.end > file_size)
                 return fmt::format("dataset {} has no storage of its own in the file", range.path);
             free_from = range.end;
@@ -71,13 +71,13 @@ class Taken {
     }
 
   private:
-    struct Range {
+    struct ByteSpan {
         std::uint64_t begin;
         std::uint64_t end;
         std::string path;
     };
     std::set<hdf5::ObjectIdentity> objects_;
-    std::vector<Range> ranges_;
+    std::vector<ByteSpan> ranges_;
 };
 
 bool takes_group(const hdf5::Checked& check, hid_t file, const std::string& path, Taken& taken) {

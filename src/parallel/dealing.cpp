@@ -11,16 +11,16 @@
 namespace peterka::parallel {
 
 std::function<void(TileSource& tiles)> one_by_one(
-    std::function<void(const Tile& tile, const Look& look)> solve_tile) {
+    std::function<void(const Tile& tile, const Poll& poll)> solve_tile) {
     return [solve_tile = std::move(solve_tile)](TileSource& tiles) {
-        const Look look = [&] {
+        const Poll poll = [&] {
             if (!tiles.carry_on()) throw Stopped();
         };
         try {
             while (tiles.carry_on()) {
                 const auto tile = tiles.next();
                 if (tile) {
-                    solve_tile(*tile, look);
+                    solve_tile(*tile, poll);
                     tiles.solved(*tile);
                 } else if (tiles.ended()) {
                     return;

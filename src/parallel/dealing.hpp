@@ -42,11 +42,11 @@ struct DealtWork {
     std::function<void(std::int64_t cells)> on_progress;
 };
 
-// solve_tile solves one tile and stores it. It calls `look` between two cells, which throws Stopped where the
+// solve_tile solves one tile and stores it. It calls `poll` between two cells, which throws Stopped where the
 // tile is to be given up.
-using Look = std::function<void()>;
+using Poll = std::function<void()>;
 [[nodiscard]] std::function<void(TileSource& tiles)> one_by_one(
-    std::function<void(const Tile& tile, const Look& look)> solve_tile);
+    std::function<void(const Tile& tile, const Poll& poll)> solve_tile);
 
 // Waits a moment for tiles to come, and leaves the core to others meanwhile.
 void wait_for_tiles();

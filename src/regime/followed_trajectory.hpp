@@ -71,7 +71,7 @@ class FollowedTrajectory {
     }
     // The next cycle of those ordered; where it failed the trajectory ends before it.
     [[nodiscard]] CycleResult advance(const StroboscopicMap& map) {
-        CycleResult cycle = map.passage(ahead_.front());
+        CycleResult cycle = map.result_of(ahead_.front());
         ahead_ = ahead_.subspan(1);
         if (!cycle.ok) return cycle;
         state_ = cycle.end;

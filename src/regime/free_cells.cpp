@@ -30,7 +30,7 @@ double farthest_gap(const scene::Scene& scene) {
 
 FreeCells::FreeCells(const scene::Scene& scene) : scene_(scene), farthest_(farthest_gap(scene)) {}
 
-bool FreeCells::Known::tells_of(const scene::Cell& cell) const {
+bool FreeCells::RecentCell::tells_of(const scene::Cell& cell) const {
     return frequency == cell.oscillator.frequency && gap <= cell.oscillator.gap &&
            displacement == displacement_of(cell) && velocity == cell.start[1];
 }
@@ -55,7 +55,7 @@ std::optional<CellResult> FreeCells::compute(const scene::Cell& cell) {
 }
 
 std::optional<CellResult> FreeCells::told_by_another(const scene::Cell& cell) const {
-    const Known& known = known_[place_of(cell)];
+    const RecentCell& known = known_[place_of(cell)];
     if (!known.tells_of(cell)) return std::nullopt;
     CellResult result = known.result;
     const double gap = cell.oscillator.gap;

@@ -30,7 +30,7 @@ class FreeCells {
 
   private:
     // A cell, and from its gap on all that share its frequency and start.
-    struct Known {
+    struct RecentCell {
         double frequency = 0;  // none has this one
         double displacement = 0;
         double velocity = 0;
@@ -53,7 +53,7 @@ class FreeCells {
     const scene::Scene& scene_;
     double farthest_;  // gap of any cell
     std::array<Swing, places> swings_;
-    std::array<Known, places> known_;  // neighbours in a map share their frequencies
+    std::array<RecentCell, places> known_;  // neighbours in a map share their frequencies
     std::int64_t computed_ = 0;
 };
 

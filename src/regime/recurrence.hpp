@@ -29,20 +29,20 @@ class Recurrence {
           untouched_(untouched),
           marks_(static_cast<std::size_t>(2 * longest + late_repeats)) {
         states_.reserve(16);
-        passages_.reserve(16);
+        records_.reserve(16);
     }
 
     // Records the state after one more cycle and that cycle's events.
     void record(const CycleResult& cycle) {
         ++recorded_;
         if (cycle.touched) last_touch_ = recorded_;
-        const Kept now{cycle.pattern, cycle.jacobian.cast<float>()};
+        const CycleRecord now{cycle.pattern, cycle.jacobian.cast<float>()};
         if (states_.size() < ring_) {
             states_.push_back(cycle.end);
-            passages_.push_back(now);
+            records_.push_back(now);
         } else {
             states_[place(recorded_)] = cycle.end;
-            passages_[place(recorded_)] = now;
+            records_[place(recorded_)] = now;
         }
         marks_.add(cycle.pattern);
     }
@@ -53,7 +53,7 @@ class Recurrence {
     [[nodiscard]] EventPattern pattern(std::int64_t q, std::int64_t ago = 0) const {
         EventPattern pattern = 0;
         for (std::int64_t i = q - 1; i >= 0; --i)
-            pattern = append(pattern, passage(recorded_ - ago - i).pattern);
+            pattern = append(pattern, record_of(recorded_ - ago - i).pattern);
         return pattern;
     }
     // The q states that end one cycle before the one so many cycles ago, moved by one step of Newton's method
@@ -66,7 +66,7 @@ class Recurrence {
         for (std::int64_t i = q - 1; i >= 0; --i) {
             CycleResult cycle;
             cycle.end = state(ago + i);
-            cycle.jacobian = passage(recorded_ - ago - i).jacobian.cast<double>();
+            cycle.jacobian = record_of(recorded_ - ago - i).jacobian.cast<double>();
             round.add(cycle, points[static_cast<std::size_t>((q - i) % q)]);
         }
         std::ignore = round.correct(points);  // where that leads nowhere, they stay what they are
@@ -102,7 +102,7 @@ class Recurrence {
             const double distance = (now - state(q)).lpNorm<Eigen::Infinity>();
             if (!(distance < retry_factor * tried_at(q)) || !patterns_repeat(q)) continue;
             for (; carried < q; ++carried) {
-                jacobian = (jacobian * passage(recorded_ - carried).jacobian.cast<double>()).eval();
+                jacobian = (jacobian * record_of(recorded_ - carried).jacobian.cast<double>()).eval();
             }
             if (!(spectral_radius(jacobian) < largest_stretch)) continue;
             // a multiple of q would lead to the same orbit again
@@ -127,7 +127,7 @@ class Recurrence {
     static constexpr std::int64_t late_repeats = 4;
 
     // Of a cycle, besides the state at its end.
-    struct Kept {
+    struct CycleRecord {
         EventPattern pattern = 0;
         Eigen::Matrix2f jacobian = Eigen::Matrix2f::Identity();  // for estimates: half the memory
     };
@@ -135,7 +135,7 @@ class Recurrence {
     [[nodiscard]] std::size_t place(std::int64_t cycle) const {
         return static_cast<std::size_t>(cycle - 1) & (ring_ - 1);
     }
-    [[nodiscard]] const Kept& passage(std::int64_t cycle) const { return passages_[place(cycle)]; }
+    [[nodiscard]] const CycleRecord& record_of(std::int64_t cycle) const { return records_[place(cycle)]; }
     [[nodiscard]] double tried_at(std::int64_t q) const {
         return tried_at_.empty() ? first_distance : tried_at_[static_cast<std::size_t>(q)];
     }
@@ -144,7 +144,7 @@ class Recurrence {
     [[nodiscard]] bool patterns_repeat(std::int64_t q) const {
         if (!marks_.repeat(q, q)) return false;
         for (std::int64_t i = 0; i < q; ++i) {
-            if (passage(recorded_ - i).pattern != passage(recorded_ - q - i).pattern) return false;
+            if (record_of(recorded_ - i).pattern != record_of(recorded_ - q - i).pattern) return false;
         }
         return true;
     }
@@ -153,7 +153,7 @@ class Recurrence {
     std::size_t ring_;
     bool untouched_;
     std::vector<Point, ReusingAllocator<Point>> states_;  // apart, as a search for candidates looks at many
-    std::vector<Kept, ReusingAllocator<Kept>> passages_;
+    std::vector<CycleRecord, ReusingAllocator<CycleRecord>> records_;
     std::vector<double, ReusingAllocator<double>> tried_at_;
     PatternMarks marks_;
     std::int64_t recorded_ = 0;

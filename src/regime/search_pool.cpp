@@ -24,13 +24,11 @@ constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
 
 // A search in hand.
 struct SearchPool::Member : Reused {
-    Member(const SearchFactory& begin, Findings findings, std::int64_t its_number)
-        : number(its_number), search(begin(broker, findings == Findings::handed_on ? &found : nullptr)) {}
+    Member(const SearchFactory& begin, std::int64_t its_number) : number(its_number), search(begin(broker)) {}
 
     std::int64_t number;
     CycleBroker broker;
-    std::vector<FoundAttractor> found;
-    Task<CellResult> search;
+    Task<SearchOutcome> search;
     std::int64_t engine = 0;     // of broker.engines_used(): that for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
@@ -87,8 +85,8 @@ struct SearchPool::Group {
     double last_step_seconds = 0;
 };
 
-SearchPool::SearchPool(const scene::Scene& scene, const AttractorTable& known, Take take, Findings findings)
-    : scene_(scene), known_(known), take_(std::move(take)), findings_(findings), free_(scene) {}
+SearchPool::SearchPool(const scene::Scene& scene, const AttractorTable& known, Take take, Attractors attractors)
+    : scene_(scene), known_(known), take_(std::move(take)), attractors_(attractors), free_(scene) {}
 SearchPool::~SearchPool() = default;
 
 bool SearchPool::has_room() const {
@@ -103,18 +101,21 @@ bool SearchPool::has_room() const {
 void SearchPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     const scene::Cell place = scene_.cell(row, column);
     // that takes less time than a look at the clock
-    if (const auto result = free_.told_by_another(place)) return take_({number, *result, 0, {}});
+    if (const auto result = free_.told_by_another(place)) return take_({number, {.result = *result}, 0});
     const Stopwatch stopwatch;
-    if (const auto result = free_.find(place)) return take_({number, *result, stopwatch.seconds(), {}});
+    if (const auto result = free_.find(place)) return take_({number, {.result = *result}, stopwatch.seconds()});
     add(
-        [&](CycleBroker& broker, auto* found) {
-            return solve_cell(broker, scene_.job(), place, {&known_, found});
+        [&](CycleBroker& broker) {
+            const SearchContext context{.known = &known_};
+            return attractors_ == Attractors::reported
+                       ? search_cell(broker, scene_.job(), place, context)
+                       : outcome_of(solve_cell(broker, scene_.job(), place, context));
         },
         number);
 }
 
 void SearchPool::add(const SearchFactory& begin, std::int64_t number) {
-    auto cell = std::make_unique<Member>(begin, findings_, number);
+    auto cell = std::make_unique<Member>(begin, number);
     ++in_hand_;
     ++searches_;
     const Stopwatch stopwatch;
@@ -228,9 +229,9 @@ void SearchPool::serve_alone() {
     enter(std::move(front));
 }
 
-void SearchPool::finish(const Member& cell) {
+void SearchPool::finish(const Member& member) {
     --in_hand_;
-    take_({cell.number, cell.search.result(), cell.seconds, cell.found});
+    take_({member.number, member.search.result(), member.seconds});
 }
 
 }  // namespace peterka::regime

@@ -13,46 +13,41 @@
 #include <list>
 #include <memory>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "batch/batched_cycle_map.hpp"
 #include "regime/attractor_table.hpp"
-#include "regime/cell_result.hpp"
 #include "regime/cycle_broker.hpp"
 #include "regime/free_cells.hpp"
 #include "regime/scalar_engine.hpp"
+#include "regime/search_outcome.hpp"
 #include "scene/scene.hpp"
-#include "support/task.hpp"
 
 namespace peterka::regime {
 
 class SearchPool {
   public:
-    // The number under which a cell was added, its result, the seconds of computing that were its share, and
-    // what its searches found, for those who ask.
-    struct Solved {
+    // The number under which a cell or a search was added, what it brought, and the seconds of computing that
+    // were its share.
+    struct NumberedOutcome {
         std::int64_t number;
-        CellResult result;
+        SearchOutcome outcome;
         double seconds;
-        std::span<const FoundAttractor> found;
     };
-    using Take = std::function<void(const Solved&)>;
+    using Take = std::function<void(NumberedOutcome)>;
 
-    enum class Findings { dropped, handed_on };
+    // What the searches of cells found on the way.
+    enum class Attractors { dropped, reported };
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive the pool.
     SearchPool(const scene::Scene& scene, const AttractorTable& known, Take take,
-               Findings findings = Findings::dropped);
+               Attractors attractors = Attractors::dropped);
     ~SearchPool();
 
     // Room for more cells; the batch is best kept full.
     [[nodiscard]] bool has_room() const;
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
-    // Any search on the same rig, begun at a broker; what it finds goes to the list, if there is one.
-    using SearchFactory =
-        std::function<Task<CellResult>(CycleBroker& broker, std::vector<FoundAttractor>* found)>;
+    // Any search on the same rig.
     void add(const SearchFactory& begin, std::int64_t number);
     // Begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
@@ -79,12 +74,12 @@ class SearchPool {
     void serve(Group& group, std::size_t slot);
     void serve_alone();
     std::unique_ptr<Member> leave(Group& group, std::size_t slot);
-    void finish(const Member& cell);
+    void finish(const Member& member);
 
     const scene::Scene& scene_;
     const AttractorTable& known_;
     Take take_;
-    Findings findings_;
+    Attractors attractors_;
     FreeCells free_;
     std::list<Group> groups_;
     std::deque<std::unique_ptr<Member>> alone_;

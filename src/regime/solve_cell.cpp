@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "job/stored_quantities.hpp"
 #include "regime/cubic_shift.hpp"
@@ -232,6 +233,15 @@ class CellSolver {
 };
 
 }  // namespace
+
+Task<SearchOutcome> search_cell(CycleBroker& broker, const job::Job& job, scene::Cell cell,
+                                SearchContext attractors) {
+    std::vector<FoundAttractor> found;
+    attractors.found = &found;
+    SearchOutcome outcome = co_await outcome_of(solve_cell(broker, job, std::move(cell), attractors));
+    outcome.found = std::move(found);
+    co_return outcome;
+}
 
 CellResult solve_again(const scene::Scene& scene, std::int64_t row, std::int64_t column, Engine first_engine) {
     return solve_again(scene.job(), scene.cell(row, column), first_engine);

@@ -6,6 +6,7 @@
 
 #include "regime/cell_result.hpp"
 #include "regime/cycle_broker.hpp"
+#include "regime/search_outcome.hpp"
 #include "regime/steady_state.hpp"
 #include "scene/scene.hpp"
 
@@ -18,6 +19,10 @@ Task<CellResult> solve_cell(CycleBroker& broker, const scene::Scene& scene, std:
 // The same from any start; `motion` for who wants the one that the search ends in.
 Task<CellResult> solve_cell(CycleBroker& broker, const job::Job& job, scene::Cell cell,
                             SearchContext attractors = {}, SteadyMotion* motion = nullptr);
+
+// The same with the attractors that it finds on the way.
+Task<SearchOutcome> search_cell(CycleBroker& broker, const job::Job& job, scene::Cell cell,
+                                SearchContext attractors);
 
 // The same result where the start alone shows that the stop is never met, without any cycle; else nothing.
 std::optional<CellResult> solve_at_once(const job::Job& job, const scene::Cell& cell);

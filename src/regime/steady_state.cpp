@@ -85,7 +85,7 @@ class Search {
                 if (trajectory_.is_at_end()) co_return unproved(Regime::unresolved, why_unresolved());
                 trajectory_.take(co_await trajectory_.order(map_));
             }
-            const Followed followed = follow_ordered();
+            const OrderedCycles followed = follow_ordered();
             if (followed.outcome != Cycle<double>::Outcome::done) co_return failed(followed.outcome);
             if (followed.converged) {
                 if (converges_to_ != nullptr) co_return on_known(*converges_to_);
@@ -97,13 +97,13 @@ class Search {
     }
 
   private:
-    struct Followed {
+    struct OrderedCycles {
         Cycle<double>::Outcome outcome = Cycle<double>::Outcome::done;
         bool converged = false;
     };
     // The cycles that are ordered, up to the first one that may end the search. Apart from run(): the loop over
     // the cycles is what a long search spends its time on.
-    Followed follow_ordered() {
+    OrderedCycles follow_ordered() {
         do {
             const CycleResult cycle = trajectory_.advance(map_);
             if (!cycle.ok) return {.outcome = cycle.outcome};

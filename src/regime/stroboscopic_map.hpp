@@ -89,17 +89,17 @@ class StroboscopicMap {
     [[nodiscard]] auto cycle(const Point& from, Recorder<double>* recorder = nullptr) {
         struct Single : Several {
             [[nodiscard]] CycleResult await_resume() const {
-                return map->passage(Several::await_resume().front());
+                return map->result_of(Several::await_resume().front());
             }
         };
         return Single{cycles(from, recorder, 1)};
     }
     // co_await map.cycles(from, recorder, count) gives cycles in a row, for as long as no others are ordered;
-    // passage() tells of each.
+    // result_of() tells of each.
     [[nodiscard]] Several cycles(const Point& from, Recorder<double>* recorder, std::size_t count) {
         return Several{broker_->cycles({unscaled(from), recorder, count}), this};
     }
-    [[nodiscard]] CycleResult passage(const trajectory::Cycle<double>& cycle) const {
+    [[nodiscard]] CycleResult result_of(const trajectory::Cycle<double>& cycle) const {
         return {cycle.outcome == trajectory::Cycle<double>::Outcome::done,
                 cycle.outcome,
                 scaled(cycle.end),

@@ -28,7 +28,7 @@ struct SweepFindings {
     std::vector<GapAttractors> beside = {};  // of each gap, with [starts]
 };
 
-struct Findings {
+struct RunResults {
     const findings::Statistics& statistics;
     std::optional<map_file::AuditReport> audit;
     std::span<const std::string> omitted;  // sentences: what was left out, and why
@@ -38,7 +38,7 @@ struct Findings {
 
 struct SummaryInput {
     const scene::Scene& scene;
-    const Findings& findings;
+    const RunResults& findings;
     std::filesystem::path file;
     RunEffort effort;
 };

@@ -103,9 +103,9 @@ void audit_map(const parallel::Session& session, const RunPlan& plan, const scen
     }
     Progress progress(progress_style(session, plan), samples, samples - parallel::cells_in(missing, tiling),
                       "audit");
-    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::Look& look) {
+    const auto solve_tile = [&](const parallel::Tile& tile, const parallel::Poll& poll) {
         for (std::int64_t index = tile.row; index < tile.row + tile.size(); ++index) {
-            look();
+            poll();
             table.write(index, audit_cell(scene, sampled_cell(scene, index, samples, file), file));
         }
     };

@@ -22,7 +22,8 @@ std::vector<regime::CellResult> ends_of_starts(const scene::Scene& scene, std::i
     std::vector<regime::CellResult> ends;
     const regime::AttractorTable none;
     attractors::MultiStartPool pool(
-        scene, none, [&](attractors::MultiStartPool::Solved solved) { ends = std::move(solved.cell.ends); },
+        scene, none,
+        [&](attractors::MultiStartPool::NumberedCell solved) { ends = std::move(solved.cell.ends); },
         attractors::Ends::told);
     pool.add(row, column, 0);
     while (!pool.empty()) pool.step();

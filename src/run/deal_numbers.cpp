@@ -13,7 +13,7 @@ std::vector<std::vector<double>> deal_numbers(
     std::vector<std::vector<double>> results(static_cast<std::size_t>(count));
     if (count == 0) return results;
     std::vector<double> mine;  // task, length, numbers; and so on
-    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Look& /*look*/) {
+    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Poll& /*poll*/) {
         const std::vector<double> numbers = solve(tile.row);
         mine.insert(mine.end(), {static_cast<double>(tile.row), static_cast<double>(numbers.size())});
         mine.insert(mine.end(), numbers.begin(), numbers.end());

@@ -26,24 +26,24 @@ job::Job pilot_job(job::Job job) {
     return job;
 }
 
-struct Found {
+struct PilotAttractor {
     std::int64_t pilot;
     regime::FoundAttractor attractor;
 };
 
 // This rank's share of the pilots, side by side.
 void solve_pilots(const scene::Scene& pilots, const parallel::Tiling& tiling, parallel::TileSource& source,
-                  std::vector<Found>& found) {
+                  std::vector<PilotAttractor>& found) {
     const regime::AttractorTable nothing_known;
     regime::SearchPool pool(
         pilots, nothing_known,
-        [&](const regime::SearchPool::Solved& pilot) {
-            for (const regime::FoundAttractor& attractor : pilot.found) {
+        [&](const regime::SearchPool::NumberedOutcome& pilot) {
+            for (const regime::FoundAttractor& attractor : pilot.outcome.found) {
                 found.push_back({pilot.number, attractor});
             }
             source.solved(tiling.tile(pilot.number));
         },
-        regime::SearchPool::Findings::handed_on);
+        regime::SearchPool::Attractors::reported);
     keep_solving(pool, source, [&] {
         const auto pilot = source.next();
         if (pilot) pool.add(pilot->row, pilot->column, pilot->index);
@@ -58,17 +58,17 @@ regime::AttractorTable find_known_attractors(const parallel::Session& session, c
     if (scene.job().kind != job::Kind::basin) return {};
     const scene::Scene pilots(pilot_job(scene.job()));
     const parallel::Tiling tiling({pilots.rows(), pilots.columns()}, {1, 1});
-    std::vector<Found> mine;
+    std::vector<PilotAttractor> mine;
     parallel::deal_tiles(session, tiling, parallel::TileSet::all(tiling.count()),
                          {.solve = [&](auto& source) { solve_pilots(pilots, tiling, source, mine); },
                           .stop_requested = [&] { return stop.requested(); },
                           .on_progress = [](std::int64_t) {}});
 
-    std::vector<Found> all = parallel::gather<Found>(mine, session.communicator());
-    std::ranges::stable_sort(all, {}, &Found::pilot);
+    std::vector<PilotAttractor> all = parallel::gather<PilotAttractor>(mine, session.communicator());
+    std::ranges::stable_sort(all, {}, &PilotAttractor::pilot);
     std::vector<regime::FoundAttractor> found;
     found.reserve(all.size());
-    for (const Found& each : all) found.push_back(each.attractor);
+    for (const PilotAttractor& each : all) found.push_back(each.attractor);
     const double cells_each = static_cast<double>(scene.job().cells()) / static_cast<double>(tiling.count());
     regime::AttractorTable table;
     parallel::together(session.communicator(),

@@ -75,24 +75,24 @@ class Rows {
           known_(scene, first_, end_, [] { look_for_stop_request(); }) {}
 
     // What was known before, of these rows and of the ones beside them, in the order of cells.
-    [[nodiscard]] std::vector<KnownMotions::Known> read() {
-        std::vector<KnownMotions::Known> before;
+    [[nodiscard]] std::vector<KnownMotions::CellMotion> read() {
+        std::vector<KnownMotions::CellMotion> before;
         const std::int64_t rows = file_.tiling().tiles().rows;
         if (first_ == end_) return before;
         for (std::int64_t row = std::max<std::int64_t>(share_.first - 1, 0);
              row < std::min(share_.end + 1, rows); ++row) {
             each_tile(row, [&](std::int64_t index) { read(TileSlots(file_, index, kept_), before); });
         }
-        std::ranges::stable_sort(before, {}, &KnownMotions::Known::cell);
+        std::ranges::stable_sort(before, {}, &KnownMotions::CellMotion::cell);
         return before;
     }
     void add_free_motions() { keep(known_.free_motions()); }
     // What came to cells of these rows.
-    [[nodiscard]] std::vector<KnownMotions::Known> spread(std::span<const KnownMotions::Known> news) {
+    [[nodiscard]] std::vector<KnownMotions::CellMotion> spread(std::span<const KnownMotions::CellMotion> news) {
         return keep(known_.spread(news));
     }
     void write() {
-        std::ranges::stable_sort(found_, {}, &KnownMotions::Found::cell);
+        std::ranges::stable_sort(found_, {}, &KnownMotions::NewResult::cell);
         for (std::int64_t row = share_.first; row < share_.end; ++row) {
             each_tile(row, [&](std::int64_t index) { write(index); });
         }
@@ -115,7 +115,7 @@ class Rows {
         return row * scene_.columns() + tile.column + static_cast<std::int64_t>(cell) % tile.extent.columns;
     }
 
-    void read(const TileSlots& tile, std::vector<KnownMotions::Known>& before) {
+    void read(const TileSlots& tile, std::vector<KnownMotions::CellMotion>& before) {
         for (std::size_t i = 0; i < tile.cells.size(); ++i) {
             if (!tile.cells[i].computed) continue;
             const std::int64_t cell = number(tile.tile, i);
@@ -129,8 +129,8 @@ class Rows {
         }
     }
 
-    std::vector<KnownMotions::Known> keep(const std::vector<KnownMotions::Found>& found) {
-        std::vector<KnownMotions::Known> news;
+    std::vector<KnownMotions::CellMotion> keep(const std::vector<KnownMotions::NewResult>& found) {
+        std::vector<KnownMotions::CellMotion> news;
         news.reserve(found.size());
         for (const auto& [cell, result] : found) news.push_back({cell, KnownMotions::motion_of(result)});
         found_.insert(found_.end(), found.begin(), found.end());
@@ -143,15 +143,15 @@ class Rows {
         std::optional<TileSlots> slots;
         for (std::int64_t i = 0; i < tile.size(); ++i) {
             const std::int64_t cell = number(tile, static_cast<std::size_t>(i));
-            const auto begin = std::ranges::lower_bound(found_, cell, {}, &KnownMotions::Found::cell);
-            const auto end = std::ranges::upper_bound(found_, cell, {}, &KnownMotions::Found::cell);
+            const auto begin = std::ranges::lower_bound(found_, cell, {}, &KnownMotions::NewResult::cell);
+            const auto end = std::ranges::upper_bound(found_, cell, {}, &KnownMotions::NewResult::cell);
             if (begin == end) continue;
             if (!slots) slots.emplace(file_, index, kept_);
             add(*slots, static_cast<std::size_t>(i), {begin, end});
         }
         if (slots) file_.write_attractors(index, slots->cells, slots->in_file_order());
     }
-    void add(TileSlots& tile, std::size_t i, std::span<const KnownMotions::Found> found) const {
+    void add(TileSlots& tile, std::size_t i, std::span<const KnownMotions::NewResult> found) const {
         const std::int64_t cell = found.front().cell;
         const scene::Scales scales = scene_.cell(cell / scene_.columns(), cell % scene_.columns()).scales;
         std::vector<quantities::StoredAttractor> known;
@@ -172,7 +172,7 @@ class Rows {
     std::int64_t first_;
     std::int64_t end_;
     KnownMotions known_;
-    std::vector<KnownMotions::Found> found_;
+    std::vector<KnownMotions::NewResult> found_;
 };
 
 }  // namespace
@@ -182,15 +182,15 @@ void add_known_motions(const parallel::Session& session, const scene::Scene& sce
     MPI_Comm all = session.communicator();
     file.settle();
     Rows rows(scene, file, all);
-    std::vector<KnownMotions::Known> news;
+    std::vector<KnownMotions::CellMotion> news;
     parallel::together(all, [&] {
         news = rows.read();
         rows.add_free_motions();
     });
     do {
-        std::vector<KnownMotions::Known> mine;
+        std::vector<KnownMotions::CellMotion> mine;
         parallel::together(all, [&] { mine = rows.spread(news); });
-        news = parallel::gather<KnownMotions::Known>(mine, all);
+        news = parallel::gather<KnownMotions::CellMotion>(mine, all);
     } while (!news.empty());
     parallel::together(all, [&] { rows.write(); });
 }

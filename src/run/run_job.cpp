@@ -81,7 +81,7 @@ void refuse_damage(const RunPlan& plan, const map_file::RemainingTiles& remainin
 }
 
 std::string summary(const Session& session, const RunPlan& plan, const scene::Scene& scene,
-                    const Findings& findings, const Stopwatch& wall) {
+                    const RunResults& findings, const Stopwatch& wall) {
     if (!session.is_root() || plan.quiet) return "";
     const bool complete = plan.existing == Existing::complete;
     return (complete ? fmt::format("{} is complete: nothing is computed\n", plan.file.string()) : "") +

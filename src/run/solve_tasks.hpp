@@ -21,15 +21,15 @@ template <study::Topic Topic>
                                                               const RunPlan& plan, const Topic& topic,
                                                               const StopRequest& stop) {
     using Result = typename Topic::Result;
-    struct Solved {
+    struct NumberedResult {
         std::int64_t task = 0;
         Result result;
     };
     const std::int64_t tasks = topic.tasks();
     const parallel::Tiling tiling({tasks, 1}, {1, 1});
-    std::vector<Solved> mine;
+    std::vector<NumberedResult> mine;
     Progress progress(progress_style(session, plan), tasks, 0, "compare");
-    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Look& /*look*/) {
+    const auto solve_task = [&](const parallel::Tile& tile, const parallel::Poll& /*poll*/) {
         mine.push_back({tile.row, topic.solve(tile.row)});
     };
     parallel::deal_tiles(session, tiling, parallel::TileSet::all(tasks),
@@ -37,7 +37,7 @@ template <study::Topic Topic>
                           .stop_requested = [&] { return stop.requested(); },
                           .on_progress = [&](std::int64_t done) { progress.add(done); }});
     std::vector<Result> results(static_cast<std::size_t>(tasks));
-    for (const Solved& each : parallel::gather<Solved>(mine, session.communicator())) {
+    for (const NumberedResult& each : parallel::gather<NumberedResult>(mine, session.communicator())) {
         results[static_cast<std::size_t>(each.task)] = each.result;
     }
     return results;

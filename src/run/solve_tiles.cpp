@@ -67,7 +67,7 @@ class TileSolver {
         waiting_.push_front(&open);  // tiles that are begun come to an end before others
     }
 
-    void keep(attractors::MultiStartPool::Solved cell) {
+    void keep(attractors::MultiStartPool::NumberedCell cell) {
         const Stopwatch certifying;
         Open& open = open_.at(cell.number / most_cells);
         const auto i = static_cast<std::size_t>(cell.number % most_cells);

@@ -32,19 +32,19 @@ void name_attractors(std::vector<BranchPoint>& branches, std::vector<PointAttrac
 
 }  // namespace
 
-std::function<void(const parallel::Tile& tile, const parallel::Look& look)> whole_branches(
+std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
     const scene::Scene& scene, map_file::MapFile& file) {
-    return [&](const parallel::Tile& tile, const parallel::Look& look) {
+    return [&](const parallel::Tile& tile, const parallel::Poll& poll) {
         const Stopwatch stopwatch;
         std::vector<PointAttractors> attractors;
         if (scene.job().starts.count > 0) {
-            attractors = attractors::find_along_branch(scene, tile.row, look);
+            attractors = attractors::find_along_branch(scene, tile.row, poll);
         }
         std::vector<BranchPoint> points;
         for (std::int64_t row = tile.row; row < tile.row + tile.extent.rows; ++row) {
-            std::vector<BranchPoint> branch = regime::follow_branch(scene, row, look);
+            std::vector<BranchPoint> branch = regime::follow_branch(scene, row, poll);
             for (std::size_t column = 0; column < branch.size(); ++column) {
-                look();
+                poll();
                 certify_cell(scene.job(), row, static_cast<std::int64_t>(column), branch[column].cell);
             }
             points.insert(points.end(), std::make_move_iterator(branch.begin()),

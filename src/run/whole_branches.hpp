@@ -11,7 +11,7 @@
 namespace peterka {
 
 // Solves a tile and stores it, for one_by_one. Scene and file outlive it.
-[[nodiscard]] std::function<void(const parallel::Tile& tile, const parallel::Look& look)> whole_branches(
+[[nodiscard]] std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
     const scene::Scene& scene, map_file::MapFile& file);
 
 }  // namespace peterka

@@ -98,12 +98,12 @@ const BatchTrial& WorkPrecision::batch_trial() const {
     return *batch_trial_;
 }
 
-std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std::size_t cell) const {
+std::optional<WorkPrecision::TimedOrbit> WorkPrecision::follow(const Run& run, std::size_t cell) const {
     const ReferenceOrbit& expected = *orbit(cell);
     if (run.method == Method::batched) {
         const BatchTrial& trial = batch_trial();
         if (!std::ranges::all_of(trial.orbits[cell], &Observation::ok)) return std::nullopt;
-        return Followed{trial.seconds_per_cycle, trial.orbits[cell]};
+        return TimedOrbit{trial.seconds_per_cycle, trial.orbits[cell]};
     }
     MethodMap map(cells_[cell].oscillator, run, static_cast<double>(expected.largest_displacement()));
     const State<double> start = expected.points[0].cast<double>();
@@ -117,7 +117,7 @@ std::optional<WorkPrecision::Followed> WorkPrecision::follow(const Run& run, std
         }
         fastest = std::min(fastest, stopwatch.seconds());
     }
-    Followed followed{fastest / static_cast<double>(study_.cycles), {}};
+    TimedOrbit followed{fastest / static_cast<double>(study_.cycles), {}};
     for (std::size_t n = 0; n < expected.period(); ++n) {
         followed.cycles.push_back(map.observe(x));
         if (!followed.cycles.back().ok) return std::nullopt;

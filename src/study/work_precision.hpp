@@ -47,7 +47,7 @@ class WorkPrecision {
         State<double> start;
     };
     using Orbit = std::optional<ReferenceOrbit>;
-    struct Followed {
+    struct TimedOrbit {
         double seconds_per_cycle = 0;
         std::vector<Observation> cycles;  // one period
     };
@@ -57,7 +57,7 @@ class WorkPrecision {
     // All cells in one batch, when it is first asked for.
     [[nodiscard]] const BatchTrial& batch_trial() const;
     // The run on the cell's orbit; nothing where it fails.
-    [[nodiscard]] std::optional<Followed> follow(const Run& run, std::size_t cell) const;
+    [[nodiscard]] std::optional<TimedOrbit> follow(const Run& run, std::size_t cell) const;
 
     job::Study study_;
     job::SteadyState budget_;

@@ -34,15 +34,15 @@ std::optional<Letter> first_letter(std::string_view text) {
 
 // Does something to what is shown instead of being shown: controls, marks of direction, breaks, invisible ones.
 bool is_command(std::uint32_t code) {
-    struct Range {
+    struct CodePoints {
         std::uint32_t first;
         std::uint32_t last;
     };
-    constexpr Range commands[] = {{0, 0x1f},        {0x7f, 0x9f},     {0x61c, 0x61c},
-                                  {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x206f},
-                                  {0xfeff, 0xfeff}, {0xfff9, 0xfffb}, {0xe0000, 0xe0fff}};
-    return std::ranges::any_of(commands,
-                               [&](const Range& range) { return range.first <= code && code <= range.last; });
+    constexpr CodePoints commands[] = {{0, 0x1f},        {0x7f, 0x9f},     {0x61c, 0x61c},
+                                       {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x206f},
+                                       {0xfeff, 0xfeff}, {0xfff9, 0xfffb}, {0xe0000, 0xe0fff}};
+    return std::ranges::any_of(
+        commands, [&](const CodePoints& range) { return range.first <= code && code <= range.last; });
 }
 
 std::string shown(std::uint32_t code) {

@@ -148,8 +148,9 @@ void follow(const scene::Scene& scene, const CellAttractor& attractor, std::int6
     job::Job job = scene.job();
     job.output.fields.clear();
     const regime::AttractorTable none;
-    regime::SearchPool pool(
-        scene, none, [&](const regime::SearchPool::Solved& solved) { take(solved.number, solved.result); });
+    regime::SearchPool pool(scene, none, [&](const regime::SearchPool::NumberedOutcome& solved) {
+        take(solved.number, solved.outcome.result);
+    });
     const auto start_of = [&](const KickAt& kick) {
         if (scene::is_rigid(cell.oscillator.contact)) {
             return kicked(trajectory::RigidExactMap<double>(cell.oscillator), attractor, kick.phase,
@@ -161,8 +162,8 @@ void follow(const scene::Scene& scene, const CellAttractor& attractor, std::int6
         while (n < kicks && pool.has_room()) {
             const scene::State<double> start = start_of(kick_of(n));
             pool.add(
-                [&job, &cell, start](regime::CycleBroker& broker, std::vector<regime::FoundAttractor>* list) {
-                    return regime::solve_cell(broker, job, {cell.oscillator, start}, {nullptr, list});
+                [&job, &cell, start](regime::CycleBroker& broker) {
+                    return regime::outcome_of(regime::solve_cell(broker, job, {cell.oscillator, start}));
                 },
                 n++);
         }

@@ -71,10 +71,10 @@ ExitCode run(const Session& session, const Task& task) {
     std::int64_t progress_cells = 0;
     std::int64_t own_tiles = 0;
     const parallel::DealtWork work{
-        .solve = parallel::one_by_one([&](const parallel::Tile& tile, const parallel::Look& look) {
+        .solve = parallel::one_by_one([&](const parallel::Tile& tile, const parallel::Poll& poll) {
             if (own_tiles == 2) fail_if_asked(session, task);
             for (int cell = 0; cell < 4; ++cell) {
-                look();
+                poll();
                 count_up(tile.index);
             }
             ++solved[static_cast<std::size_t>(tile.index)];

@@ -12,24 +12,24 @@
 namespace peterka::attractors {
 namespace {
 
-using End = KickScan::Way::End;
-using Ways = std::function<KickScan::Way(const KickTried& kick)>;
+using End = KickScan::Outcome::End;
+using Outcomes = std::function<KickScan::Outcome(const KickTried& kick)>;
 
 struct Scanned {
     KickScan scan;
     int kicks = 0;
 };
 
-Scanned scanned_ways(int period, double largest, const Ways& way_of) {
+Scanned scanned_outcomes(int period, double largest, const Outcomes& outcome_of) {
     Scanned result{KickScan(period, largest)};
-    std::vector<KickScan::Way> ways;
-    for (auto kicks = result.scan.next({}); !kicks.empty(); kicks = result.scan.next(ways)) {
-        ways.clear();
+    std::vector<KickScan::Outcome> outcomes;
+    for (auto kicks = result.scan.next({}); !kicks.empty(); kicks = result.scan.next(outcomes)) {
+        outcomes.clear();
         for (const KickTried& kick : kicks) {
             EXPECT_GE(kick.phase, 0);
             EXPECT_LE(kick.phase, period);
             EXPECT_LE(kick.size(), largest);
-            ways.push_back(way_of(kick));
+            outcomes.push_back(outcome_of(kick));
             ++result.kicks;
         }
     }
@@ -40,10 +40,10 @@ Scanned scanned_ways(int period, double largest, const Ways& way_of) {
 using Border = std::function<double(double phase, bool up)>;
 
 Scanned scanned(int period, double largest, const Border& border) {
-    return scanned_ways(period, largest, [&](const KickTried& kick) {
+    return scanned_outcomes(period, largest, [&](const KickTried& kick) {
         const double left = border(kick.phase, kick.change > 0) - kick.size();
         const double way = left > 0 ? 10 - 5 * std::log(left / largest) : 20;
-        return KickScan::Way{left > 0 ? End::back : End::elsewhere, static_cast<std::int64_t>(way)};
+        return KickScan::Outcome{left > 0 ? End::back : End::elsewhere, static_cast<std::int64_t>(way)};
     });
 }
 
@@ -97,7 +97,7 @@ double chance_of(const KickTried& kick) {
 }
 
 // Kicks above `border` get onto chaos, live there for a mean of so many cycles, and are followed for 1,000.
-KickScan::Way way_over_chaos(const KickTried& kick, double border, double mean) {
+KickScan::Outcome outcome_over_chaos(const KickTried& kick, double border, double mean) {
     if (kick.size() < border) return {End::back, 10};
     const double life = -mean * std::log(1 - chance_of(kick));
     const auto chaotic = static_cast<std::int64_t>(std::min(life, 1000.0)) + 1;
@@ -107,24 +107,25 @@ KickScan::Way way_over_chaos(const KickTried& kick, double border, double mean) 
 // One of some hundreds stays on the chaos for as long as it is followed.
 TEST(KickScan, CountsNoChaosThatDies) {
     for (const double mean : {150.0, 200.0, 400.0}) {
-        const auto [scan, kicks] = scanned_ways(1, 4, [&](const KickTried& kick) {
-            return kick.size() > 3 ? KickScan::Way{End::elsewhere, 20} : way_over_chaos(kick, 0.5, mean);
+        const auto [scan, kicks] = scanned_outcomes(1, 4, [&](const KickTried& kick) {
+            return kick.size() > 3 ? KickScan::Outcome{End::elsewhere, 20}
+                                   : outcome_over_chaos(kick, 0.5, mean);
         });
         ASSERT_TRUE(scan.found()) << mean;
         EXPECT_NEAR(scan.smallest().size(), 3, 0.003) << mean;
     }
     const auto [alone, kicks] =
-        scanned_ways(1, 4, [](const KickTried& kick) { return way_over_chaos(kick, 0.5, 150); });
+        scanned_outcomes(1, 4, [](const KickTried& kick) { return outcome_over_chaos(kick, 0.5, 150); });
     EXPECT_FALSE(alone.found());
     EXPECT_EQ(alone.tried(), 4);
 }
 
 // Below the border of its basin some kicks wander for a while, too, and come back.
 TEST(KickScan, CountsChaosThatLasts) {
-    const auto [scan, kicks] = scanned_ways(1, 4, [](const KickTried& kick) {
+    const auto [scan, kicks] = scanned_outcomes(1, 4, [](const KickTried& kick) {
         const bool wanders = chance_of(kick) < 0.05;
-        if (kick.size() > 0.8) return KickScan::Way{End::chaos, 1000, 950};
-        return KickScan::Way{End::back, wanders ? 60 : 10, wanders ? 15 : 0};
+        if (kick.size() > 0.8) return KickScan::Outcome{End::chaos, 1000, 950};
+        return KickScan::Outcome{End::back, wanders ? 60 : 10, wanders ? 15 : 0};
     });
     ASSERT_TRUE(scan.found());
     EXPECT_NEAR(scan.smallest().size(), 0.8, 0.001);
@@ -134,9 +135,9 @@ TEST(KickScan, CountsChaosThatLasts) {
 TEST(KickScan, BeginsWithTheSmallestSizes) {
     constexpr double largest = 256;
     KickScan scan(1, largest);
-    std::vector<KickScan::Way> ways;
+    std::vector<KickScan::Outcome> outcomes;
     for (double most = 1; most <= largest; most *= 2) {
-        const std::vector<KickTried> kicks = scan.next(ways);
+        const std::vector<KickTried> kicks = scan.next(outcomes);
         const double least = most == 1 ? 0 : most / 2;
         ASSERT_EQ(kicks.size(), 32U);
         for (int part = 0; part < 8; ++part) {
@@ -148,23 +149,23 @@ TEST(KickScan, BeginsWithTheSmallestSizes) {
         }
         EXPECT_EQ(std::ranges::count_if(kicks, [](const KickTried& kick) { return kick.change > 0; }), 16)
             << most;
-        ways.assign(kicks.size(), {.end = End::back, .cycles = 5});
+        outcomes.assign(kicks.size(), {.end = End::back, .cycles = 5});
     }
-    EXPECT_GT(scan.next(ways).size(), 32U);  // rounds
+    EXPECT_GT(scan.next(outcomes).size(), 32U);  // rounds
 }
 
 // Two million cycles, and what was begun by then.
 TEST(KickScan, EndsWhereWaysBackAreLong) {
-    const auto [far, kicks_far] = scanned_ways(16, 256, [](const KickTried&) {
-        return KickScan::Way{End::back, 2500};
+    const auto [far, kicks_far] = scanned_outcomes(16, 256, [](const KickTried&) {
+        return KickScan::Outcome{End::back, 2500};
     });
     EXPECT_FALSE(far.found());
     EXPECT_EQ(kicks_far, 2 * 32 * 16);
     EXPECT_EQ(far.tried(), 2);  // the second level
 
-    const auto [near, kicks_near] = scanned_ways(16, 256, [](const KickTried& kick) {
+    const auto [near, kicks_near] = scanned_outcomes(16, 256, [](const KickTried& kick) {
         const double border = 1.2 + std::abs(kick.phase - 8);
-        return KickScan::Way{kick.size() < border ? End::back : End::elsewhere, 2500};
+        return KickScan::Outcome{kick.size() < border ? End::back : End::elsewhere, 2500};
     });
     ASSERT_TRUE(near.found());
     EXPECT_NEAR(near.smallest().size(), 1.2, 0.001);  // along the border all the same

@@ -61,12 +61,12 @@ TEST(Kicks, EndsOfSearchesGoBackToTheirOwnMotion) {
         const std::vector<SearchFactory> searches = kicks.next(ended);
         if (searches.empty()) break;
         ASSERT_EQ(searches.size(), starts.size());
-        ended.assign(searches.size(), {kicked.entries[1].result, {}});
+        ended.assign(searches.size(), {.result = kicked.entries[1].result});
         // in the first round each of both has 32 kicks: all of the first come back, and one of the second
         // doesn't
         if (rounds == 0) {
             ASSERT_EQ(searches.size(), 64U);
-            ended.back() = {elsewhere(), {}};
+            ended.back() = {.result = elsewhere()};
             ended[3].result.regime = Regime::failed;  // tells nothing
         }
         ++rounds;
@@ -105,7 +105,7 @@ TEST(Kicks, TellsSizePhaseAndDirectionOfTheSmallest) {
         ended.clear();
         for (const auto& start : starts) {
             const bool leaves = start[1] < (*at_phase_0)[1] - 0.5;  // at the next phase 0
-            ended.push_back({leaves ? elsewhere() : orbit, {}});
+            ended.push_back({.result = leaves ? elsewhere() : orbit});
         }
     }
     const cell::Kick smallest = kicks.smallest(1);

@@ -42,17 +42,18 @@ SolvedCell searched(const job::Job& job, Ends ends = Ends::counted) {
     const scene::Scene scene(job);
     const regime::AttractorTable nothing;
     const MapContext context(scene, nothing, ends);
-    MultiStartCell search(context, 0, 0);
-    std::vector<SearchOutcome> ended;
-    for (auto begins = search.next({}); !begins.empty(); begins = search.next(ended)) {
-        ended.clear();
-        for (const SearchFactory& begin : begins) {
-            SearchOutcome& end = ended.emplace_back();
+    MultiStartCell cell(context, 0, 0);
+    SearchBroker searches;
+    const auto task = cell.solve(searches);
+    for (task.start(); !task.done();) {
+        std::vector<SearchOutcome> ended;
+        for (const SearchFactory& begin : searches.ordered()) {
             regime::CycleBroker broker;
-            end.result = regime::complete(begin(broker, &end.found), broker);
+            ended.push_back(regime::complete(begin(broker), broker));
         }
+        searches.serve(std::move(ended));
     }
-    return search.result();
+    return task.result();
 }
 
 TEST(MultiStartCell, SharesAreThoseOfSingleSearches) {

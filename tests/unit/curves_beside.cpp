@@ -25,7 +25,7 @@ Seed end_of_orbit(const PlanePoint& from, const PlanePoint& to, const State<doub
     for (int cycle = 0; cycle < 2000; ++cycle) x = map(x).end;
     const auto orbit = stable_orbit_near(rig_of_paper, from, x, 1, sizes);
     EXPECT_TRUE(orbit);
-    const Followed followed = follow(rig_of_paper, *orbit, to, sizes);
+    const FollowedOrbit followed = follow(rig_of_paper, *orbit, to, sizes);
     EXPECT_TRUE(followed.seed);
     return *followed.seed;
 }

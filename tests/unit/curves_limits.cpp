@@ -53,7 +53,7 @@ Seed edge(const scene::Oscillator<double>& oscillator, const PlanePoint& from, c
                            ? orbit_at<trajectory::RigidExactMap<double>>(oscillator, from, 1, {-1, from.column})
                            : orbit_at<trajectory::ExactCycleMap<double>>(oscillator, from, 1, start);
     EXPECT_TRUE(orbit);
-    const Followed followed = follow(Rig(oscillator), *orbit, to, window);
+    const FollowedOrbit followed = follow(Rig(oscillator), *orbit, to, window);
     EXPECT_TRUE(followed.seed);
     return *followed.seed;
 }
@@ -98,7 +98,7 @@ TEST(Curves, ADoubledOrbitEndsWhereItMergesWithTheOneThatDoubled) {
     for (const double frequency : {2.67323, 2.66, 2.7}) {
         const auto orbit = orbit_at<trajectory::ExactCycleMap<double>>(rig, {frequency, 0}, 2);
         ASSERT_TRUE(orbit);
-        const Followed followed = follow(Rig(rig), *orbit, {2.6, 0}, window);
+        const FollowedOrbit followed = follow(Rig(rig), *orbit, {2.6, 0}, window);
         ASSERT_TRUE(followed.seed);
         EXPECT_EQ(followed.seed->kind, CurveKind::period_doubling);
         EXPECT_EQ(followed.seed->point.orbit.period, 1);
@@ -119,7 +119,7 @@ TEST(Curves, ALongStepDoesNotPassOverADoublingAndItsReverse) {
     ASSERT_EQ(orbit->orbit.impacts(), 3);
     const auto any_step = [](const OrbitPoint&, const OrbitPoint&, const PlanePoint&) { return true; };
     for (const double to : {0.64, 0.7, 1.0, 3.0}) {
-        const Followed followed = follow(Rig(rig), *orbit, {to, from.row}, {3, 3}, any_step);
+        const FollowedOrbit followed = follow(Rig(rig), *orbit, {to, from.row}, {3, 3}, any_step);
         ASSERT_TRUE(followed.seed);
         EXPECT_EQ(followed.seed->kind, CurveKind::period_doubling);
         EXPECT_NEAR(followed.seed->point.place.column - from.column, 0.0088, 2e-4) << to;

@@ -114,7 +114,7 @@ TEST(Monodromy, OfARigidStopIsTheJacobianOfItsCycles) {
 void expect_derivatives_at_doubling(const scene::Oscillator<double>& rig, const OrbitPoint& stable,
                                     const PlanePoint& beyond) {
     const Rig rigs(rig);
-    const Followed followed = follow(rigs, stable, beyond, plane);
+    const FollowedOrbit followed = follow(rigs, stable, beyond, plane);
     ASSERT_TRUE(followed.seed.has_value());
     ASSERT_EQ(followed.seed->kind, CurveKind::period_doubling);
     const OrbitPoint& point = followed.seed->point;

@@ -45,8 +45,8 @@ std::vector<std::int64_t> all_cells(const scene::Scene& scene) {
 std::vector<CellResult> pooled(const scene::Scene& scene, const std::vector<std::int64_t>& cells) {
     std::vector<CellResult> results(cells.size());
     const AttractorTable nothing_known;
-    SearchPool pool(scene, nothing_known, [&](const SearchPool::Solved& solved) {
-        results[static_cast<std::size_t>(solved.number)] = solved.result;
+    SearchPool pool(scene, nothing_known, [&](const SearchPool::NumberedOutcome& solved) {
+        results[static_cast<std::size_t>(solved.number)] = solved.outcome.result;
     });
     for (std::size_t n = 0; n < cells.size(); ++n) {
         while (!pool.has_room()) pool.step();

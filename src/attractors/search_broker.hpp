@@ -1,0 +1,54 @@
+// Where a cell leaves its orders of searches that may run side by side, and whoever has a pool serves them: one
+// level above regime/cycle_broker.hpp, where each search leaves its orders of cycles.
+#pragma once
+
+#include <coroutine>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "regime/search_outcome.hpp"
+#include "support/expect.hpp"
+
+namespace peterka::attractors {
+
+using regime::SearchFactory;
+using regime::SearchOutcome;
+
+class SearchBroker {
+  public:
+    struct Served {
+        SearchBroker* broker;
+        [[nodiscard]] bool await_ready() const noexcept { return broker->ordered_.empty(); }
+        void await_suspend(std::coroutine_handle<> cell) const noexcept { broker->cell_ = cell; }
+        [[nodiscard]] std::vector<SearchOutcome> await_resume() const noexcept {
+            return std::exchange(broker->outcomes_, {});
+        }
+    };
+
+    // co_await broker.searches(ordered) gives their outcomes, in the same order; of none, at once.
+    [[nodiscard]] auto searches(std::vector<SearchFactory> ordered) {
+        ordered_ = std::move(ordered);
+        return Served{this};
+    }
+    // That all of them took.
+    [[nodiscard]] std::int64_t cycles() const { return cycles_; }
+
+    // For the pool: what the cell waits for.
+    [[nodiscard]] const std::vector<SearchFactory>& ordered() const { return ordered_; }
+    // The cell goes on up to its next order, or to its end.
+    void serve(std::vector<SearchOutcome> outcomes) {
+        PETERKA_EXPECT(outcomes.size() == ordered_.size());
+        for (const SearchOutcome& each : outcomes) cycles_ += each.cycles;
+        outcomes_ = std::move(outcomes);
+        std::exchange(cell_, {}).resume();
+    }
+
+  private:
+    std::vector<SearchFactory> ordered_;
+    std::vector<SearchOutcome> outcomes_;  // of the last order
+    std::int64_t cycles_ = 0;
+    std::coroutine_handle<> cell_;
+};
+
+}  // namespace peterka::attractors

@@ -1,0 +1,37 @@
+// What a search brings to the one who ordered it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "regime/attractor_table.hpp"
+#include "regime/cell_result.hpp"
+#include "regime/cycle_broker.hpp"
+#include "regime/known_orbit.hpp"
+#include "regime/neighbourhood.hpp"
+#include "support/task.hpp"
+
+namespace peterka::regime {
+
+struct SearchOutcome {
+    CellResult result = {};                          // of a start
+    std::vector<FoundAttractor> found = {};          // on the way to it, by those who collect them
+    std::optional<KnownOrbit> orbit = {};            // or what was learned of an attractor
+    std::vector<Neighbourhood> neighbourhoods = {};  // proved
+    std::int64_t cycles = 0;                         // spent
+};
+
+// Of a search of one start.
+[[nodiscard]] inline Task<SearchOutcome> outcome_of(Task<CellResult> search) {
+    SearchOutcome outcome;
+    outcome.result = co_await search;
+    outcome.cycles = outcome.result.cycles;
+    co_return outcome;
+}
+
+// Begins a search whose cycles others serve at the broker.
+using SearchFactory = std::function<Task<SearchOutcome>(CycleBroker& broker)>;
+
+}  // namespace peterka::regime
