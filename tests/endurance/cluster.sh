@@ -57,6 +57,11 @@ start_cluster() {
 stop_cluster() {
     local pid_file
     for pid_file in "$1"/slurmd.n1.pid "$1"/slurmd.n2.pid "$1"/slurmctld.pid "$1"/munge/pid; do
-        [ ! -f "$pid_file" ] || kill "$(cat "$pid_file")"
+        [ -f "$pid_file" ] || continue
+        local pid
+        pid=$(cat "$pid_file")
+        kill "$pid"
+        # slurmctld writes its state at its end, into the folder that goes next
+        for _ in $(seq 50); do [ -d "/proc/$pid" ] || break; sleep 0.2; done
     done
 }

@@ -1,10 +1,9 @@
 """Whether two map files hold the same, outside /run.   usage: same_map.py FILE EXPECTED"""
 
-import os
 import sys
+from pathlib import Path
 
-os.environ.setdefault("PETERKA_BINARY", "")
-import parts  # noqa: F401 - for the path of the next one
+sys.path.insert(0, str(Path(__file__).parents[1] / "end_to_end"))
 import map_contents
 
 map_contents.assert_same_map(*sys.argv[1:])
