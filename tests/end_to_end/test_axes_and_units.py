@@ -53,8 +53,6 @@ OVER_CURVES = [pair for pair in PAIRS if not with_either([pair], *CURVES_REFUSED
 LIVE = [pair for pair in PAIRS if "dissipation of the stop" not in pair]  # the page has no integrators, and says so
 COMPARED = [pair for pair in PAIRS if not (changes_units(pair) and with_either([pair], *told.COORDINATES))]
 ALONG = [(name,) for name in AXES if not changes_units((name,))]  # each point of the others inherits from another rig's
-# Along these the orbit stays as it is to rounding, and the scale of the picture shows that.
-DRAWN_ALONG = [axes for axes in ALONG if axes not in (("displacement of the start",), ("cubic spring",))]
 HAVE_HERTZ = [pair for pair in with_either(PAIRS, "frequency") if shared("frequency", pair)]  # a drift is asked for in Hz
 # Kind, feature, what tells it, over which axes, and in which units beside ratios.
 TABLE = [
@@ -71,8 +69,8 @@ TABLE = [
     ("curves", "drawn", told.drawn("curves_over_map", units="both"), some(OVER_CURVES)),
     ("curves", "drawn in SI", told.drawn("edge_distance_columns", "edge_distance_gap", units="si"), some(with_either(OVER_CURVES, "gap"))),
     ("sweep", "stored", told.stored, ALONG),
-    ("sweep", "drawn", told.drawn("response", units="both"), DRAWN_ALONG),
-    ("sweep", "drawn in SI", told.drawn("bifurcation", units="si"), DRAWN_ALONG),
+    ("sweep", "drawn", told.drawn("response", units="both"), ALONG),
+    ("sweep", "drawn in SI", told.drawn("bifurcation", units="si"), ALONG),
     *((name, "stored", told.stored, [()]) for name in FEATURES),
     ("basin", "drawn", told.drawn("basin", units="si"), [()]),
     ("basin", "explored", told.explored, [()]),

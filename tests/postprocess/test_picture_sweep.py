@@ -123,6 +123,18 @@ def test_bifurcation_diagrams_show_every_sample(tmp_path):
     assert legend_texts(figure)[:2] == ["frequency rising", "frequency falling"]
 
 
+@pytest.mark.parametrize("change, magnified", [(1e-9, False), (1e-4, True)])
+def test_a_bifurcation_diagram_does_not_magnify_rounding(tmp_path, change, magnified):
+    path = write_sweep(tmp_path / "a.h5")
+    with SealedFile(path, "r+") as file:
+        touched = file["impact_displacement"][()]
+        file["impact_displacement"][...] = touched * (1 + change * np.linspace(0, 1, touched.shape[1])[:, None])
+    with SweepFile(path) as file:
+        low, high = panels_of(figure_of(bifurcation.draw(file, name="impact_displacement")))[0].get_ylim()
+    assert low < 0.5 < high
+    assert (high - low < 1e-3) == magnified and (high - low > 0.05) != magnified
+
+
 def test_branches_with_their_own_starts_at_one_gap(tmp_path):
     with SweepFile(write_sweep(tmp_path / "a.h5", gaps=(1.5,), directions=(2,))) as file:
         figure = figure_of(response.draw(file))

@@ -22,6 +22,7 @@ WHERE = {
     "stroboscopic_displacement": ("$x/A_0$ at phase 0", "x at phase 0 (mm)"),
     "impact_displacement": ("$x/A_0$ at first touch", "x at first touch (mm)"),
 }
+LEAST_CHANGE = 1e-6  # of the largest displacement: rounding may change a verified motion by 5e-8
 # The falling branch lies below in larger, paler dots: where both agree a dark dot has a pale ring.
 DOTS = {"up": (LOOKS["up"].colour, 0.9, 3), "down": (LOOKS["down"].colour, 2.6, 2),
         "independent": (LOOKS["independent"].colour, 0.9, 3)}
@@ -50,10 +51,19 @@ def draw(file: SweepFile, ax: Axes | None = None, *, measured: Measurements = NO
             ax.plot(file.values[points], values, marker="o", markeredgewidth=0, linestyle="none", color=colour,
                     markersize=size * width, zorder=zorder, rasterized=len(points) > 5000)
         ax.margins(y=0.08)
+        _keep_rounding_flat(ax)
         draw_borders(ax, at_gap(borders, gap))
         draw_unstable(ax, unstable_at_gap(unstable, gap), name)
         sweep_panels.draw_measured(ax, measured, gap, "displacement")
     return list(panels.values())
+
+
+def _keep_rounding_flat(ax):
+    """Where nothing changes, the scale would magnify rounding: a tenth of the value on either side instead."""
+    low, high = ax.get_ylim()
+    largest = max(abs(low), abs(high))
+    if high - low < LEAST_CHANGE * largest:
+        ax.set_ylim((low + high) / 2 - 0.1 * largest, (low + high) / 2 + 0.1 * largest)
 
 
 def _handles(file):
