@@ -24,12 +24,7 @@ struct SearchOutcome {
 };
 
 // Of a search of one start.
-[[nodiscard]] inline Task<SearchOutcome> outcome_of(Task<CellResult> search) {
-    SearchOutcome outcome;
-    outcome.result = co_await search;
-    outcome.cycles = outcome.result.cycles;
-    co_return outcome;
-}
+[[nodiscard]] Task<SearchOutcome> outcome_of(Task<CellResult> search);
 
 // Begins a search whose cycles others serve at the broker.
 using SearchFactory = std::function<Task<SearchOutcome>(CycleBroker& broker)>;
