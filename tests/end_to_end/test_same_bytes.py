@@ -1,6 +1,9 @@
 """A cell's result depends on the job and the cell alone: any number of ranks makes the same file."""
 
 import shutil
+import subprocess
+import sys
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -58,3 +61,11 @@ def test_the_comparison_sees_a_difference(tmp_path, small_map_file):
     assert launch.run("run", "job.toml", "--quiet", cwd=tmp_path).returncode == 0
     with pytest.raises(AssertionError):
         map_contents.assert_same_map(tmp_path / "job.h5", small_map_file)
+
+
+def test_what_compares_files_for_other_hosts_tells_same_from_different(small_map_file, small_basin_file):
+    compare = Path(__file__).parents[1] / "endurance/same_map.py"
+    for other, same in ((small_map_file, True), (small_basin_file, False)):
+        compared = subprocess.run([sys.executable, compare, small_map_file, other], capture_output=True, text=True, timeout=60)
+        assert (compared.returncode == 0) == same, compared.stderr
+        assert same or "AssertionError" in compared.stderr
