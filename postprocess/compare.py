@@ -1,60 +1,11 @@
 #!/usr/bin/env python3
-"""Compares two map files, or two basins, cell by cell: where regime, z = p/q or peak force differ.
+"""peterka-compare without an installation: peterka/cli/compare.py."""
 
-    compare.py A.h5 B.h5 [--output-dir DIR] [--formats png,pdf]
-
-Prints the keys of the jobs that differ, counts, the labels that differ, and B's peak force over A's; draws A_against_B.
-Rig, start and solver may differ. Where the grids differ, the points of the coarser one that the other has are compared.
-Exit codes: 0 done, whether or not they differ; 2 a file cannot be read, or they have no two common points along an axis;
-3 a picture cannot be written.
-"""
-
-import argparse
-import os
 import sys
-from pathlib import Path
 
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+import peterka.cli.interpreter  # noqa: F401, I001: goes on with a Python that has the packages
 
-import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
-
-from peterka.errors import PeterkaFileError  # noqa: E402
-from peterka.maps import comparison, comparison_map  # noqa: E402
-from peterka.maps.map_file import PeterkaFile  # noqa: E402
-from peterka.cli.command_line import (  # noqa: E402
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
-    tell,
-)
-
-
-def main() -> int:
-    """The exit code."""
-    arguments = read_arguments()
-    try:
-        with PeterkaFile(arguments.first) as first, PeterkaFile(arguments.second) as second:
-            found = comparison.compare(first, second)
-            tell(comparison.text(first, second, found))
-            figure = comparison_map.draw(first, second, found)
-    except PeterkaFileError as refusal:
-        complain(refusal)
-        return BAD_INPUT
-    try:
-        name = f"{arguments.first.stem}_against_{arguments.second.stem}"
-        save_all(figure, arguments.output_dir, name, arguments.formats)
-    except OSError as error:
-        complain_of_folder(arguments.output_dir, error)
-        return BAD_OUTPUT
-    return DONE
-
-
-def read_arguments() -> argparse.Namespace:
-    """Of the command line; ends the program where they make no sense."""
-    parser = OneLineParser(__doc__)
-    parser.add_argument("first", metavar="A.h5", type=Path)
-    parser.add_argument("second", metavar="B.h5", type=Path)
-    parser.add_picture_arguments()
-    return parser.parse_args()
-
+from peterka.cli.compare import main
 
 if __name__ == "__main__":
-    sys.exit(exit_code(main()))
+    sys.exit(main())

@@ -1,61 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the cells of maps and basins for other programs, with force in N and axes in Hz, mm and m/s.
+"""peterka-export without an installation: peterka/cli/export.py."""
 
-    export.py FILE.h5 [FILE.h5 ...] [--as csv,vtk,mat] [--output-dir DIR]
-
-csv: STEM.csv, a line for each cell, an empty cell where there is no number. vtk: STEM.vtk, a rectilinear grid for ParaView.
-mat: STEM.mat for MATLAB, arrays on [rows][columns]. Units are in the names; what the file doesn't tell stays a ratio, and other
-fields have the units of the file. Regimes are words in CSV, else numbers as in the file (-128: not computed yet).
-Exit codes: 0 done; 2 a file cannot be read, or bad arguments; 3 an export cannot be written.
-"""
-
-import argparse
-import os
 import sys
-from pathlib import Path
 
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+import peterka.cli.interpreter  # noqa: F401, I001: goes on with a Python that has the packages
 
-import peterka.cli.interpreter  # noqa: E402, F401, I001: before all that needs packages
-
-from peterka.export.formats import export, read_formats  # noqa: E402
-from peterka.errors import PeterkaFileError  # noqa: E402
-from peterka.pictures import open_file  # noqa: E402
-from peterka.cli.command_line import (  # noqa: E402
-    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, tell,
-)
-
-
-def main() -> int:
-    """The exit code."""
-    arguments = read_arguments()
-    outcome = DONE
-    for path in arguments.files:
-        try:
-            with open_file(path) as file:
-                for written in export(file, arguments.output_dir, arguments.formats):
-                    tell(written)
-        except PeterkaFileError as refusal:
-            complain(refusal)
-            outcome = BAD_INPUT
-        except OSError as error:
-            complain_of_folder(arguments.output_dir, error)
-            return BAD_OUTPUT
-    return outcome
-
-
-def read_arguments() -> argparse.Namespace:
-    """Of the command line; ends the program where they make no sense."""
-    parser = OneLineParser(__doc__)
-    parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
-    parser.add_argument("--as", dest="formats", metavar="FORMAT,...", type=read_formats, default=["csv"], help="default: csv")
-    parser.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("."), help="default: this folder")
-    arguments = parser.parse_args()
-    stems = [path.stem for path in arguments.files]
-    if len(set(stems)) < len(stems):
-        parser.error("two of the files have the same name, so their exports would overwrite each other")
-    return arguments
-
+from peterka.cli.export import main
 
 if __name__ == "__main__":
-    sys.exit(exit_code(main()))
+    sys.exit(main())

@@ -3,6 +3,7 @@
 import argparse
 import errno
 import os
+import re
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -17,13 +18,14 @@ FORMATS = ("png", "pdf", "svg")
 DEFAULT_FORMATS = "png,pdf"
 DONE, BAD_INPUT, BAD_OUTPUT = 0, 2, 3
 LONGEST_COMPLAINT = 2000  # letters
+PROGRAM = re.compile(r"\b(claims|compare|draw|explore|export|identify|operating_point|results|scaling)\.py\b")
 
 
 class OneLineParser(argparse.ArgumentParser):
     """Shows `description` as it is written; tells what is wrong in one line."""
 
     def __init__(self, description: str | None) -> None:
-        super().__init__(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+        super().__init__(description=_as_installed(description), formatter_class=argparse.RawDescriptionHelpFormatter)
 
     def error(self, message: str) -> NoReturn:
         """Ends the program with exit code 2."""
@@ -41,6 +43,13 @@ class OneLineParser(argparse.ArgumentParser):
         """--output-dir and --formats."""
         self.add_argument("--output-dir", metavar="DIR", type=Path, default=Path("pictures"), help="default: pictures")
         self.add_argument("--formats", "--format", default=DEFAULT_FORMATS, type=read_formats, help=f"some of {', '.join(FORMATS)}; default: {DEFAULT_FORMATS}")
+
+
+def _as_installed(text):
+    """`draw.py` in a text is peterka-draw where this is an installed program."""
+    if text is None or not Path(sys.argv[0]).name.startswith("peterka-"):
+        return text
+    return PROGRAM.sub(lambda named: f"peterka-{named[1].replace('_', '-')}", text)
 
 
 def read_formats(text: str) -> list[str]:

@@ -1,9 +1,10 @@
-"""The program's engine in WebAssembly, built from src by src/page/build_wasm.sh when it is first needed, and the numbers
-of a cell in the order in which it takes them (CellNumber in src/page/interface.hpp)."""
+"""The program's engine in WebAssembly, built from src by src/page/build_wasm.sh when it is first needed, or installed with the
+program; and the numbers of a cell in the order in which it takes them (CellNumber in src/page/interface.hpp)."""
 
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 import tomllib
 from pathlib import Path
@@ -35,7 +36,9 @@ def module(cache: Path | None = None) -> bytes:
     """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
     cache = cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))
     if not SCRIPT.is_file():
-        raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing)")
+        if installed := _installed():
+            return installed.read_bytes()
+        raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing), nor an engine that was installed with the program")
     built = cache / f"engine-{_fingerprint()}.wasm"
     if not built.is_file():
         _build(built)
@@ -43,8 +46,21 @@ def module(cache: Path | None = None) -> bytes:
 
 
 def version() -> str:
-    """Of the engine and the numbers that a page gives it; "none" without its sources."""
-    return _fingerprint()[:8] if SCRIPT.is_file() else "none"
+    """Of the engine and the numbers that a page gives it; "none" where there is no engine."""
+    if SCRIPT.is_file():
+        return _fingerprint()[:8]
+    installed = _installed()
+    return installed.stem.removeprefix("engine-")[:8] if installed else "none"
+
+
+def _installed():
+    """The path of an engine that was installed with this package or with the program on the PATH; None without one."""
+    program = shutil.which("peterka")
+    beside = Path(program).resolve().parents[1:2] if program else []
+    for prefix in (*Path(__file__).resolve().parents, *beside):
+        for engine in sorted((prefix / "share/peterka/page").glob("engine-*.wasm")):
+            return engine
+    return None
 
 
 def _build(built):

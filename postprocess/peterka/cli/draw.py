@@ -1,0 +1,159 @@
+"""Draws the pictures of peterka's files.
+
+    draw.py FILE.h5 [FILE.h5 ...] [--output-dir DIR] [--formats png,pdf,svg] [--only NAME,NAME] [--after CYCLES]
+            [--measured POINTS.csv] [--curves CURVES.h5] [--width MM] [--dpi N] [--font NAME] [--no-title] [--zoom X0,X1[,Y0,Y1]]
+            [--limits LOW,HIGH] [--log] [--palette colour|grey] [--units both|si|ratio]
+
+A map gives STEM_map (classes of z = p/q), STEM_force_1_1 and STEM_force_all (peak force), STEM_audit where cells were
+audited, and STEM_computed where it is refined; a basin gives STEM_basin (by attractor) and STEM_basin_impact (impact
+or not). Both give a picture of each of impact_speed, impulse, contact_time, contact_power_w, max_displacement, multiplier,
+lyapunov, sensitivity, orbit (displacement and velocity), force_per_cycle (mean and 95 % quantile) that they hold. Where last_impact is stored there is STEM_last_impact, and of a basin STEM_impact_after_300: what a run of only
+300 cycles, or --after, would see. A map with [starts]
+gives STEM_attractors (how many a cell has), STEM_attractors_largest (on which most starts end), STEM_attractors_impact
+(share of starts that impact), STEM_share_... (share of each of the commonest z) and, where kicks are stored, STEM_kick.
+A sweep gives STEM_response (peak force), STEM_bifurcation and
+STEM_bifurcation_impact (hammer displacement at forcing phase 0 and at first touch), with the borders that a file of
+curves, --curves, tells at its gaps, which are listed, too, and the unstable orbits between them. A file of curves gives
+STEM_curves, STEM_curves_over_map and, with curves.edge_distance, STEM_edge_distance_frequency and STEM_edge_distance_gap (of
+other axes _columns and _rows). The points of --measured lie over these three, and over
+STEM_map and STEM_force_... of a map. A trace gives STEM_motion, STEM_phase_plane, STEM_relative_plane (x - y, with the stop),
+STEM_poincare (points at forcing phase 0), STEM_impact and STEM_spectrum. A study gives STEM_work_precision,
+STEM_labels or STEM_stability. An unfinished file is drawn as far as it is computed, and says so.
+A p/q has the same colour in every picture; what is rarer than all that a legend names is "other p/q". Every two colours of
+the palette stay apart for protanopes, deuteranopes and tritanopes, too, as simulated (smallest CIEDE2000 difference 8.1; 12.7
+for normal sight).
+Exit codes: 0 done; 2 a file cannot be drawn, or bad arguments; 3 a picture cannot be written.
+"""
+
+import argparse
+import gc
+import warnings
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from ..export.formats import export, read_formats
+from ..errors import PeterkaFileError
+from ..files.opened import OpenedFile
+from ..plotting import axes
+from ..plotting.figures import figure_of
+from ..plotting.style import using
+from ..maps.map_file import PeterkaFile
+from ..measurements import map_residuals
+from ..measurements.points import Measurements, Point, read_measurements
+from ..pictures import open_file, picture_name, pictures_of
+from .command_line import (
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all,
+    tell,
+)
+from .picture_options import (
+    add_style_arguments, check_style, style_of, zoomed,
+)
+from ..sweeps import residuals
+from ..sweeps.borders import NO_BORDERS, read_borders
+from ..sweeps.borders import table as table_of_borders
+from ..sweeps.sweep_file import SweepFile
+from ..sweeps.unstable import NO_UNSTABLE, read_unstable
+
+
+def main() -> int:
+    """peterka-draw; the exit code."""
+    return exit_code(_draw())
+
+
+def _draw():
+    arguments = read_arguments()
+    warnings.filterwarnings("ignore", message="Glyph .* missing")  # a title may use letters the font lacks
+    outcome = DONE
+    for path in arguments.files:
+        try:
+            draw_file(path, arguments)
+        except PeterkaFileError as refusal:
+            complain(refusal)
+            outcome = outcome or BAD_INPUT
+        except OSError as error:
+            complain_of_folder(arguments.output_dir, error)
+            return BAD_OUTPUT
+    return outcome
+
+
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
+    parser = OneLineParser(__doc__)
+    parser.add_argument("files", metavar="FILE.h5", nargs="+", type=Path)
+    parser.add_picture_arguments()
+    parser.add_argument("--only", metavar="NAME,...", type=lambda text: text.split(","), default=[],
+                        help="these pictures alone, named as in the files: map, force_all, response, ...")
+    add_style_arguments(parser)
+    parser.add_argument("--after", metavar="CYCLES", type=read_cycles, default=300, help="default: 300")
+    parser.add_argument("--export", metavar="csv,vtk,mat", type=read_formats, default=[],
+                        help="besides, the cells of maps and basins for other programs, as export.py writes them")
+    parser.add_argument("--measured", metavar="POINTS.csv", type=Path,
+                        help="points to draw over a sweep or map; peterka/measurements/points.py names the columns")
+    parser.add_argument("--curves", metavar="CURVES.h5", type=Path,
+                        help="marks and lists where the motions of a sweep end or change, from curves with its gaps")
+    arguments = parser.parse_args()
+    check_style(parser, arguments)
+    stems = [path.stem for path in arguments.files]
+    if len(set(stems)) < len(stems):
+        parser.error("two of the files have the same name, so their pictures would overwrite each other")
+    return arguments
+
+
+def read_cycles(text: str) -> int:
+    """The number of forcing cycles that an argument says."""
+    if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of forcing cycles")
+    return int(text)
+
+
+def draw_file(path: Path, arguments: argparse.Namespace) -> None:
+    """All pictures of a file that are asked for, and what is told of it besides."""
+    with open_file(path) as whole, using(**style_of(arguments)):
+        file = zoomed(whole, arguments.zoom, arguments.units == "si")
+        for written in export(whole, arguments.output_dir, arguments.export) if arguments.export else []:
+            tell(written)
+        measured = Measurements([], [])
+        if arguments.measured:
+            measured = read_measurements(arguments.measured, file)
+        for sentence in measured.left_out:
+            tell(sentence)
+        if measured.points:
+            tell_residuals(file, measured.points)
+        borders = read_borders(arguments.curves, file) if arguments.curves else NO_BORDERS
+        unstable = NO_UNSTABLE
+        if borders:
+            assert isinstance(file, SweepFile)
+            unstable = read_unstable(arguments.curves, file, borders)
+            for line in table_of_borders(file, borders):
+                tell(line)
+        if file.computed < 1:
+            tell(f"{path}: {axes.incomplete_text(file)}")
+        pictures = pictures_of(file, arguments.after, measured, borders, unstable)
+        for name, draw in chosen(file, pictures, arguments.only).items():
+            drawn = draw(file)
+            if drawn is None:
+                tell(f"{path}: no value to draw, {name} is left out")
+                continue
+            save_all(figure_of(drawn), arguments.output_dir, picture_name(file, name), arguments.formats)
+            # Figures of large maps keep hundreds of megabytes in reference cycles; they must not add up.
+            del drawn
+            gc.collect()
+
+
+def chosen(file: OpenedFile, pictures: dict[str, Callable], names: Sequence[str]) -> dict[str, Callable]:
+    """The pictures of these names; all of them where none is named."""
+    unknown = [name for name in names if name not in pictures]
+    if unknown:
+        raise file.refusal(f"gives no picture {', '.join(unknown)}; it gives {', '.join(pictures)}")
+    return {name: draw for name, draw in pictures.items() if name in names or not names}
+
+
+def tell_residuals(file: OpenedFile, points: Sequence[Point]) -> None:
+    """Prints how far measured forces are from the motions of a map or a sweep."""
+    lines: list[str] = []
+    if isinstance(file, PeterkaFile):
+        lines = map_residuals.table(file, map_residuals.residuals(file, points))
+    elif isinstance(file, SweepFile):
+        lines = residuals.table(file, residuals.residuals(file, points))
+    for line in lines:
+        tell(line)

@@ -1,0 +1,184 @@
+"""Finds where to operate a rig: the place of a map whose worst value over a drift and over the starts is the best.
+
+    operating_point.py MAP.h5 [--hz 0.5] [--mm 0.1] [--starts any | share 0.9 | job]
+                       [--quantity peak_force | contact_power | impact_speed] [--regime 1/1,1/2] [--verify]
+
+A place is one where the motion is the same p/q in all cells within --hz and --mm to either side, its box, from all starts
+that are admitted: any (each of the map's [starts] and its own, where no other motion is known to exist, the one without impact
+anywhere in the box; the default), at least a share of them above one half, or the job's own alone. It is told what of that is
+proved and what sampled: n starts, all of which end in one motion, exclude others with shares above 1 - 0.05^(1/n) (16 starts:
+17 %; 299: 1 %); a share that the map's starts can't tell is refused. Prints the best place in Hz, mm, N and W, and the ten
+best separate ones; draws STEM_operating_point, the worst value of each box over the map. --verify computes the box around the
+best place once more on a finer grid, with the same starts, by build/peterka (or --peterka PROGRAM), into the folder of the
+pictures, and says whether its worst value is as good there, or by how much it falls short.
+Exit codes: 0 done, whatever came out; 2 a file cannot be read or has no such place, or bad arguments; 3 a picture or the box
+cannot be written.
+"""
+
+import argparse
+import re
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import PeterkaFileError
+from ..files.regimes import PERIODIC
+from ..maps.comparison import label_codes
+from ..maps.map_file import PeterkaFile
+from ..operating import picture, told, verify, words
+from ..operating.admitted import ANY, JOB, QUANTITIES, admitted, has_starts, quantity_of
+from ..operating.drift import Reach, reach, worst_of_boxes
+from ..operating.places import Place, best_places
+from .command_line import (
+    BAD_INPUT, BAD_OUTPUT, DONE, OneLineParser, complain, complain_of_folder, exit_code, save_all, tell,
+)
+
+
+def main() -> int:
+    """peterka-operating-point; the exit code."""
+    return exit_code(_operating_point())
+
+
+def _operating_point():
+    arguments = read_arguments()
+    try:
+        with PeterkaFile(arguments.map) as file:
+            return operate(file, arguments)
+    except (PeterkaFileError, verify.NotVerified) as refusal:
+        complain(refusal)
+        return BAD_INPUT
+    except OSError as error:
+        complain_of_folder(arguments.output_dir, error)
+        return BAD_OUTPUT
+
+
+def operate(file: PeterkaFile, arguments: argparse.Namespace) -> int:
+    """The whole of it, of an open map; the exit code."""
+    if file.kind != "map":
+        raise file.refusal(f"is a {file.kind}; a map is needed")
+    starts = arguments.starts
+    if starts is None:
+        starts = ANY if has_starts(file) else JOB
+        if starts == JOB:
+            tell(f"{file.path} was computed from one start alone: what other starts lead to isn't known")
+    if starts not in (ANY, JOB):
+        told.refuse_few_starts(file, starts)
+    quantity = quantity_of(file, arguments.quantity)
+    rows, columns = (reach(file, axis, arguments.hz, arguments.mm) for axis in (file.rows, file.columns))
+    found = admitted(file, starts, quantity.name)
+    worst = worst_of_boxes(found, rows, columns, codes_of(arguments.regime))
+    asks = starts != JOB or told.has_job(file)  # a map made by hand may have none
+    stays_free = told.may_stay_free(file, rows, columns) if asks else np.zeros(file.shape, dtype=bool)
+    if starts == ANY:
+        worst = np.where(stays_free, np.nan, worst)
+    places = best_places(worst, found, rows, columns)
+    what = words.starts_in_words(starts), words.drift_in_words(file, rows, columns)
+    if not places:
+        inside = rows.inside[:, None] & columns.inside[None, :]
+        free = f", and the hammer can swing without impact in {100 * np.mean(stays_free[inside]):.3g} % of the boxes" if inside.any() and (
+            starts == ANY) else ""
+        raise file.refusal(f"has no place with {words.starts_in_words(starts)[5:]} in one motion with impacts"
+                           f"{' of ' + ','.join(arguments.regime) if arguments.regime else ''} at a {what[1]}{free}; allow less drift, or "
+                           f"{'a share of the starts (--starts share 0.9)' if starts == ANY else 'fewer starts'}")
+    tell(f"{file.title}\n{quantity.title} {what[0]}, {what[1]}: one motion in the boxes of "
+         f"{100 * float(np.mean(np.isfinite(worst))):.3g} % of the cells")
+    for line in what_is_told(file, starts, places[0], (rows, columns), bool(stays_free[places[0].row, places[0].column])):
+        tell(f"  {line}")
+    for line in words.table(file, places, quantity, with_share=starts not in (ANY, JOB)):
+        tell(line)
+    for line in words.best_lines(file, places[0], quantity, fields_at(file, places[0])):
+        tell(line)
+    if file.is_refined:
+        tell("  the map is refined: cells that were filled count as if they were computed; --verify computes all of the box")
+    save_all(picture.draw(file, worst, places, rows, columns, (quantity, *what)), arguments.output_dir,
+             f"{file.path.stem}_operating_point", arguments.formats)
+    if arguments.verify:
+        checked = verify.verify(file, places[0], (rows, columns), starts, quantity, arguments.output_dir, arguments.ranks, arguments.peterka)
+        tell(verify.text_of(file, places[0], checked, quantity))
+    return DONE
+
+
+def what_is_told(file: PeterkaFile, starts: str | float, best: Place, reaches: tuple[Reach, Reach], stays_free: bool) -> list[str]:
+    """Lines: what is proved, what sampled, and which motions are left out."""
+    if starts == ANY:
+        older = [] if file.data.has("attractor_orbit_displacement") else [
+            "the file doesn't tell what is known beside its starts: compute it again with this program"]
+        return [told.text_of_proof(file), told.text_of_sampling(told.starts_of(file), None), *older]
+    if starts == JOB:
+        also = "; a motion without impact exists in the best box" if stays_free else ""
+        return [f"by computation: at the cells of a box, from this one start; others may end elsewhere{also}"]
+    return [told.text_of_sampling(told.starts_of(file), best.share),
+            told.text_of_left_out(told.left_out(file, best, *reaches), stays_free)]
+
+
+def fields_at(file: PeterkaFile, place: Place) -> dict[str, float]:
+    """{dataset: value} of a cell."""
+    names = ["regime", *(name for name in QUANTITIES.values() if name == "peak_force_ratio" or name in file.quantities)]
+    band = file.band(names, place.row, place.row + 1)
+    return {name: float(band[name][0, place.column]) for name in names[1:]}
+
+
+def codes_of(regimes: list[str] | None) -> set[int] | None:
+    """Codes of ["p/q"]; None for any."""
+    if regimes is None:
+        return None
+    p, q = np.array([list(map(int, regime.split("/"))) for regime in regimes]).T
+    return set(label_codes(np.full(len(p), PERIODIC), p, q).tolist())
+
+
+def read_arguments() -> argparse.Namespace:
+    """Of the command line; ends the program where they make no sense."""
+    parser = OneLineParser(__doc__)
+    parser.add_argument("map", metavar="MAP.h5", type=Path)
+    parser.add_argument("--hz", type=read_drift, default=0.5, help="drift of the frequency to either side; default: 0.5")
+    parser.add_argument("--mm", type=read_drift, default=0.1, help="drift of the gap to either side; default: 0.1")
+    parser.add_argument("--starts", metavar="WHICH", nargs="+", help="any, share S, or job")
+    parser.add_argument("--quantity", choices=list(QUANTITIES), default="peak_force")
+    parser.add_argument("--regime", metavar="P/Q,...", type=read_regimes)
+    parser.add_argument("--verify", action="store_true")
+    parser.add_argument("--peterka", metavar="PROGRAM", type=Path)
+    parser.add_argument("--ranks", metavar="N", type=read_count, default=1, help="of --verify, started by mpirun; default: 1")
+    parser.add_picture_arguments()
+    arguments = parser.parse_args()
+    arguments.starts = read_starts(arguments.starts, parser)
+    return arguments
+
+
+def read_starts(which: list[str] | None, parser: argparse.ArgumentParser) -> str | float | None:
+    """ANY, JOB, or a share; None where nothing is asked for."""
+    if which is None or which in (["any"], ["job"]):
+        return which[0] if which else None
+    if which[0] == "share" and len(which) == 2:
+        try:
+            share = float(which[1])
+        except ValueError:
+            share = np.nan
+        if 0.5 < share <= 1:
+            return share
+    return parser.error(f"--starts {' '.join(which)}: any, job, or share and a number above 0.5 up to 1")
+
+
+def read_drift(text: str) -> float:
+    """The drift, 0 or above, that an argument says."""
+    try:
+        drift = float(text)
+    except ValueError:
+        drift = np.nan
+    if not 0 <= drift < 1e100:
+        raise argparse.ArgumentTypeError(f"'{text}' is not 0 or a number above")
+    return drift
+
+
+def read_regimes(text: str) -> list[str]:
+    """The list of p/q that an argument says."""
+    regimes = text.split(",")
+    if not all(re.fullmatch(r"[1-9]\d{0,8}/[1-9]\d{0,8}", regime) for regime in regimes):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of p/q such as 1/1,1/2")
+    return regimes
+
+
+def read_count(text: str) -> int:
+    """The number of ranks that an argument says."""
+    if not (text.isascii() and text.isdigit() and 0 < int(text) < 10**6):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of ranks")
+    return int(text)
