@@ -145,6 +145,7 @@ std::string rule_of_trace(const Job& job) {
     constexpr double most_samples = 5e6;
     constexpr double lowest_frequency = 1e-2;
     const Trace& trace = job.trace;
+    if (job.operating_point.frequency_hz && !has_rig(job)) return {};  // its ratio isn't known
     const double eta = job.operating_point.frequency_ratio;
     if (eta > 0 && eta < lowest_frequency) {
         return fmt::format(

@@ -9,6 +9,7 @@
 #include "job/axis_quantity.hpp"
 #include "job/names.hpp"
 #include "job/read.hpp"
+#include "job/remarks.hpp"
 #include "job/twins.hpp"
 #include "job/write.hpp"
 #include "map_file/layout.hpp"
@@ -80,6 +81,12 @@ std::string cell_text(const TracedCell& traced) {
     return fmt::format("#   rig      that of {}\n", *traced.rig);
 }
 
+std::string remarks_text(const job::Job& job) {
+    std::string text;
+    for (const std::string& remark : job::remarks(job)) text += fmt::format("#   note     {}\n", remark);
+    return text;
+}
+
 // Of the plane, the branches or the one cell of a job.
 std::string starts_text(const job::Job& job) {
     const std::string inside = starts_inside(scene::Scene(job));
@@ -103,11 +110,13 @@ std::string check_curves(const Request& request, const job::Job& job, const job:
                "{}"
                "#   curves   of all that are found, up to q = {}, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks\n"
-               "#   file     {}, {} at most ({})\n\n",
+               "#   file     {}, {} at most ({})\n"
+               "{}\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                readable_count(job.row_count()), starts_price(job), job.curves.max_period,
                readable_bytes(memory_per_rank(job)), map_file_of(request).string(),
-               readable_bytes(largest_curves_file(job)), free_space_text(map_file_of(request))) +
+               readable_bytes(largest_curves_file(job)), free_space_text(map_file_of(request)),
+               remarks_text(job)) +
            job::resolved_text(job, origins);
 }
 
@@ -123,9 +132,10 @@ std::string check_trace(const Request& request, const TracedCell& traced, const 
                "# {} is a sound job. It would be computed as follows.\n"
                "#   trace    of one cell, that {}\n"
                "{}"
-               "#   file     {} ({})\n\n",
+               "#   file     {} ({})\n"
+               "{}\n",
                request.job_file.string(), cell, starts_text(traced.job), map_file_of(request).string(),
-               free_space_text(map_file_of(request))) +
+               free_space_text(map_file_of(request)), remarks_text(traced.job)) +
            job::resolved_text(traced.job, origins);
 }
 
@@ -150,14 +160,15 @@ std::string check_job(const Request& request) {
                "{}{}{}{}{}{}{}{}"
                "#   tiles    {} of {} by {} cells, dealt to the ranks\n"
                "#   memory   about {} per rank, on any number of ranks; {} is left here\n"
-               "#   file     {}, {} ({})\n\n",
+               "#   file     {}, {} ({})\n"
+               "{}\n",
                request.job_file.string(), readable_count(job.cells()), readable_count(job.columns.points),
                axes.columns, readable_count(job.row_count()), axes.rows, cell_text(traced), refine_text(job),
                branches_text(job), rigs_text(job), starts_text(job), starts_price(job), long_chaos_price(job),
                certificate_price(job), readable_count(tiling.count()), tiling.largest_tile().rows,
                tiling.largest_tile().columns, readable_bytes(memory_per_rank(job)),
                readable_bytes(memory_left_to_all().bytes), file.string(),
-               readable_bytes(map_file::predicted_bytes(job)), free_space_text(file)) +
+               readable_bytes(map_file::predicted_bytes(job)), free_space_text(file), remarks_text(job)) +
            job::resolved_text(job, origins);
 }
 

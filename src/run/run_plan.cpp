@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "job/read.hpp"
+#include "job/remarks.hpp"
 #include "job/write.hpp"
 #include "map_file/map_size.hpp"
 #include "parallel/broadcast.hpp"
@@ -45,6 +46,10 @@ void tell_lacking_locks(const RunPlan& plan) {
     if (!lacking.empty()) tell("peterka: {}\n", lacking);
 }
 
+void tell_remarks(const job::Job& job) {
+    for (const std::string& remark : job::remarks(job)) tell("peterka: note: {}\n", remark);
+}
+
 }  // namespace
 
 RunPlan plan_run(const Request& request) {
@@ -57,7 +62,10 @@ RunPlan plan_run(const Request& request) {
     plan.lock.emplace(plan.file);
     plan.file_lock.emplace(plan.file);
     if (!request.fresh) plan.existing = map_file::inspect(plan.file, plan.job);
-    if (plan.existing != map_file::Existing::complete) tell_lacking_locks(plan);
+    if (plan.existing != map_file::Existing::complete) {
+        tell_lacking_locks(plan);
+        if (!request.quiet) tell_remarks(plan.job);
+    }
     plan.max_wall_seconds = request.max_wall_seconds;
     plan.fresh = request.fresh;
     plan.quiet = request.quiet;
