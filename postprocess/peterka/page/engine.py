@@ -33,16 +33,21 @@ class NoEngine(Exception):
 
 
 def module(cache: Path | None = None) -> bytes:
-    """The bytes of the module, from the cache (default: build/page beside src) where it is built already."""
+    """The bytes of the module, built into the cache (default: build/page beside src) where it isn't there."""
+    return path(cache).read_bytes()
+
+
+def path(cache: Path | None = None) -> Path:
+    """Where the module is: in the cache, or, without sources, where it was installed. Raises NoEngine."""
     cache = cache or Path(os.environ.get("PETERKA_PAGE_CACHE", ROOT / "build" / "page"))
     if not SCRIPT.is_file():
         if installed := _installed():
-            return installed.read_bytes()
+            return installed
         raise NoEngine(f"the program's sources are not here ({SCRIPT} is missing), nor an engine that was installed with the program")
     built = cache / f"engine-{_fingerprint()}.wasm"
     if not built.is_file():
         _build(built)
-    return built.read_bytes()
+    return built
 
 
 def version() -> str:
