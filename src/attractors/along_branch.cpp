@@ -40,8 +40,8 @@ std::vector<SolvedCell> solve_row(const scene::Scene& scene, std::int64_t row,
     return solved;
 }
 
-// Followed once more: from the orbit itself, where there is one, else from the start that ended on it first,
-// which another engine may lead elsewhere.
+// Follows the motion once more: from its orbit, where there is one, otherwise from the start that first ended
+// on it, which another engine may lead elsewhere.
 SteadyMotion motion_of(const job::Job& job, scene::Cell cell, const FirstEnd& first,
                        const std::function<void()>& look) {
     const auto room = static_cast<std::size_t>(job.sweep.samples);
@@ -70,7 +70,7 @@ void erase(PointAttractors& point, std::ptrdiff_t slot) {
     point.motions.erase(point.motions.begin() + slot);
 }
 
-// What other points of the row, and the closed form, know of each.
+// The attractors known from other points of the row and from the closed form, for each point.
 std::vector<KnownMotions::NewResult> find_known(const scene::Scene& scene, std::int64_t row,
                                                 const std::vector<PointAttractors>& points,
                                                 const std::function<void()>& look) {
@@ -98,7 +98,7 @@ std::vector<KnownMotions::NewResult> find_known(const scene::Scene& scene, std::
 std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::int64_t row,
                                                const std::function<void()>& look) {
     job::Job job = scene.job();
-    job.output.fields.clear();  // none of them is kept of attractors' motions
+    job.output.fields.clear();  // no optional field is kept for attractors' motions
     std::vector<PointAttractors> points;
     for (SolvedCell& solved : solve_row(scene, row, look)) {
         const scene::Cell cell = scene.cell(row, std::ssize(points));

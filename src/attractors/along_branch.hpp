@@ -1,5 +1,5 @@
-// All attractors at each point of a sweep, and the motion on each of them: those that a map with the same
-// [starts] has there, whatever the branches of the sweep are on.
+// All attractors at each point of a sweep, and the motion on each: those that a map with the same [starts] has
+// there, regardless of the branches that the sweep follows.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@
 
 namespace peterka::attractors {
 
-// Those of one point.
+// The attractors of one point.
 struct PointAttractors {
-    std::int32_t count = 0;                          // found, more than are kept perhaps
-    std::vector<CellAttractor> kept = {};            // in the order of SolvedCell, what is known last
-    std::vector<FirstEnd> firsts = {};               // of each of them
-    std::vector<regime::SteadyMotion> motions = {};  // the same; nothing where it can't be followed once more
+    std::int32_t count = 0;                // found, possibly more than are kept
+    std::vector<CellAttractor> kept = {};  // in the order of SolvedCell; known motions without starts last
+    std::vector<FirstEnd> firsts = {};     // of each kept attractor
+    std::vector<regime::SteadyMotion> motions = {};  // likewise; empty where it cannot be followed again
     double gap = 0;                                  // [A0]
 };
 
-// All of them, and what is known beside the starts (attractors/known_motions.hpp), of a row of the sweep's
-// scene, in the order of the axis. `look`, called every now and then, may throw.
+// The attractors of a row of the sweep's scene, including those known without a start
+// (attractors/known_motions.hpp), in the order of the axis. `look` is called from time to time and may throw.
 [[nodiscard]] std::vector<PointAttractors> find_along_branch(const scene::Scene& scene, std::int64_t row,
                                                              const std::function<void()>& look);
 
-// Adds the motions that branches ended on at this point, where none of the attractors is
-// theirs; and keeps so many: these, what is known, and the largest shares.
+// Adds the motions on which branches ended at this point, unless an attractor matches, and keeps at most
+// `most`: these, the known ones, and the largest shares.
 void keep_with(PointAttractors& point, std::span<const regime::BranchPoint* const> branches, std::int64_t most);
 
-// Which of those that are kept a motion is on; -1 for none.
+// The slot of the kept attractor that a motion is on; -1 for none.
 [[nodiscard]] std::int32_t slot_of(const PointAttractors& point, const cell::CellResult& motion);
 
 }  // namespace peterka::attractors

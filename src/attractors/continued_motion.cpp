@@ -15,7 +15,7 @@ namespace {
 
 using regime::Regime;
 
-// A search from the orbit itself recurs at once, and is proved after a few periods more.
+// A search from the orbit itself recurs at once, and is proved after a few more periods.
 constexpr std::int64_t fewest_cycles = 300;
 constexpr std::int64_t periods_to_prove = 6;
 
@@ -29,8 +29,8 @@ scene::State<double> point_of(const KnownMotion& motion, const scene::Oscillator
     return {motion.displacement - oscillator.gap, motion.velocity};
 }
 
-// Newton's method is that of the closed form, and so of linear springs: near enough where the cubic part may be
-// left out.
+// Newton's method uses the closed form, and hence linear springs: accurate enough where the cubic part may be
+// omitted.
 bool may_correct(const KnownMotion& from, const scene::Oscillator<double>& oscillator,
                  const job::Solver& solver) {
     return from.regime == Regime::periodic && !regime::has_nonlinear_contact(oscillator) &&
@@ -39,7 +39,7 @@ bool may_correct(const KnownMotion& from, const scene::Oscillator<double>& oscil
                 solver.omit_tolerance);
 }
 
-// Of the stable orbit with as many cycles, and contacts; nothing where Newton's method leads to none.
+// The stable orbit with as many cycles and contacts; nothing where Newton's method finds none.
 Task<std::optional<KnownMotion>> corrected(regime::CycleBroker& broker, scene::Oscillator<double> oscillator,
                                            KnownMotion from) {
     regime::StroboscopicMap map(oscillator, {}, broker);

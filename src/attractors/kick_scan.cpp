@@ -8,21 +8,21 @@ namespace peterka::attractors {
 
 namespace {
 
-// Sizes grow by twos, from 1/256 of the largest.
+// Sizes double, from 1/256 of the largest.
 constexpr int levels = 9;
 constexpr int kicks_of_a_level = 32;  // for each cycle of the orbit
-constexpr int kicks_of_a_round = 64;  // of each half, for each cycle of the orbit
-constexpr int most_cycles = 16;       // of a longer orbit no more kicks
-constexpr int rounds_in_vain = 12;    // before it ends
-constexpr double clearly = 0.01;      // smaller, so that it goes on
-constexpr int stretches = 16;         // of phases, in a cycle
+constexpr int kicks_of_a_round = 64;  // in each half, for each cycle of the orbit
+constexpr int most_cycles = 16;       // longer orbits get no more kicks
+constexpr int rounds_in_vain = 12;    // before the rounds end
+constexpr double clearly = 0.01;      // relative decrease that keeps the rounds going
+constexpr int stretches = 16;         // of phases, per cycle
 constexpr int kicks_of_a_step = 32;   // along the border
 constexpr double first_step = 0.125;  // relative in size
 constexpr double last_step = 1e-4;
-constexpr double no_surprise = 5;  // times as many as are expected
+constexpr double no_surprise = 5;  // factor over the expected number
 constexpr std::int64_t most_cycles_of_searches = 2'000'000;
 
-// The fraction of n times an irrational number: even in every stretch of n.
+// The fractional part of n times an irrational number: evenly spread over every stretch of n.
 double fraction(std::uint64_t n, double irrational) {
     const double turns = static_cast<double>(n) * irrational;
     return turns - std::floor(turns);
@@ -86,7 +86,8 @@ void KickScan::take_one(const KickTried& kick, const Outcome& outcome) {
     if (outcome.cycles >= slow.cycles || slow.kick.size() > bound()) slow = {kick, outcome.cycles};
 }
 
-// Lives are spread exponentially; their mean is that of those that ended, for the others may have no end.
+// Lifetimes are exponentially distributed; their mean is taken over those that ended, since the others may
+// never end.
 bool KickScan::chaos_dies() const {
     if (returned_ == 0) return false;
     const double mean = static_cast<double>(lives_) / static_cast<double>(returned_);
@@ -95,11 +96,11 @@ bool KickScan::chaos_dies() const {
     return static_cast<double>(stayed_) <= no_surprise * expected;
 }
 
-// before: the bound, before the last kicks.
+// before: the bound before the last kicks.
 void KickScan::choose_stage(double before) {
     const double fell = 1 - bound() / before;
     if (stage_ != Stage::border) step_ = first_step;
-    if (fell < 0) {  // what was found doesn't count any more, and beyond it fewer were tried
+    if (fell < 0) {  // the smallest kick no longer counts, and fewer were tried beyond it
         stage_ = smallest_ ? Stage::rounds : Stage::growing;
         in_vain_ = 0;
     } else if (stage_ == Stage::growing) {
@@ -143,8 +144,8 @@ std::vector<KickTried> KickScan::round() {
     return kicks;
 }
 
-// Next to the smallest. Near the lowest point of a border phases go with sizes where it has an edge there, and
-// with their root where it is smooth.
+// Kicks next to the smallest. Near the lowest point of a border, phase distances scale with size differences
+// where the border has a corner there, and with their square root where it is smooth.
 std::vector<KickTried> KickScan::along_border() {
     std::vector<KickTried> kicks;
     for (int n = 0; n < kicks_of_a_step; ++n) {
@@ -154,15 +155,15 @@ std::vector<KickTried> KickScan::along_border() {
     return kicks;
 }
 
-// The next one of a sequence that fills phases and sizes evenly, up and down in turn.
+// The next kick of a sequence that fills phases and sizes evenly, up and down in turn.
 KickTried KickScan::spread(double least, double most) {
-    constexpr double plastic = 1.32471795724474602596;  // the best pair of irrational numbers, by Roberts
+    constexpr double plastic = 1.32471795724474602596;  // the best pair of irrational numbers (Roberts 2018)
     ++spread_;
     const double size = least + (most - least) * fraction(spread_, 1 / (plastic * plastic));
     return {period_ * fraction(spread_, 1 / plastic), spread_ % 2 == 0 ? size : -size};
 }
 
-// At a distance of any order of magnitude, and smaller than the bound.
+// A kick at a distance of random order of magnitude, and smaller than the bound.
 KickTried KickScan::near(const KickTried& kick) {
     const double wide = std::exp2(-1 - 10 * random());
     const double phase = kick.phase + wide * (random() - 0.5);
@@ -170,7 +171,7 @@ KickTried KickScan::near(const KickTried& kick) {
     return moved(phase, change);
 }
 
-// To these, but to a phase of the orbit, and below the bound.
+// The kick with this phase, reduced to the orbit's period, and this change, limited to below the bound.
 KickTried KickScan::moved(double phase, double change) const {
     const double most = bound() * (1 - 1e-6);
     return {phase - period_ * std::floor(phase / period_), std::clamp(change, -most, most)};
@@ -181,8 +182,8 @@ KickScan::Slow& KickScan::place_of(const KickTried& kick) {
     return slow_[std::min(2 * stretch + (kick.change < 0 ? 1 : 0), slow_.size() - 1)];
 }
 
-// The slowest of some stretches at random, of one as often as of many: the slowest of all lies where the border
-// is known, others next to what is to be found.
+// The slowest among a random number of random stretches, log-uniform from one to all: the slowest of all lies
+// next to the known part of the border, others next to parts yet to be found.
 const KickScan::Slow& KickScan::slow_one() {
     const double contenders = std::exp2(random() * std::log2(static_cast<double>(slow_.size())));
     std::size_t slowest = 0;
@@ -193,7 +194,7 @@ const KickScan::Slow& KickScan::slow_one() {
     return slow_[slowest];
 }
 
-// SplitMix64, Steele and others 2014: the same on every machine.
+// SplitMix64 (Steele, Lea & Flood 2014): the same on every machine.
 double KickScan::random() {
     seed_ += 0x9e3779b97f4a7c15ULL;
     std::uint64_t mixed = seed_;

@@ -1,17 +1,17 @@
-// Which kicks of one settled motion are tried, and the smallest of them after which it ends elsewhere.
+// Selects the kicks tried on one settled motion, and finds the smallest after which it ends elsewhere.
 //
-// First kicks of growing size, at all phases, until one ends elsewhere; then only smaller ones, in rounds: one
-// half of each spread evenly over phases and sizes, the other half near those that took longest to come back,
-// and near the smallest that didn't: these lie next to the border of the basin. A kick that ends elsewhere is
-// the new bound. When some rounds in a row have found none that is clearly smaller, the last one is moved along
-// the border, in ever smaller steps of phase and size, to where the border comes nearest. Basins have borders
-// as thin as one likes: a tongue that is thinner than the kicks lie apart may be missed. Where ways back are
-// long, over a chaos that dies late or along an orbit that hardly attracts, their sum has a limit, two million
-// cycles for each orbit: then sizes grow no further, or the last rounds are left out.
+// First, kicks of growing size are tried at all phases until one ends elsewhere; then only smaller ones, in
+// rounds: one half of each round is spread evenly over phases and sizes, the other half lies near the kicks
+// that took longest to return and near the smallest that did not: these are next to the basin boundary. A kick
+// that ends elsewhere becomes the new bound. When several consecutive rounds find none that is clearly smaller,
+// the smallest kick is moved along the boundary, in decreasing steps of phase and size, to where the boundary
+// comes nearest. Basins may have arbitrarily thin tongues: a tongue thinner than the spacing of the kicks may
+// be missed. Where returns take long, over long-lived chaos or along a weakly attracting orbit, their total is
+// limited to two million cycles per orbit: then sizes grow no further, or the last rounds are omitted.
 //
-// A kick that is on chaos for as long as it is followed counts as one that ends elsewhere, but not where those
-// that came back from there show that it dies: where, with the mean of their lives, some of so many would stay
-// for as long.
+// A kick that stays on chaos for as long as it is followed counts as ending elsewhere, unless the kicks that
+// returned from there show that the chaos is transient: with the mean of their lifetimes, some of that many
+// would stay as long.
 #pragma once
 
 #include <cstdint>
@@ -30,19 +30,19 @@ class KickScan {
         enum class End : std::uint8_t { back, elsewhere, chaos };
         End end = End::back;
         std::int64_t cycles = 0;   // of its search
-        std::int64_t chaotic = 0;  // of these, those after it had forgotten its start
+        std::int64_t chaotic = 0;  // those of them after the start was forgotten
     };
 
-    // period: q, in forcing cycles; largest: of the kicks tried, in A0 omega.
+    // period: q, in forcing cycles; largest: largest kick tried, in A0 omega.
     KickScan(int period, double largest);
 
-    // The next kicks, once those before have ended; none: it is done.
+    // The next kicks, once the previous ones have ended; none when the scan is done.
     [[nodiscard]] std::vector<KickTried> next(std::span<const Outcome> outcomes);
 
     [[nodiscard]] bool found() const { return smallest_.has_value(); }
-    // Ends elsewhere, if found().
+    // The smallest kick that ends elsewhere, if found().
     [[nodiscard]] const KickTried& smallest() const { return *smallest_; }
-    // Up to this size kicks were tried at all phases.
+    // The size up to which kicks were tried at all phases.
     [[nodiscard]] double tried() const;
 
   private:
@@ -71,20 +71,20 @@ class KickScan {
     int period_;
     double largest_;
     Stage stage_ = Stage::growing;
-    int level_ = 0;                      // of growing sizes: the next one
-    int in_vain_ = 0;                    // rounds that found none that is clearly smaller
+    int level_ = 0;                      // next level of growing sizes
+    int in_vain_ = 0;                    // rounds that found no clearly smaller kick
     double step_ = 0;                    // along the border, relative in size
-    std::optional<KickTried> settled_;   // the smallest that ends on another motion
-    std::optional<KickTried> chaotic_;   // the smallest that stays on chaos
-    std::optional<KickTried> smallest_;  // of these, as far as they count
-    bool dies_ = false;                  // chaos, so that kicks that stay on it don't count
-    std::int64_t spent_ = 0;             // by all searches [cycles]
-    std::int64_t stayed_ = 0;            // on chaos
+    std::optional<KickTried> settled_;   // smallest kick that ends on another motion
+    std::optional<KickTried> chaotic_;   // smallest kick that stays on chaos
+    std::optional<KickTried> smallest_;  // smallest of these that counts
+    bool dies_ = false;                  // chaos is transient, so kicks that stay on it do not count
+    std::int64_t spent_ = 0;             // cycles of all searches
+    std::int64_t stayed_ = 0;            // kicks that stayed on chaos
     std::int64_t shortest_stay_ = 0;     // [cycles]
-    std::int64_t returned_ = 0;          // from chaos
-    std::int64_t lives_ = 0;             // of those together [cycles]
-    std::vector<KickTried> tried_;       // last
-    std::vector<Slow> slow_;             // of each stretch of phases, up and down: the one that took longest
+    std::int64_t returned_ = 0;          // kicks that returned from chaos
+    std::int64_t lives_ = 0;             // their total time on chaos [cycles]
+    std::vector<KickTried> tried_;       // the last kicks
+    std::vector<Slow> slow_;             // for each stretch of phases, up and down: the kick that took longest
     std::uint64_t spread_ = 0;
     std::uint64_t seed_ = 0;
 };

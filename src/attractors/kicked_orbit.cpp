@@ -39,7 +39,7 @@ std::optional<scene::State<double>> KickedOrbit::after(const KickTried& kick) {
 
 std::optional<scene::State<double>> KickedOrbit::round(const KickTried& kick) {
     const auto cycle = static_cast<int>(std::clamp(std::floor(kick.phase), 0.0, period() - 1.0));
-    auto state = after(kick);  // at the end of that cycle, or where it begins if the kick acts there
+    auto state = after(kick);  // at the end of that cycle, or at its beginning if the kick acts there
     for (int n = kick.phase > cycle ? cycle + 1 : cycle; n < period() && state; ++n) {
         state = carry(*state, 0, length_);
     }

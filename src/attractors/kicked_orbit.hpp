@@ -1,5 +1,5 @@
-// A settled motion that gets a sudden change of its velocity at some moment of its period, and where that
-// leaves it when the forcing next passes phase 0: there a search goes on.
+// A settled motion whose velocity changes suddenly at some moment of its period, and its state when the forcing
+// next passes phase 0, from which a search continues.
 #pragma once
 
 #include <optional>
@@ -13,20 +13,20 @@ namespace peterka::attractors {
 
 struct KickTried {
     double phase = 0;   // forcing cycles after phase 0 of the orbit's first point
-    double change = 0;  // of the hammer's velocity, in A0 omega; upwards, towards the stop, if positive
+    double change = 0;  // of the hammer's velocity, in A0 omega; positive towards the stop
     [[nodiscard]] double size() const { return change < 0 ? -change : change; }
 };
 
 class KickedOrbit {
   public:
-    // Of an attractor that has an orbit, with the engine that found it.
+    // found: an attractor that has an orbit, with the engine that found it.
     KickedOrbit(scene::Oscillator<double> oscillator, const regime::FoundAttractor& found);
 
     [[nodiscard]] int period() const { return static_cast<int>(points_.size()); }
 
-    // The state at the next forcing phase 0; nothing where the engine can't carry it there.
+    // The state at the next forcing phase 0; nothing where the engine cannot carry it there.
     [[nodiscard]] std::optional<scene::State<double>> after(const KickTried& kick);
-    // The same at the end of the orbit's period, where it passes its first point.
+    // The state at the end of the orbit's period, where the orbit passes its first point.
     [[nodiscard]] std::optional<scene::State<double>> round(const KickTried& kick);
 
   private:

@@ -9,7 +9,7 @@ namespace peterka::attractors {
 
 namespace {
 
-// A search that fails tells nothing.
+// A failed search yields no information.
 KickScan::Outcome outcome_of(const regime::CellResult& settled, const regime::CellResult& ended) {
     using enum regime::Regime;
     KickScan::Outcome outcome{.cycles = ended.cycles};
@@ -37,14 +37,14 @@ Kicks::Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry
 std::vector<SearchFactory> Kicks::next(std::span<const SearchOutcome> ended) {
     std::vector<SearchFactory> searches;
     bool goes_on = true;
-    while (searches.empty() && goes_on) {  // the engine may carry none of some kicks
+    while (searches.empty() && goes_on) {  // the engine may carry none of these kicks
         goes_on = false;
         for (Kicked& kicked : kicked_) goes_on |= kick(kicked, ended, searches);
     }
     return searches;
 }
 
-// The next kicks of one motion, once those before have ended; false: there are none.
+// The next kicks of one motion, once its previous ones have ended; false when there are none.
 bool Kicks::kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches) {
     const std::vector<KickTried> kicks = kicked.scan.next(take(kicked, ended));
     kicked.carried.clear();
@@ -56,7 +56,7 @@ bool Kicks::kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vec
     return !kicks.empty();
 }
 
-// What became of its last kicks; `ended` goes on behind them.
+// The outcomes of its last kicks; advances `ended` past them.
 std::vector<KickScan::Outcome> Kicks::take(const Kicked& kicked, std::span<const SearchOutcome>& ended) {
     std::vector<KickScan::Outcome> outcomes;
     for (const bool carried : kicked.carried) {

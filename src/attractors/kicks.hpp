@@ -1,5 +1,5 @@
 // The smallest sudden change of the hammer's velocity, at any phase, after which the settled motion ends
-// elsewhere, for each periodic attractor of a cell: each by a scan of its own (attractors/kick_scan.hpp), whose
+// elsewhere, for each periodic attractor of a cell. Each has its own scan (attractors/kick_scan.hpp); their
 // searches run side by side.
 #pragma once
 
@@ -19,16 +19,14 @@ class Kicks {
   public:
     using SearchFrom = std::function<SearchFactory(const scene::State<double>& start)>;
 
-    // largest: of the kicks tried, in A0 omega.
-    // known: neighbourhoods of the orbits, which outlive this.
+    // largest: largest kick tried, in A0 omega. known: neighbourhoods of the orbits; must outlive this.
     Kicks(const scene::Oscillator<double>& cell, std::span<const Tally::Entry> attractors, double largest,
           const regime::AttractorTable& known, SearchFrom search_from);
 
-    // The next searches, once the last ones have ended, whose outcomes are given in their order; none: it is
-    // done.
+    // The next searches, given the outcomes of the previous ones in their order; none when done.
     [[nodiscard]] std::vector<SearchFactory> next(std::span<const SearchOutcome> ended);
 
-    // Of the attractor in this slot; nothing was tried where it is not periodic.
+    // The result for the attractor in this slot; nothing was tried where it is not periodic.
     [[nodiscard]] cell::Kick smallest(std::size_t slot);
 
   private:
@@ -38,7 +36,7 @@ class Kicks {
         regime::FoundAttractor found;
         KickedOrbit orbit;
         KickScan scan;
-        std::vector<bool> carried = {};  // of the last kicks: the others have no search
+        std::vector<bool> carried = {};  // of the last kicks: whether each has a search
     };
 
     bool kick(Kicked& kicked, std::span<const SearchOutcome>& ended, std::vector<SearchFactory>& searches);

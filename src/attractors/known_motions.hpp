@@ -1,9 +1,9 @@
-// The motions that a whole map knows to exist in its cells though no start found them there: those without
-// impact, and each orbit of a cell, followed from cell to cell for as far as it goes.
+// The motions that a whole map knows to exist in its cells although no start found them there: impact-free
+// motions, and each cell's orbits, followed from cell to cell as far as they exist.
 //
-// A round continues what the last one brought to the cells beside it. What a cell gets depends on what all
-// cells knew in the beginning, not on who computes it: rows may be shared out, if each share is told what came
-// to the rows beside it.
+// Each round continues the results of the previous round to the neighbouring cells. A cell's result depends on
+// what all cells knew initially, not on who computes it: rows may be distributed if each share receives the
+// results of the rows next to it.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace peterka::attractors {
 
 class KnownMotions {
   public:
-    // A cell by its number, row by row, with a motion that it knows, or gets.
+    // A cell's row-major number, with a motion that it knows or receives.
     struct CellMotion {
         std::int64_t cell;
         KnownMotion motion;
@@ -31,15 +31,15 @@ class KnownMotions {
 
     [[nodiscard]] static KnownMotion motion_of(const cell::CellResult& result);
 
-    // Of the rows from `first` up to `end`. `look`, called every now and then, may throw. The scene must
-    // outlive this.
+    // Covers the rows from `first` up to `end`. `look` is called from time to time and may throw. The scene
+    // must outlive this.
     KnownMotions(const scene::Scene& scene, std::int64_t first, std::int64_t end, std::function<void()> look);
 
-    // What a cell of these rows knows; a cell that nobody adds gets nothing.
+    // The motions known in a cell of these rows; a cell that is never added receives nothing.
     void add(std::int64_t cell, std::vector<KnownMotion> known);
-    // The motions without impact.
+    // The impact-free motions.
     [[nodiscard]] std::vector<NewResult> free_motions();
-    // What is continued from others, in the order of cells; news: in that order.
+    // The motions continued from other cells, in the order of cells; `news` must have that order.
     [[nodiscard]] std::vector<NewResult> spread(std::span<const CellMotion> news);
 
   private:

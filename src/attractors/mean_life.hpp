@@ -1,8 +1,8 @@
-// For how long chaos lives from which some starts of a cell escape.
+// The mean lifetime of transient chaos from which some starts of a cell escape.
 //
-// Escapes come at random, as often in a late cycle as in an early one: so the mean life is all the time that
-// starts were seen on the chaos, whether they escaped or not, over the number of escapes. A start is on it once
-// it has forgotten where it began; those that end before tell nothing.
+// Escapes occur at random, equally often in late and early cycles: so the mean lifetime is the total time for
+// which starts were seen on the chaos, whether they escaped or not, divided by the number of escapes. A start
+// is on the chaos once it has forgotten where it began; starts that end before that do not count.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,12 @@ namespace peterka::attractors {
 
 class MeanLife {
   public:
-    // Of a start, in any order.
+    // Adds a start; the order does not matter.
     void take(const regime::CellResult& result) {
         if (result.forgot_after == 0) return;
         const bool escaped = cell::has_period(result.regime);
-        // what ended on an orbit did so a little before that was proved; without impacts, after the last one
+        // a start that ended on an orbit reached it shortly before that was proved; without impacts, after the
+        // last one
         const std::int64_t end =
             result.regime == cell::Regime::no_impact ? result.last_impact : result.followed_cycles;
         if (escaped && end <= result.forgot_after) return;
@@ -27,7 +28,7 @@ class MeanLife {
         escapes_ += escaped ? 1 : 0;
     }
 
-    // In forcing cycles, with its standard error; NaN where none escaped.
+    // In forcing cycles, with its standard error; NaN if no start escaped.
     [[nodiscard]] double mean() const {
         return escapes_ > 0 ? static_cast<double>(cycles_) / static_cast<double>(escapes_) : cell::unknown;
     }

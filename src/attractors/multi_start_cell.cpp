@@ -18,15 +18,16 @@ using regime::CellResult;
 using regime::CycleBroker;
 using regime::FoundAttractor;
 
-// Rounds have 1, 3, 4, 4, 4, 4, 5, 6, 7, ..., 256, 256, ... starts: each knows what a fifth fewer have found.
+// Rounds have 1, 3, 4, 4, 4, 4, 5, 6, 7, ..., 256, 256, ... starts: each start knows the
+// results of about four fifths of the starts up to then.
 constexpr std::int64_t largest_round = 256;
 
 std::int64_t size_of_round(std::int64_t begun) {
     return begun <= 1 ? 1 + 2 * begun : std::clamp<std::int64_t>(begun / 4, 4, largest_round);
 }
 
-// A start that ends in a neighbourhood is spared some two rounds of the orbit, which its convergence to the
-// known orbit takes to be seen, and proving one takes some 200 or 300 rounds.
+// A start that ends in a neighbourhood saves about two periods of the orbit, needed to see its convergence to
+// the known orbit; proving a neighbourhood takes some 200 or 300 periods.
 constexpr double starts_worth_a_proof = 150;
 
 job::Job of_starts(job::Job job) {
@@ -106,7 +107,7 @@ SearchFactory MultiStartCell::search_from(const scene::State<double>& start, Ear
     };
 }
 
-// Where chaos may end on a motion without impacts, only a run of its own tells whether a start has left it.
+// Where chaos may end on an impact-free motion, only a full run tells whether a start has left the chaos.
 EarlyVerdict MultiStartCell::sooner() const {
     return chaos_may_end_ ? EarlyVerdict{} : prospects_.sooner();
 }
@@ -144,7 +145,7 @@ void MultiStartCell::take_found(std::span<const FoundAttractor> found) {
     }
 }
 
-// Of the starts to come, as far as those before them tell.
+// Expected number among the starts to come, estimated from those before.
 double MultiStartCell::expected(const CountedAttractor& known) const {
     return static_cast<double>(known.times) / static_cast<double>(seen_ + 1) *
            static_cast<double>(count() - seen_);
@@ -167,7 +168,7 @@ std::vector<SearchFactory> MultiStartCell::attractors_worth_knowing() {
     return searches;
 }
 
-// Kicks are many, and most of them lead back.
+// Every orbit is worth following and proving: kicks are many, and most of them lead back.
 std::vector<SearchFactory> MultiStartCell::orbits_to_kick() {
     learning_.clear();
     std::vector<SearchFactory> searches;
@@ -214,7 +215,7 @@ void MultiStartCell::tell_attractors() {
     tell_mean_life();
 }
 
-// Of chaos, or of what is chaotic for as long as it was followed.
+// The mean life of chaos, or of a motion that is chaotic for as long as it was followed.
 void MultiStartCell::tell_mean_life() {
     const auto lives = [](const CellAttractor& each) {
         return each.regime == cell::Regime::chaotic || each.status == cell::Status::chaotic_so_far;

@@ -1,10 +1,10 @@
-// One cell of a map: its start, and, where the job has [starts], all of these, in rounds; and the kicks of what
-// they end on, where the job asks for these.
+// One cell of a map: its start and, where the job has [starts], all of these, in rounds; and, if requested, the
+// kicks of the attractors on which they end.
 //
-// The searches of a round know the attractors that rounds before it found: they end where they are seen to
-// converge to the orbit of one (regime/known_orbit.hpp), or, where starts are many, in its proven neighbourhood
-// (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows doesn't depend on how long others
-// take. [start] itself is solved as in a map without [starts].
+// The searches of a round know the attractors found in previous rounds: they end once they are seen to converge
+// to a known orbit (regime/known_orbit.hpp) or, where starts are many, once inside its proven neighbourhood
+// (regime/neighbourhood.hpp). Rounds have fixed sizes, so what a start knows does not depend on how long other
+// starts take. [start] itself is solved as in a map without [starts].
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,17 @@
 
 namespace peterka::attractors {
 
-// Whether a solved cell tells the end of each start, too, or of the first one on each attractor, and then all
-// of these.
+// Whether a solved cell also reports the end of each start, or that of the first start on each attractor, for
+// all attractors.
 enum class Ends { counted, told, firsts };
 
-// What the cells of a map share; outlives their searches.
+// Shared by the cells of a map; must outlive their searches.
 struct MapContext {
     MapContext(const scene::Scene& map, const regime::AttractorTable& known_before, Ends ends_of_starts);
 
     const scene::Scene& scene;
-    const regime::AttractorTable& known;  // for [start]: none but in a basin
-    job::Job of_starts;                   // measures nothing that is not kept of attractors
+    const regime::AttractorTable& known;  // for [start]: empty except in a basin
+    job::Job of_starts;                   // measures only what is kept for attractors
     job::Job of_short_starts;             // the same, with a smaller budget
     Ends ends;
 };
@@ -42,7 +42,7 @@ class MultiStartCell {
   public:
     MultiStartCell(const MapContext& context, std::int64_t row, std::int64_t column);
 
-    // All of it, round by round; the broker and this must outlive the task.
+    // Solves the whole cell, round by round; the broker and this must outlive the task.
     [[nodiscard]] Task<SolvedCell> solve(SearchBroker& broker);
 
   private:
@@ -75,14 +75,14 @@ class MultiStartCell {
 
     const MapContext& context_;
     scene::Cell cell_;
-    std::int64_t begun_ = 0;  // of the starts
+    std::int64_t begun_ = 0;  // starts begun
     std::int64_t seen_ = 0;
     Tally tally_;
     Prospects prospects_;
-    bool chaos_may_end_;  // a motion without impacts, or without end of a contact, exists, too
+    bool chaos_may_end_;  // an impact-free or permanent-contact motion also exists
     MeanLife life_;
     std::vector<CountedAttractor> known_;
-    std::vector<std::size_t> learning_;  // of known_: what each search in hand is about
+    std::vector<std::size_t> learning_;  // indices into known_: the subject of each search under way
     regime::AttractorTable table_;
     Tally::Entry own_;  // of [start]
     std::vector<Tally::Entry> kept_;

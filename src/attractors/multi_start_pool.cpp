@@ -16,7 +16,7 @@ MultiStartPool::MultiStartPool(const scene::Scene& scene, const regime::Attracto
 
 void MultiStartPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     if (!searches_many_)
-        return pool_.add(row, column, number);  // a single search, which nobody asks what it found
+        return pool_.add(row, column, number);  // a single search, whose findings are not needed
     auto open = std::make_unique<Open>(context_, row, column);
     Open& cell = *cells_.emplace(number, std::move(open)).first->second;
     cell.task.start();
@@ -29,7 +29,7 @@ void MultiStartPool::step() {
     if (!pool_.empty()) pool_.step();
 }
 
-// A search may end as soon as it is added, and then those that wait grow more.
+// A search may end as soon as it is added, and then more may be waiting.
 void MultiStartPool::fill_pool() {
     while (!waiting_.empty() && pool_.has_room()) {
         const Waiting next = std::move(waiting_.front());
@@ -38,7 +38,7 @@ void MultiStartPool::fill_pool() {
     }
 }
 
-// That the cell waits for; where there are none it is solved.
+// Begins the searches that the cell waits for; a cell without any is solved.
 void MultiStartPool::begin_searches(std::int64_t number, Open& cell) {
     if (cell.task.done()) {
         NumberedCell solved{number, cell.task.result(), cell.seconds};

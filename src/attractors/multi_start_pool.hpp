@@ -18,7 +18,7 @@ namespace peterka::attractors {
 
 class MultiStartPool {
   public:
-    // The number under which a cell was added, what it is, and the seconds of computing that were its share.
+    // The number under which a cell was added, the solved cell, and its share of the computing time in seconds.
     struct NumberedCell {
         std::int64_t number;
         SolvedCell cell;
@@ -34,7 +34,7 @@ class MultiStartPool {
     [[nodiscard]] bool empty() const { return cells_.empty() && pool_.empty(); }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
     void step();
-    // Begun so far; where a cell has one start alone, those that never meet the stop have none.
+    // Searches begun so far; in a cell with a single start, one that never meets the stop has none.
     [[nodiscard]] std::int64_t searches() const { return pool_.searches(); }
 
   private:
@@ -45,7 +45,7 @@ class MultiStartPool {
         SearchBroker broker;
         MultiStartCell cell;
         Task<SolvedCell> task;
-        std::vector<SearchOutcome> ended = {};  // of the searches that run
+        std::vector<SearchOutcome> ended = {};  // of the running searches
         std::size_t running = 0;
         double seconds = 0;
     };
@@ -63,7 +63,7 @@ class MultiStartPool {
     Take take_;
     std::unordered_map<std::int64_t, std::unique_ptr<Open>> cells_;  // by number
     std::unordered_map<std::int64_t, std::pair<std::int64_t, std::size_t>>
-        searches_;  // cell and place, by number
+        searches_;  // cell and place, by number of the search
     std::int64_t next_search_ = 0;
     std::deque<Waiting> waiting_;
     regime::SearchPool pool_;

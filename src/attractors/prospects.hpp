@@ -1,10 +1,10 @@
-// What those starts of a cell end in that are followed for long, and so for how long the next ones are.
+// The fate of a cell's long starts so far, and hence for how long later starts are followed.
 //
-// Chaos is told by following it, for chaos_cycles or more, and what has no proof for max_cycles: a few starts
-// would take most of the cycles of a map. But a start that has no proof after a few hundred cycles has
-// forgotten where it began, and ends in what such starts of its cell end in. The first of these are followed as
-// any; once they are ten times as many as those that ended otherwise on the way (counting one more than were
-// seen), the next ones are called by a shorter look. Whatever ends otherwise there counts again.
+// Chaos is recognized by following a start for chaos_cycles or more, and a start without a proof is followed
+// for max_cycles: a few starts would take most of the cycles of a map. But a start without a proof after a few
+// hundred cycles has forgotten where it began, and ends as such starts of its cell do. The first of these are
+// followed in full; once they are ten times as many as those that ended otherwise meanwhile (counting one more
+// than were seen), later ones are classified after a shorter run. Any that end otherwise there count again.
 #pragma once
 
 #include <algorithm>
@@ -16,19 +16,19 @@
 
 namespace peterka::attractors {
 
-// What later starts are called sooner.
+// Verdicts given earlier for later starts.
 struct EarlyVerdict {
     bool chaos = false;       // as regime::SearchContext::chaos
-    bool unresolved = false;  // after a part of the cycles
+    bool unresolved = false;  // after part of the cycles
 };
 
 class Prospects {
   public:
-    // Of a start, in any order.
+    // Adds a start; the order does not matter.
     void take(const regime::CellResult& result) {
         chaos_.take(result, result.regime == regime::Regime::chaotic,
                     result.sensitivity > regime::rounding_decides);
-        // chaos takes as long as it is followed
+        // chaos takes a full run to recognize
         unresolved_.take(result, result.regime == regime::Regime::unresolved,
                          result.regime != regime::Regime::chaotic);
     }
@@ -37,7 +37,7 @@ class Prospects {
         return {chaos, unresolved_.is_sure() && (chaos || !chaos_.is_there())};
     }
 
-    // The budget of starts that are unresolved sooner.
+    // The budget of starts that are called unresolved early.
     [[nodiscard]] static job::SteadyState smaller(job::SteadyState budget) {
         budget.max_cycles = std::min(budget.max_cycles, max_cycles);
         return budget;
@@ -51,7 +51,7 @@ class Prospects {
     class LongStarts {
       public:
         explicit LongStarts(std::int64_t few) : few_(few) {}
-        // ends_so: as those that are to be called sooner. is_like: as long as its end wasn't known.
+        // ends_so: it ended as the starts to be called early do. is_like: it looked so until its end was known.
         void take(const regime::CellResult& result, bool ends_so, bool is_like) {
             const std::int64_t cycles = (ends_so ? result.observed_cycles : result.cycles) - few_;
             if (cycles <= 0 || (!ends_so && !is_like)) return;
@@ -70,7 +70,7 @@ class Prospects {
 
       private:
         std::int64_t few_;
-        std::int64_t cycles_ = 0;  // beyond the few, of those that ended so
+        std::int64_t cycles_ = 0;  // beyond the few, of starts that ended so
         std::int64_t longest_ = 0;
         std::int64_t otherwise_ = 0;
     };

@@ -10,9 +10,9 @@ namespace peterka::attractors {
 namespace {
 
 constexpr int phases_of_a_cycle = 48;
-constexpr int longest_orbit = 8;  // of an orbit: a neighbourhood of one of its points is seldom worth more
+constexpr int longest_orbit = 8;  // for longer orbits, a neighbourhood of one point is seldom worth more
 constexpr int halvings = 10;
-constexpr int bisections = 3;  // of the last halving
+constexpr int bisections = 3;  // within the last halving
 constexpr int smaller_sizes = 6;
 constexpr double of_what_was_tried = 0.5;
 
@@ -22,7 +22,7 @@ class Home {
          const regime::StroboscopicMap& map, const regime::CellResult& attractor)
         : orbit_(orbit), known_(known), map_(map), attractor_(attractor) {}
 
-    // Whether kicks of this size lead there, at all phases, up and down.
+    // Whether kicks of this size, up and down, lead there at all phases.
     [[nodiscard]] bool takes(double size) const {
         const int phases = phases_of_a_cycle * orbit_.period();
         for (int n = 0; n < phases; ++n) {

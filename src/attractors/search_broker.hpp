@@ -1,5 +1,5 @@
-// Where a cell leaves its orders of searches that may run side by side, and whoever has a pool serves them: one
-// level above regime/cycle_broker.hpp, where each search leaves its orders of cycles.
+// Through it a cell orders searches that may run side by side, to be served by the owner of a pool: one level
+// above regime/cycle_broker.hpp, through which each search orders cycles.
 #pragma once
 
 #include <coroutine>
@@ -26,17 +26,18 @@ class SearchBroker {
         }
     };
 
-    // co_await broker.searches(ordered) gives their outcomes, in the same order; of none, at once.
+    // co_await broker.searches(ordered) gives their outcomes, in the same order; an empty order is served at
+    // once.
     [[nodiscard]] auto searches(std::vector<SearchFactory> ordered) {
         ordered_ = std::move(ordered);
         return Served{this};
     }
-    // That all of them took.
+    // Cycles of all searches served.
     [[nodiscard]] std::int64_t cycles() const { return cycles_; }
 
-    // For the pool: what the cell waits for.
+    // For the pool: the searches that the cell waits for.
     [[nodiscard]] const std::vector<SearchFactory>& ordered() const { return ordered_; }
-    // The cell goes on up to its next order, or to its end.
+    // Resumes the cell up to its next order, or to its end.
     void serve(std::vector<SearchOutcome> outcomes) {
         PETERKA_EXPECT(outcomes.size() == ordered_.size());
         for (const SearchOutcome& each : outcomes) cycles_ += each.cycles;

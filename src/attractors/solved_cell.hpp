@@ -1,4 +1,4 @@
-// A cell of a map once it is solved, and the attractors that its starts end on, if it has several.
+// A solved cell of a map, and the attractors on which its starts end, if it has several starts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace peterka::attractors {
 
 using cell::CellAttractor;
 
-// The first start that ended on an attractor, and what it is: of an orbit, which one.
+// The first start that ended on an attractor, and its result, which tells the orbit, if there is one.
 struct FirstEnd {
     cell::CellResult result;
     std::int64_t start = 0;
@@ -19,8 +19,8 @@ struct FirstEnd {
 struct SolvedCell {
     cell::CellResult cell;                  // from [start]
     std::vector<CellAttractor> attractors;  // by share, then regime, q, p and force; no more than the job keeps
-    std::vector<cell::CellResult> ends = {};  // of each start, in their order, for who asks
-    std::vector<FirstEnd> firsts = {};        // of each of `attractors`, the same
+    std::vector<cell::CellResult> ends = {};  // of each start, in their order, if requested
+    std::vector<FirstEnd> firsts = {};        // of each of `attractors`, if requested
 };
 
 }  // namespace peterka::attractors

@@ -11,14 +11,14 @@ namespace {
 constexpr std::uint64_t step_across = 13925035116211876495U;
 constexpr std::uint64_t step_up = 10511698010929265436U;
 
-// The fraction of 1/2 + n step, from 0 up to but not including 1.
+// The fractional part of 1/2 + n step, in [0, 1).
 double fraction(std::int64_t n, std::uint64_t step) {
     constexpr std::uint64_t half = std::uint64_t{1} << 63U;
     const std::uint64_t digits = half + static_cast<std::uint64_t>(n) * step;
     return std::ldexp(static_cast<double>(digits >> 11U), -53);
 }
 
-// A side as the job gives it, as ratios or in SI units.
+// A side of the rectangle as the job gives it, as ratios or in SI units.
 Interval side(const std::vector<double>& ratios, const std::vector<double>& in_si, double unit) {
     if (in_si.empty()) return {ratios.front(), ratios.back()};
     return {in_si.front() / unit, in_si.back() / unit};
@@ -41,7 +41,7 @@ scene::State<double> start_of(const job::Starts& starts, const scene::Cell& cell
     const double right = std::min(across.to, oscillator.gap);
     const double displacement = across.from + (right - across.from) * fraction(n, step_across);
     const double velocity = up.from + (up.to - up.from) * fraction(n, step_up);
-    // the cart passes its middle at full speed
+    // at phase 0 the cart passes its middle at full speed
     return {std::min(displacement - oscillator.gap, 0.0), velocity - oscillator.frequency};
 }
 

@@ -1,8 +1,9 @@
 // The starts of a cell: a low-discrepancy sequence over the rectangle of [starts], the same in every cell.
 //
-// The n-th point of the unit square is the fraction of 1/2 + n (1/g, 1/g^2), g^3 = g + 1: the sequence R2 of
-// M. Roberts (2018), whose first points, however many, leave only small holes. Computed in integers, it is the
-// same on any machine. Displacements beyond the stop are not allowed: the rectangle is squeezed to end there.
+// The n-th point of the unit square is the fractional part of 1/2 + n (1/g, 1/g^2), g^3 = g + 1: the sequence
+// R2 of M. Roberts (2018), whose first n points leave only small holes for any n. Computed in integers, it is
+// the same on any machine. Displacements beyond the stop are not allowed: the rectangle is squeezed to end
+// there.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace peterka::attractors {
 
-// From and to of a rectangle's sides, in the units of the cell: x(0)/A0 and x'(0)/(A0 omega).
+// Ends of a side of the rectangle, in the units of the cell: x(0)/A0 and x'(0)/(A0 omega).
 struct Interval {
     double from;
     double to;

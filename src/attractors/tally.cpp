@@ -11,7 +11,7 @@ namespace {
 
 auto order_of(const Tally::Entry& entry) {
     const regime::CellResult& result = entry.result;
-    // a NaN, of failed ones, orders nothing; they are one entry
+    // NaN, in failed results, has no order; they form a single entry
     return std::tuple(-entry.starts, result.regime, result.period, result.impacts, result.peak_force,
                       result.orbit_displacement, result.orbit_velocity);
 }
@@ -25,7 +25,7 @@ std::optional<regime::FoundAttractor> orbit_of(const regime::CellResult& result,
     return std::nullopt;
 }
 
-// A force that is imprecise is on this attractor at least, which a start that rounding leads may not be.
+// An imprecise force at least belongs to this attractor, whereas a start decided by rounding may not.
 bool leaves_less_open(regime::Status one, regime::Status other) {
     using enum regime::Status;
     return other == rounding ? one == verified || one == imprecise : other == imprecise && one == verified;
@@ -66,7 +66,7 @@ void keep_most(std::vector<Tally::Entry>& ordered, const Tally::Entry& own, std:
     std::vector<Tally::Entry> last;
     if (found >= static_cast<std::int32_t>(most)) last.push_back(ordered[static_cast<std::size_t>(found)]);
     if (found < 0 && cell::is_motion(own.result.regime)) last.push_back(own);
-    if (most == 1) last.clear();  // the largest share stays
+    if (most == 1) last.clear();  // the largest share takes precedence
     ordered.resize(std::min(ordered.size(), most - last.size()));
     ordered.insert(ordered.end(), last.begin(), last.end());
 }

@@ -17,7 +17,7 @@ namespace peterka::batch {
 
 namespace {
 
-// A tile's columns, and those of its neighbours.
+// The columns of a tile and of its neighbours.
 constexpr std::size_t frequencies_kept = 256;
 
 constexpr std::align_val_t cache_line{64};
@@ -32,8 +32,8 @@ void deallocate(double* slab) {
 constexpr std::size_t rounded_up(std::size_t slots) {
     return (slots + widest_vector - 1) / widest_vector * widest_vector;
 }
-// From array to array: an odd number of cache lines, or all arrays would compete for the same few of the first
-// cache.
+// Distance between arrays: an odd number of cache lines, otherwise all arrays would compete for the same few
+// sets of the first-level cache.
 constexpr std::size_t stride(std::size_t slots) {
     constexpr std::size_t line = 8;
     return (rounded_up(slots) / line | 1U) * line;
@@ -115,7 +115,7 @@ const BatchedCycleMap::Forcing& BatchedCycleMap::forcing(double frequency, doubl
     return kept;
 }
 
-// The kernel marches over whole vectors; lanes past the last cell stay idle.
+// The kernel processes whole vectors; lanes past the last cell stay idle.
 void BatchedCycleMap::use_lanes(std::size_t size) {
     for (std::size_t slot = size; slot < rounded_up(size); ++slot) lanes_[Field::next][slot] = never;
     size_ = size;
@@ -228,8 +228,8 @@ void BatchedCycleMap::run_twin(std::size_t slot, Wanted wanted) {
     pattern_[slot] = cycle.pattern;
 }
 
-// Of lanes that are there, each waits for one thing at a time, and for none once all have come to their cycle's
-// end.
+// All queued lanes exist, each waits for one event at a time, and none waits once all have reached the end of
+// their cycle.
 void BatchedCycleMap::expect_sound_queues([[maybe_unused]] Wanted wanted) {
 #ifdef PETERKA_EXPECTS
     std::size_t waiting = queues_.twin.size;
@@ -301,7 +301,7 @@ trajectory::Cycle<double> BatchedCycleMap::cycle(std::size_t slot) const {
     cycle.touched = lanes_[Field::touched][slot] != 0;
     cycle.separated = lanes_[Field::separated][slot] != 0;
     if (last_.jacobian) {
-        // column by column: what is stored in pairs can be loaded in pairs without waiting
+        // column by column: what is stored in pairs can be loaded in pairs without a stall
         cycle.jacobian.col(0) = scene::State<double>(lanes_.jacobian(0)[slot], lanes_.jacobian(2)[slot]);
         cycle.jacobian.col(1) = scene::State<double>(lanes_.jacobian(1)[slot], lanes_.jacobian(3)[slot]);
     }

@@ -1,14 +1,14 @@
 // The stroboscopic map of many cells at once: the fast twin of trajectory/exact_cycle_map.hpp.
 //
-// Cells sit side by side in slots 0 to size() - 1; each has its own forcing and gap, and all share springs'
-// damping and stop (the rig), or each has its own of these, too; the law of the stop is that of all. One call
-// carries all of them through one forcing cycle, or, which is faster, on for about one: then each comes to the
-// end of its cycle when it does. What the kernel can't do surely (resonance, stops that don't oscillate,
-// grazing) the scalar twin does; `left_to_twin` counts it. A cell's result depends on the cell and its state
-// alone, not on its slot or its neighbours.
+// Cells sit side by side in slots 0 to size() - 1; each has its own forcing and gap. Either all share the
+// springs' damping and the stop (the rig), or each has its own; the law of the stop is common to all. One call
+// carries all of them through one forcing cycle or, which is faster, by about one cycle, so that each reaches
+// the end of its cycle in its own time. Cases that the kernel cannot handle with certainty (resonance, stops
+// that do not oscillate, grazing) are left to the scalar twin; `left_to_twin` counts them. A cell's result
+// depends only on the cell and its state, not on its slot or its neighbours.
 //
-// With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point. The
-// absolute form of the cubic is left to the twin. A rigid stop has linear springs here.
+// With split springs the map is that of trajectory/split_cycle_map.hpp, with a kick at each grid point (Strang
+// 1968). The absolute form of the cubic is left to the twin. A rigid stop has linear springs here.
 #pragma once
 
 #include <array>
@@ -33,17 +33,15 @@ enum class Stop : std::uint8_t { spring_dashpot, rigid };
 
 class BatchedCycleMap {
   public:
-    // rig: whose damping, springs and stop all cells share. Steps per cycle, for all cells of this batch: what
-    // steps_for says, or with split springs trajectory::split_steps. Beyond the capacity, room is made as cells
-    // come.
+    // rig: its damping, springs and stop are shared by all cells. Steps per cycle, for all cells of this batch:
+    // those of steps_for or, with split springs, trajectory::split_steps. The capacity grows as needed.
     BatchedCycleMap(const scene::Oscillator<double>& rig, std::size_t capacity, int steps_per_cycle = 16,
                     Springs springs = Springs::linear);
-    // Of cells with rigs of their own. Jacobians are always there.
+    // For cells with rigs of their own. Jacobians are always computed.
     BatchedCycleMap(std::size_t capacity, int steps_per_cycle, Springs springs,
                     Stop stop = Stop::spring_dashpot);
 
-    // Grid steps per cycle that cells of a frequency ratio need: a step is at most pi/4 of the hammer's own
-    // phase.
+    // Grid steps per cycle needed at a frequency ratio: a step is at most pi/4 of the hammer's own phase.
     static int steps_for(double frequency);
 
     [[nodiscard]] std::size_t capacity() const { return twins_.size(); }
@@ -52,30 +50,30 @@ class BatchedCycleMap {
 
     // Adds a cell at slot size(), with its state (delta, delta') at forcing phase 0.
     void add(double frequency, double gap, const scene::State<double>& state);
-    // The same with its rig, where each has its own.
+    // The same with its rig, for cells with rigs of their own.
     void add(const scene::Oscillator<double>& oscillator, const scene::State<double>& state);
-    // Takes a cell out that is at its cycle's end; the last one takes its slot.
+    // Removes a cell that is at the end of its cycle; the last cell takes its slot.
     void remove(std::size_t slot);
-    // The same condition.
+    // Requires the same.
     void set_state(std::size_t slot, const scene::State<double>& state);
 
-    // Cells at their cycle's end begin the next one. Wanted always the same, until all are at their end.
+    // Cells at the end of their cycle begin the next one. `wanted` must not change until all are at their end.
     void advance(Wanted wanted);
-    // Whether the cell has come to the end of its cycle; a new one is there, too.
+    // Whether the cell is at the end of its cycle, as a new cell is.
     [[nodiscard]] bool is_at_end(std::size_t slot) const {
         const double next = lanes_[Field::next][slot];
         return twin_only_[slot] || (next >= grid_.steps && next < never);
     }
 
-    // What it gave, at its end. A Jacobian that wasn't wanted is the identity.
+    // The cell's cycle, at its end. A Jacobian that was not requested is the identity.
     [[nodiscard]] trajectory::Cycle<double> cycle(std::size_t slot) const;
-    // Where wanted: the largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
+    // If measured: the largest force F/(k A0), and an upper bound of |u| = |delta + gap|.
     [[nodiscard]] double peak_force(std::size_t slot) const { return lanes_[Field::peak_force][slot]; }
     [[nodiscard]] double displacement_bound(std::size_t slot) const {
         return lanes_[Field::largest_displacement][slot];
     }
-    // Where wanted: all that a recorder gathers at the level `force`, of a rigid stop at the level `impacts`,
-    // where no chatter goes on across the cycle's ends.
+    // If measured: all that a recorder gathers at the level `force` or, for a rigid stop, at the level
+    // `impacts`, provided that no chatter extends across the ends of the cycle.
     [[nodiscard]] trajectory::Totals<double> totals(std::size_t slot) const;
     [[nodiscard]] scene::State<double> state(std::size_t slot) const {
         return {lanes_[Field::delta][slot], lanes_[Field::velocity][slot]};
@@ -87,7 +85,7 @@ class BatchedCycleMap {
     using Twin =
         std::function<trajectory::Cycle<double>(const scene::State<double>&, trajectory::Recorder<double>*)>;
 
-    // What a frequency alone decides, or with a cubic spring it and the gap.
+    // What depends on the frequency alone or, with a cubic spring, on the frequency and the gap.
     struct Forcing {
         double frequency = 0;
         double gap = 0;
@@ -113,8 +111,8 @@ class BatchedCycleMap {
     void run_kernel(Wanted wanted);
 
     Law law_;
-    scene::Oscillator<double> oscillator_;  // where all share the rig: of any place
-    std::optional<Rig> rig_;                // none: each cell has its own
+    scene::Oscillator<double> oscillator_;  // if all share the rig: its frequency and gap are arbitrary
+    std::optional<Rig> rig_;                // empty: each cell has its own
     std::size_t fields_;                    // arrays in use
     Grid grid_;
     std::size_t size_ = 0;
@@ -125,10 +123,10 @@ class BatchedCycleMap {
     std::vector<std::uint64_t> pattern_;
     std::vector<std::uint64_t> chain_pattern_;
     std::vector<trajectory::Cycle<double>::Outcome> outcome_;
-    std::vector<bool> twin_only_;  // the kernel can't do the cell
+    std::vector<bool> twin_only_;  // the kernel cannot handle the cell
     std::vector<Twin> twins_;
-    std::vector<scene::Oscillator<double>> oscillators_;  // where each has its own rig
-    std::vector<Forcing> forcings_;  // of the frequencies met last: neighbours in a map share them
+    std::vector<scene::Oscillator<double>> oscillators_;  // if each has its own rig
+    std::vector<Forcing> forcings_;  // of the most recent frequencies: neighbours in a map share them
     std::size_t twin_only_count_ = 0;
     std::int64_t left_to_twin_ = 0;
 };

@@ -1,4 +1,4 @@
-// How a cycle begins and ends for all lanes: see kernel-inl.hpp, which includes this.
+// Beginning and end of a cycle for all lanes; included by kernel-inl.hpp.
 #if defined(PETERKA_BATCH_BEGIN_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_BEGIN_INL_HPP
 #undef PETERKA_BATCH_BEGIN_INL_HPP
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// How far the flights of a vector of lanes swing, and the margin that their bound keeps.
+// The swing of the flights of a vector of lanes, and the margin of their bound.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_INLINE V Kernel<measure, jacobian, law, own>::begin_flight(std::size_t i, V delta, V velocity,
                                                                Mask which) const {
@@ -32,7 +32,7 @@ HWY_INLINE V Kernel<measure, jacobian, law, own>::begin_flight(std::size_t i, V 
     return amplitude;
 }
 
-// All lanes at forcing phase 0, sorted by phase.
+// Puts all lanes at forcing phase 0, sorted by phase of motion.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
     const V zero = all(0);
@@ -53,14 +53,15 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::begin() {
         const auto& rig = rig_at(i);
         const V force = mul_add(all(rig.stiffness), delta, all(rig.damping) * velocity);
         const Mask at_stop = delta == zero;
-        const Mask rests = at_stop & (velocity == zero);  // where rigid
+        const Mask rests = at_stop & (velocity == zero);  // with a rigid stop
         const Mask flight = (delta < zero) | (at_stop & (rigid ? velocity < zero : velocity <= zero));
         const Mask contact = rigid ? rests & presses(load(lanes_[Field::press_from] + i),
                                                      load(lanes_[Field::press_to] + i), zero)
                                    : ~flight & ((force > zero) | at_stop);
         const Mask unloaded = rigid ? none() : ~(flight | contact);
         const V amplitude = begin_flight(i, delta, velocity, ended);
-        // numbers that are none; on a rigid stop, starts that strike it at once, fall from it or lie in it
+        // to the twin: non-finite values; with a rigid stop, starts that strike it at once, fall from it or lie
+        // inside it
         const Mask finite = (abs(amplitude) < all(1e100)) & (flight | contact | unloaded);
         push(index, ended & ~finite, queues_.twin);
         set(ended, choose(flight & finite, zero, all(never)), lanes_[Field::next] + i);

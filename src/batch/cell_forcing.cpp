@@ -1,4 +1,4 @@
-// What of a cell in a batch doesn't change: steps of the grid, responses to the forcing, one step of flight.
+// A cell's constants in a batch: grid steps, responses to the forcing, one step of flight.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,10 +11,10 @@ namespace peterka::batch {
 
 namespace {
 
-// The range of small_sine_cosine, and of the six steps that a stretch of flight may take.
+// The range of small_sine_cosine, and of the six steps allowed in a stretch of flight.
 constexpr double longest_step = std::numbers::pi / 4 + 1e-9;
 
-// Whether the kernel's closed forms are fit for a motion.
+// Whether the kernel's closed forms are accurate for a motion.
 bool is_regular(const motion::LinearMotion<double>& motion) {
     return motion.oscillates() && !motion.near_critical() && !motion.resonant();
 }
@@ -61,8 +61,8 @@ BatchedCycleMap::Forcing BatchedCycleMap::forcing_of(const scene::Oscillator<dou
     f[Field::contact_rate] = contact.rate();
     f[Field::margin_per_speed] = square * square / flight.rate() * std::pow(step, 4) / 144;
 
-    // x -> E x + (s' - E s), with s the steady motion at the step's start, (re, im) and eta (-im, re) on its
-    // sine and cosine, and s' the same turned by one step
+    // x -> E x + (s' - E s), with s the steady motion at the step's start, with coefficients (re, im) and eta
+    // (-im, re) of its sine and cosine, and s' the same one step later
     const scene::Jacobian<double> flow = flight.flow(step);
     f[Field::e00] = flow(0, 0);
     f[Field::e01] = flow(0, 1);

@@ -20,13 +20,13 @@ struct Force {
     V value, slope, curvature, jerk, snap;
 };
 
-// A point of a contact: its homogeneous part, kept for the force, which would cancel without, and the forcing's
-// phase.
+// A point of a contact: its homogeneous part, kept separately because the force would suffer cancellation
+// otherwise, and the forcing's phase.
 struct ContactPoint {
     V x, v, sine, cosine;
 };
 
-// cubic: with a cubic spring. Such a contact is followed for a step of the grid at most.
+// cubic: with a cubic spring; such a contact is followed for at most one grid step.
 template <bool cubic, class Cells>
 class ContactOf {
   public:
@@ -66,7 +66,7 @@ class ContactOf {
         return {own + forced + all(cells_.rig.stiffness) * static_position_, own_slope + forced_slope,
                 neg_mul_add(cells_.drive, forced, own_curvature),
                 neg_mul_add(cells_.drive, forced_slope, own_jerk),
-                mul_sub(b, own_jerk, square * own_curvature)};  // of the forcing, nothing that matters
+                mul_sub(b, own_jerk, square * own_curvature)};  // the forcing's part is negligible
     }
     [[nodiscard]] HWY_INLINE Moments moment(const Point& p) const {
         const V steady = mul_add(re_, p.sine, im_ * p.cosine);
@@ -93,7 +93,7 @@ class ContactOf {
     }
 
     // A short time t after one of the rig's own times, whose flow is known, by the rig's series; a cell with a
-    // cubic spring has a flow of its own.
+    // cubic spring has its own flow.
     [[nodiscard]] HWY_INLINE Point near(double time, const Flow& until, V t) const {
         if constexpr (cubic) return at(all(time) + t);
         constexpr std::size_t last = Rig::series_length - 1;
@@ -143,11 +143,11 @@ class ContactOf {
     V force_re_, force_im_;  // steady response of the force
 };
 
-// Zero of value + slope t + curvature t^2/2 + jerk t^3/6 + snap t^4/24 next to t = 0; the better, the closer it
+// Zero of value + slope t + curvature t^2/2 + jerk t^3/6 + snap t^4/24 near t = 0; more accurate the closer it
 // is.
 struct Root {
     V time;
-    V reach;  // no less than |time|: how far the linear part alone would go, too
+    V reach;  // at least |time|, and at least the step by the linear part alone
 };
 HWY_INLINE Root taylor_root(V value, V slope, V curvature, V jerk, V snap) {
     const V inverse = all(1) / slope;

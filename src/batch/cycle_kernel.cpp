@@ -1,4 +1,4 @@
-// The kernel without a cubic spring for each instruction set, and the choice among them at run time.
+// The kernel without a cubic spring for each instruction set, dispatched at run time.
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,4 +1,4 @@
-// How the hammer leaves the stop once it doesn't press: see kernel-inl.hpp, which includes this.
+// How the hammer leaves the stop once it no longer presses; included by kernel-inl.hpp.
 #if defined(PETERKA_BATCH_DEPARTURES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_DEPARTURES_INL_HPP
 #undef PETERKA_BATCH_DEPARTURES_INL_HPP
@@ -20,7 +20,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release_all() {
     track.keep(lanes_, w.lanes);
 }
 
-// The stop doesn't press, and the hammer is on its way out: it leaves, and flies on to a grid point.
+// The stop does not press, and the hammer moves out: it leaves, and flies on to a grid point.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V time, const Moments& m,
                                                            V until, Mask which, Gathered& track) {
@@ -29,9 +29,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V
     const V fourth = flight.fourth_derivative_bound(gather(lanes_[Field::swing], cells.index));
     const Derivatives d = derivatives(cells, m);
 
-    // With an upper bound of delta'' the parabola says when it is surely out, and that it still goes down then;
-    // so does the force, whose slope is kappa delta' + chi delta''. A hammer that nothing bends is out after
-    // delta/speed; in half as much time again the parabola delta - speed t + most t^2/2 is below zero where
+    // With an upper bound of delta'' the parabola tells when the hammer is surely out, and that it still moves
+    // down then; so does the force, whose slope is kappa delta' + chi delta''. Without curvature the hammer is
+    // out after delta/speed; after 1.5 times as long the parabola delta - speed t + most t^2/2 is below zero if
     // most delta < 4/9 speed^2. A rigid stop is at delta = 0.
     const V speed = -m.velocity;
     const V leaving = rigid ? zero : all(1.5) * m.delta / speed;
@@ -48,11 +48,11 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V
         which = which & sure;
     }
 
-    // to the first grid point after it is out
+    // to the first grid point after leaving
     const V grid_point = cubic ? until : min(floor((time + leaving) * cells.per_step) + all(1), all(steps_));
     const V length = mul_sub(grid_point, cells.step, time);
     const Moments end = end_of(flight, length);
-    const Mask goes_on = length <= leaving;  // the cycle, or with kicks the step, ends before it is out
+    const Mask goes_on = length <= leaving;  // the cycle or, with kicks, the step ends before it is out
     const V margin = hull_margin(fourth, length);
     const Hull hull(m.delta, m.velocity, end.delta, end.velocity, length, margin);
     const V top = max(max(hull.b1, hull.b2), max(hull.b3, hull.b4));
@@ -80,8 +80,9 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::release(const Cells& cells, V
     }
 }
 
-// The stop doesn't press, and the hammer leaves so slowly that it may turn: then contact resumes. Above the
-// stop it can't get from below without a force, so where the force rises next tells whether it had left.
+// The stop does not press, and the hammer leaves so slowly that it may turn back: then contact resumes. It
+// cannot rise from below the stop to above it without a force, so where the force rises next tells whether it
+// had left.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::turn() {
     const Waiting w = take(queues_.turns);

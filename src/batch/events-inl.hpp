@@ -1,4 +1,4 @@
-// What happens to the lanes that an event stops on their march: see kernel-inl.hpp, which includes this.
+// Treatment of the lanes that an event stops on their march; included by kernel-inl.hpp.
 #if defined(PETERKA_BATCH_EVENTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_EVENTS_INL_HPP
 #undef PETERKA_BATCH_EVENTS_INL_HPP
@@ -27,7 +27,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::strike() {
     }
 }
 
-// What happens at the stop. False where nothing waits for that in numbers that pay.
+// Events at the stop. False if no queue holds enough lanes to pay.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR bool Kernel<measure, jacobian, law, own>::drain_stop(auto is_ripe) {
     if constexpr (rigid) {
@@ -61,7 +61,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::drain(std::size_t fill) {
     const auto is_ripe = [&](const Queue& queue) {
         return queue.size >= fill || (queue.size > 0 && queue.passes >= longest_wait);
     };
-    // each round carries its lanes on in time; what goes on for longer is left to the twin
+    // each round advances its lanes in time; lanes that need more rounds are left to the twin
     for (int round = 0; round < 100'000; ++round) {
         if (is_ripe(queues_.crossings)) {
             strike();
@@ -121,7 +121,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::arrive(const Cells& cells, V 
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::touch(const Cells& cells, V time, const Moments& m, V until,
                                                          Mask which, Gathered& track) {
-    // a touch so slow that rounding decides about it
+    // a touch so slow that rounding decides it
     const V scale = cells.drive + abs(cells.gap) + all(1);
     const Mask slow = m.velocity * m.velocity <= all(1e-10) * scale * scale;
     leave_to_twin(cells, which & slow);
@@ -156,19 +156,19 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::press(const Cells& cells, V t
     push(cells.index, until, time, m, real_ & ~is_short & which, queues_.contacts);
 }
 
-// Those of the touches that are over soon, or but for the next kick would be, and what follows. Long in one
-// piece: each part of it would be handed the contact, its release and what the others narrowed the lanes to.
+// Handles the touches that are over soon, or would be without the next kick, and what follows. One long
+// function: each part of it would need the contact, its release and the mask narrowed so far.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& cells, V time, const Moments& m,
                                                                  V until, Mask which, Gathered& track) {
     const V drive = cells.drive;
-    const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // how they pull at the stop
+    const V springs = cubic ? -(cells.square * cells.static_position) : cells.gap;  // their pull at the stop
     const V pull = mul_sub(drive, m.sine, springs);
     const V speed = m.velocity;
     V jerk = drive * cells.eta;
     if constexpr (cubic) {
-        // It pulls by (square - 1) delta more than the rig's contacts know of, and the hammer stays slower than
-        // by as much as the pull adds to twice its speed at first.
+        // The springs pull by (square - 1) delta more than the rig's contacts include, and the hammer's speed
+        // stays below twice the initial speed plus what the pull adds.
         const V fastest = mul_add(abs(pull), all(rig_.latest_exit), all(2) * speed);
         jerk = mul_add(abs(cells.square - all(1)), fastest, jerk);
     }
@@ -189,7 +189,7 @@ HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& ce
         const V bounded = max(min(mean_pull, all(1)), all(-1));
         const Release end = short_release(rig_, contact, bounded, is_short);
         is_short = is_short & end.sure;
-        const Mask goes_on = cubic ? is_short & (end.time >= left) : none();  // at the stop, at the next kick
+        const Mask goes_on = cubic ? is_short & (end.time >= left) : none();  // at the stop at the next kick
         const V duration = cubic ? min(end.time, left) : end.time;
         const ContactPoint point = cubic && any(goes_on) ? contact.at(left) : end.point;
         if constexpr (measure) {
@@ -222,7 +222,7 @@ HWY_ATTR Mask Kernel<measure, jacobian, law, own>::touch_shortly(const Cells& ce
     return is_short;
 }
 
-// A contact of any length, from its beginning or from the cycle's.
+// A contact of any length, from its beginning or from that of the cycle.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::stay() {
     const Waiting w = take(queues_.contacts);

@@ -1,4 +1,4 @@
-// Free flight of a vector of lanes, in closed form, and an enclosure of a stretch of it.
+// Free flight of a vector of lanes, in closed form, and enclosures of stretches of it.
 //
 //     delta'' + 2 zeta delta' + w2 (delta - static_position) = eta^2 sin(theta)
 //
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// A point of a trajectory: where the hammer is, and the forcing's phase.
+// A point of a trajectory: the hammer's state, and the forcing's phase.
 struct Moments {
     V delta, velocity, sine, cosine;
 };
@@ -31,10 +31,10 @@ HWY_INLINE SineCosine turned(V sine, V cosine, SineCosine by) {
     return {mul_add(sine, by.cosine, cosine * by.sine), neg_mul_add(sine, by.sine, cosine * by.cosine)};
 }
 
-// The numbers of batch/rig.hpp of a vector of lanes whose rigs differ. What takes long to find out isn't there:
-// for a few impacts it wouldn't pay.
+// The numbers of batch/rig.hpp for a vector of lanes with different rigs. Constants that are expensive to
+// derive are omitted: they would not pay for a few impacts.
 struct OwnRigs {
-    // fetch: a field's numbers of these lanes.
+    // fetch: loads a field for these lanes.
     template <class Fetch>
     HWY_INLINE explicit OwnRigs(Fetch fetch)
         : damping_ratio(fetch(Field::damping_ratio)),
@@ -55,7 +55,7 @@ struct OwnRigs {
     static constexpr bool weakly_damped = false;
 };
 
-// What of a vector of lanes doesn't change. Whose: const Rig&, that of all lanes, or OwnRigs.
+// The constants of a vector of lanes. Whose: const Rig& if all lanes share it, otherwise OwnRigs.
 template <class Whose>
 struct CellsOf {
     template <bool cubic>
@@ -101,7 +101,7 @@ struct CellsOf {
     V drive;     // amplitude of the forcing
     V per_step;  // 1/step
 
-    // The linear equations: the rig's, or with a cubic spring each cell's own.
+    // The linear equations: the rig's or, with a cubic spring, each cell's own.
     V square, frequency;   // w2 of flight, and its root
     V rate, inverse_rate;  // damped frequency
     V static_position;
@@ -110,7 +110,7 @@ struct CellsOf {
     V contact_static_position;
 };
 
-// Derivatives of a flight.
+// Derivatives of delta in flight.
 struct Derivatives {
     V second, third, fourth;
 };
@@ -125,14 +125,14 @@ HWY_INLINE Derivatives derivatives(const auto& cells, const Moments& m) {
     return {second, third, fourth};
 }
 
-// What an event is the rise through zero of, and its derivatives along a flight.
+// The quantity whose rise through zero is an event, and its derivatives along a flight.
 struct Rise {
     V value, slope, second, third, fourth;
 };
 HWY_INLINE Rise rise_of_position(const Moments& m, const Derivatives& d) {
     return {m.delta, m.velocity, d.second, d.third, d.fourth};
 }
-// Of the force over the stop's stiffness: where it rises while delta > 0, the stop presses again.
+// For the force over the stop's stiffness: where it rises while delta > 0, the stop presses again.
 HWY_INLINE Rise rise_of_force(const auto& cells, const Moments& m, const Derivatives& d) {
     const V lag = all(cells.rig.lag);
     const V square = cells.drive * cells.drive;
@@ -165,8 +165,8 @@ class Flight {
           x_(start.delta - cells.static_position - mul_add(cells.re, start.sine, cells.im * start.cosine)),
           v_(start.velocity - cells.eta * mul_sub(cells.re, start.cosine, cells.im * start.sine)) {}
 
-    // Amplitude of the homogeneous part, which only decays; and an upper bound that is at most a twelfth
-    // larger.
+    // Amplitude of the homogeneous part, which only decays; and an upper bound that exceeds it by at most a
+    // twelfth.
     [[nodiscard]] HWY_INLINE V amplitude() const {
         const V y = quadrature();
         return sqrt(mul_add(x_, x_, y * y));
@@ -184,7 +184,7 @@ class Flight {
     [[nodiscard]] HWY_INLINE Moments at(V t) const {
         return at(t, sine_cosine(cells_.rate * t), sine_cosine(cells_.eta * t));
     }
-    // Within one step of the grid.
+    // The same within one grid step.
     [[nodiscard]] HWY_INLINE Moments soon(V t) const {
         return at(t, small_sine_cosine(cells_.rate * t), small_sine_cosine(cells_.eta * t));
     }
@@ -209,10 +209,10 @@ class Flight {
     V x_, v_;  // homogeneous part at the start
 };
 
-// The kick by what is left of a relative cubic spring after its linear part at the stop (see
-// trajectory/split_cycle_map.hpp). impulse: cubic times the time it stands for.
+// The kick by the remainder of a relative cubic spring after its linear part at the stop (Strang splitting, see
+// trajectory/split_cycle_map.hpp). impulse: cubic coefficient times the time represented by the kick.
 struct Kick {
-    V speed;  // taken from the velocity
+    V speed;  // subtracted from the velocity
     V slope;  // its derivative by delta
     HWY_INLINE Kick(V impulse, V gap, V delta) {
         const V force = impulse * delta;
@@ -222,9 +222,9 @@ struct Kick {
     }
 };
 
-// A stretch of flight in Bernstein form: delta = sum of b_i C(4, i) s^i (1 - s)^(4 - i), where the middle one
-// is an upper bound: the cubic through both ends differs from delta by at most max|delta''''| l^4/24 s^2 (1 -
-// s)^2.
+// A stretch of flight in Bernstein form: delta = sum of b_i C(4, i) s^i (1 - s)^(4 - i), with an upper bound as
+// the middle coefficient: the cubic Hermite interpolant differs from delta by at most max|delta''''| l^4/24 s^2
+// (1 - s)^2.
 struct Hull {
     V b0, b1, b2, b3, b4;
     HWY_INLINE Hull(V delta0, V velocity0, V delta1, V velocity1, V length, V margin)
@@ -243,14 +243,15 @@ struct Hull {
         const V top = min(max(max(max(b0, b1), max(b3, b4)), b2), highest);
         return max(abs(top + gap), abs(lowest(margin) + gap));
     }
-    // After a part of the stretch, with the other part before it, times the fourth power of its length.
+    // The value after a part `gone` of the stretch, with `left` remaining, times the fourth power of its
+    // length.
     [[nodiscard]] HWY_INLINE V scaled_at(V gone, V left) const {
         const V first = mul_add(b0, left, all(4) * b1 * gone) * left * left * left;
         const V last = mul_add(b4, gone, all(4) * b3 * left) * gone * gone * gone;
         return first + last + all(6) * b2 * gone * gone * left * left;
     }
 };
-// Its margin for a stretch of this length.
+// The hull's margin for a stretch of this length.
 HWY_INLINE V hull_margin(V fourth_derivative, V length) {
     const V square = length * length;
     return fourth_derivative * square * square * all(1.0 / 144);

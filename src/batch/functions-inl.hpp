@@ -1,5 +1,4 @@
-// Sine, cosine, exponential and the flow of a linear phase, for vectors; right to about one unit in the last
-// place.
+// Vectorized sine, cosine, exponential and flow of a linear phase, accurate to about one ulp.
 #if defined(PETERKA_BATCH_FUNCTIONS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_FUNCTIONS_INL_HPP
 #undef PETERKA_BATCH_FUNCTIONS_INL_HPP
@@ -16,7 +15,7 @@ struct SineCosine {
     V sine, cosine;
 };
 
-// For |x| <= pi/4, by their series.
+// For |x| <= pi/4, by Taylor series.
 HWY_INLINE SineCosine small_sine_cosine(V x) {
     const V z = x * x;
     V s = all(-1 / 1307674368000.0);
@@ -37,7 +36,7 @@ HWY_INLINE SineCosine small_sine_cosine(V x) {
     return {mul_add(x * z, s, x), mul_add(c, z, all(1))};
 }
 
-// For |x| < 1e6, where the product with a part of pi/2 is still exact.
+// For |x| < 1e6, where the products with the parts of pi/2 are still exact.
 HWY_INLINE SineCosine sine_cosine(V x) {
     const V quarters = round(x * all(0.63661977236758134308));
     V r = mul_add(quarters, all(-1.57079632673412561417), x);
@@ -86,7 +85,7 @@ HWY_INLINE V exp_of(V x) {
     return choose(x > all(-700), scaled(p, n), all(0));
 }
 
-// For |x| <= 0.1, by its series.
+// For |x| <= 0.1, by Taylor series.
 HWY_INLINE V small_exp(V x) {
     return exp_series<9>(x);
 }
@@ -103,7 +102,7 @@ HWY_INLINE Matrix2 choose(Mask which, const Matrix2& yes, const Matrix2& no) {
     return {choose(which, yes.e00, no.e00), choose(which, yes.e01, no.e01), choose(which, yes.e10, no.e10),
             choose(which, yes.e11, no.e11)};
 }
-// After the velocity lost `slope` times the position.
+// Saltation matrix times m, where the velocity loses `slope` times the position.
 HWY_INLINE Matrix2 kicked(const Matrix2& m, V slope) {
     return {m.e00, m.e01, neg_mul_add(slope, m.e00, m.e10), neg_mul_add(slope, m.e01, m.e11)};
 }

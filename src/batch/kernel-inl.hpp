@@ -1,11 +1,11 @@
 // One forcing cycle of many cells at once.
 //
 // All lanes march together over a grid of forcing phases. A step of free flight is one affine map of (delta,
-// delta') per lane; its flag test asks whether the lane can have come above the stop meanwhile (Hull,
-// flight-inl.hpp). The few lanes that are flagged wait, each kind in a queue, until there are enough of them to
-// fill a vector or the march has come round often enough. Then they are gathered from the whole batch, and
-// carried through entry, contact and release to the grid point after that. When the march comes there, in this
-// round or the next one, they join it:
+// delta') per lane; its flag test asks whether the lane can have risen above the stop meanwhile (Hull,
+// flight-inl.hpp). The few flagged lanes wait in a queue per kind of event until they suffice to fill a vector
+// or the march has made enough rounds. Then they are gathered from the whole batch, and carried through entry,
+// contact and release to the next grid point. When the march reaches it, in this round or the next one, they
+// rejoin it:
 //
 //   step        every lane at its grid point    -> crossings, hops
 //   strike      crossings: above at step's end  -> touch, or hops
@@ -16,10 +16,10 @@
 //   hop         flights that may rise above     -> touch, or nothing happened
 //
 // With a cubic spring (`cubic`; see trajectory/split_cycle_map.hpp) each grid point brings a kick, and events
-// are followed to the next grid point only: a lane at the stop then is held there, and goes on after its kick
-// (kick_held), as a contact of any length. The linear equations are each lane's own.
+// are followed only to the next grid point: a lane that is then at the stop is held there, and continues after
+// its kick (kick_held), as a contact of any length. Each lane has its own linear equations.
 //
-// With a rigid stop (`rigid`; rigid-inl.hpp) a touch is an impact, and no contact follows but rest:
+// With a rigid stop (`rigid`; rigid-inl.hpp) a touch is an impact, and the only contact that follows is rest:
 //
 //   touch       an impact                       -> turns, rest, a grid point, or hops
 //   bounce      turns: soon back, impact after  -> rest, a grid point, or hops
@@ -29,19 +29,19 @@
 //
 // Each decision is proved (no event is taken for the first, or for absent, on the strength of samples); where a
 // proof fails the lane is left to the scalar twin (trajectory/exact_cycle_map.hpp or split_cycle_map.hpp),
-// which repeats its cycle from the start. A lane's numbers never depend on other lanes: loops run on until all
-// lanes of a vector are done, and those done keep what they have.
+// which repeats its cycle from the start. A lane's numbers never depend on other lanes: loops run until all
+// lanes of a vector are done, and lanes that are done keep their values.
 //
-// What pays, measured on the eight cells of tests/benchmark/batch_cycles.cpp with AVX-512: events of the whole
-// batch together in full vectors; short contacts by Newton's method from guesses (touch 37 -> 11 ns per cycle);
-// two vectors at once, which hide each other's latency (a sixth of the time); a tenth by 10 steps per cycle
-// instead of 16 where they suffice; a series for weak damping and no blending of full vectors (8 %); flags
-// collected as bits (3 %). Events that wait for others, also beyond a round of the march: with 128 slots each
-// vector of a map's crossings holds 12 lanes instead of 9, one of its long contacts 5 instead of 2, and a cycle
-// takes a fifth less time. The number of slots hardly matters from 256 to 2048: many fill the vectors, few stay
-// in the cache. With AVX2: lanes pushed one by one (a fifth; GCC copies the table of a vector's compression to
-// the stack each time), single loads instead of gathers (a twentieth). In maps, where slow departures are many,
-// turn() is worth a tenth.
+// Optimizations that pay, measured on the eight cells of tests/benchmark/batch_cycles.cpp with AVX-512: events
+// of the whole batch together in full vectors; short contacts by Newton's method from guesses (touch 37 -> 11
+// ns per cycle); two vectors at once, which hide each other's latency (a sixth of the time); 10 steps per cycle
+// instead of 16 where they suffice (a tenth); a series for weak damping and no blending of full vectors (8 %);
+// flags collected as bits (3 %). Events that wait for others, even beyond a round of the march: with 128 slots
+// each vector of a map's crossings holds 12 lanes instead of 9, one of its long contacts 5 instead of 2, and a
+// cycle takes a fifth less time. The number of slots hardly matters from 256 to 2048: many fill the vectors,
+// few stay in the cache. With AVX2: lanes pushed one by one (a fifth; GCC copies the table of a vector's
+// compression to the stack each time), single loads instead of gathers (a twentieth). In maps, where slow
+// departures are frequent, turn() saves a tenth.
 #if defined(PETERKA_BATCH_KERNEL_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_KERNEL_INL_HPP
 #undef PETERKA_BATCH_KERNEL_INL_HPP
@@ -61,8 +61,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// What a step did to a vector of lanes: a bit for each that is above the stop at its end, and for each that may
-// have been in between.
+// The effect of a step on a vector of lanes: a bit for each lane above the stop at its end, and for each that
+// may have been above it in between.
 struct Flags {
     std::uint64_t rises = 0;
     std::uint64_t hops = 0;
@@ -79,7 +79,7 @@ HWY_INLINE Mask presses(V from, V to, V theta) {
 // The forcing's phase at a step's start.
 using Forced = SineCosine;
 
-// own: each lane has a rig of its own.
+// own: each lane has its own rig.
 template <bool measure, bool jacobian, Law law, bool own>
 class Kernel {
   public:
@@ -117,8 +117,8 @@ class Kernel {
     static constexpr bool rigid = law == Law::rigid;
     using Gathered = Track<measure, jacobian, law>;
     static constexpr bool keeps_legs = Gathered::keeps_legs;
-    // How many lanes an event must have to be worth its vectors: one in so many of the batch, and in a large
-    // one so many; and for how many rounds of the march fewer wait where cycles needn't be whole.
+    // An event needs one in lanes_per_fill of the batch's lanes, at most most_fill, to be worth its vectors;
+    // where cycles need not be whole, fewer wait for up to longest_wait rounds of the march.
     static constexpr std::size_t lanes_per_fill = 8;
     static constexpr std::size_t most_fill = 12;
     static constexpr int longest_wait = 4;
@@ -165,7 +165,7 @@ class Kernel {
             return {rig_, lanes_, steps_, lanes, std::bool_constant<cubic>()};
         }
     }
-    // Of the vector of lanes that begins there.
+    // The rig of the vector of lanes that begins at i.
     HWY_INLINE Whose rig_at(std::size_t i) const {
         if constexpr (own) {
             return OwnRigs([&](Field field) HWY_ATTR { return load(lanes_[field] + i); });
@@ -173,14 +173,14 @@ class Kernel {
             return rig_;
         }
     }
-    // Takes lanes off a queue; from then on `real_` says which of them are no padding.
+    // Takes lanes off a queue; from then on `real_` marks those that are not padding.
     HWY_ATTR Waiting take(Queue& queue) {
         const Waiting waiting = batch::HWY_NAMESPACE::take(queue);
         real_ = waiting.real;
         queue.passes = 0;
         return waiting;
     }
-    // The grid point up to which events are to be followed that begin in a flight.
+    // The grid point up to which events that begin in a flight are followed.
     HWY_INLINE V until(const Waiting& flight) const { return cubic ? flight.end : all(steps_); }
     // The flow of a stretch of flight, and its end. With a cubic spring no stretch is longer than a step.
     HWY_INLINE Matrix2 flown(const Cells& cells, V length) const {
@@ -189,7 +189,7 @@ class Kernel {
     HWY_INLINE static Moments end_of(const Flight<Cells>& flight, V length) {
         return cubic ? flight.soon(length) : flight.at(length);
     }
-    // A flight begins at a time, or ended so long after; its flow.
+    // Begins a flight at a time, or ends it after a duration; flow: that of this duration.
     HWY_INLINE static void begin_leg(const Cells& cells, V time, const Moments& m, Mask which,
                                      Gathered& track) {
         if constexpr (Gathered::bounds_legs) {
@@ -208,7 +208,7 @@ class Kernel {
         }
         if constexpr (jacobian) track.carry(flow, which);
     }
-    // An elastic stop lets go at delta = 0, give or take a rounding error.
+    // An elastic stop releases at delta = 0, up to rounding.
     HWY_ATTR static Moments let_go(const Moments& m) {
         return {max(m.delta, all(0)), m.velocity, m.sine, m.cosine};
     }
@@ -230,7 +230,7 @@ class Kernel {
     const Lanes& lanes_;
     Queues& queues_;
     double steps_;
-    Mask real_ = every();  // of the vector of lanes in hand: not padding
+    Mask real_ = every();  // of the current vector of lanes: not padding
 };
 
 template <Law law>
@@ -243,7 +243,7 @@ HWY_ATTR void run_kernel(const Rig& rig, const Grid& grid, const Lanes& lanes, Q
     return Kernel<false, false, law, own>(rig, grid, lanes, queues).run(wanted.whole);
 }
 
-// Of lanes with rigs of their own, the Jacobian always: who wants only states has one rig.
+// For lanes with their own rigs, always with the Jacobian: callers that need only states share one rig.
 template <Law law>
 HWY_ATTR void run_own_kernel(const Grid& grid, const Lanes& lanes, Queues& queues, Wanted wanted) {
     constexpr bool own = true;

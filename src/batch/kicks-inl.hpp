@@ -1,5 +1,4 @@
-// The kicks of a cubic spring on lanes at the stop, and the last ones of a cycle: see kernel-inl.hpp, which
-// includes this.
+// The kicks of a cubic spring on lanes at the stop, and the last kicks of a cycle; included by kernel-inl.hpp.
 #if defined(PETERKA_BATCH_KICKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_KICKS_INL_HPP
 #undef PETERKA_BATCH_KICKS_INL_HPP
@@ -23,8 +22,8 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::hold(const Cells& cells, V de
     put(all(never), lanes_[Field::next], cells.index, which);
 }
 
-// Lanes at the stop at a grid point get their kick, of which half belongs to the cycle before or to the next at
-// its ends, and are to be followed to the next one.
+// Kicks the lanes at the stop at a grid point (at the ends of a cycle by half, the other half belongs to the
+// adjacent cycle), and queues them to be followed to the next grid point.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue& ready, bool pressed) {
     const Waiting w = take(held);
@@ -38,7 +37,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue&
         scatter(j.e10, lanes_[Field::jacobian_10], w.lanes);
         scatter(j.e11, lanes_[Field::jacobian_11], w.lanes);
     }
-    // a kick that made the force change its sign would be an event
+    // a kick that changes the sign of the force would be an event
     const V force = mul_add(all(cells.rig.stiffness), w.moment.delta, all(cells.rig.damping) * velocity);
     const Mask presses = force > all(0);
     const Mask same = (w.moment.delta >= all(0)) & (pressed ? presses : ~presses);
@@ -50,7 +49,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::kick_held(Queue& held, Queue&
     push(w.lanes, w.end + all(1), w.time, kicked, real_ & same & ~ends, ready);
 }
 
-// The half kick at the cycle's end on lanes in flight.
+// The half kick at the end of the cycle on lanes in flight.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::finish_kicks() {
     for (std::size_t i = 0; i < in_vectors(lanes_.size); i += width()) {
@@ -63,7 +62,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::finish_kicks() {
         const V velocity = load(lanes_[Field::velocity] + i);
         const V kicked_velocity = velocity - kick.speed;
         store(choose(flies, kicked_velocity, velocity), lanes_[Field::velocity] + i);
-        const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can run away
+        const Mask finite = abs(delta) + abs(kicked_velocity) < all(1e100);  // large kicks can diverge
         push(index_from(i), flies & ~finite, queues_.twin);
         if constexpr (jacobian) {
             const Matrix2 j = load_jacobian(lanes_, i);

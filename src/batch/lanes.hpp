@@ -9,32 +9,33 @@
 
 namespace peterka::batch {
 
-constexpr std::size_t widest_vector = 16;  // lanes that the kernel takes at once, at most
-constexpr double never = 1e9;              // as a grid point: beyond any
+constexpr std::size_t widest_vector = 16;  // largest number of lanes that the kernel processes at once
+constexpr double never = 1e9;              // as a grid point: beyond all others
 
-// What the hammer meets: a spring and dashpot; the same, and the kicks of a cubic spring; or a rigid stop.
+// The law of the stop and springs: spring and dashpot; the same with the kicks of a cubic spring; or a rigid
+// stop.
 enum class Law : std::uint8_t { spring_dashpot, kicks, rigid };
 
-// The arrays of a batch, a number for each lane. Grid point n is the forcing phase 2 pi n/steps.
+// The arrays of a batch, with a number for each lane. Grid point n is the forcing phase 2 pi n/steps.
 enum class Field : std::uint8_t {
-    // The cell. Its gap decides these,
+    // The cell. These depend on its gap,
     gap,
     static_position,  // of the flight, as delta
     forced_delta_constant,
     forced_velocity_constant,
 
-    // and its frequency the others; with a cubic spring both decide all of them. Harmonic responses are u =
+    // and the others on its frequency; with a cubic spring all depend on both. Harmonic responses are u =
     // Im(response exp(i theta)) in flight and contact.
     frequency,
-    step,  // tau from grid point to grid point
+    step,  // tau between grid points
     flight_re,
     flight_im,
     swing,  // |flight response|
     contact_re,
     contact_im,
     contact_swing,
-    // with a cubic spring: the linear equations' own (see flight-inl.hpp), and by how much a change of the
-    // velocity raises the margin of the flag test
+    // with a cubic spring: each cell's own linear equations (flight-inl.hpp), and the increase of the flag
+    // test's margin per change of the velocity
     flight_square,
     flight_rate,
     contact_rate,
@@ -50,20 +51,20 @@ enum class Field : std::uint8_t {
     forced_velocity_sine,
     forced_velocity_cosine,
 
-    // The state at the lane's grid point, and where its last step of flight began.
+    // The state at the lane's grid point, and at the beginning of its last step of flight.
     delta,
     velocity,
     delta_before,
     velocity_before,
     next,    // grid point of a lane in flight; `never` while an event holds it; the last, or beyond, at its end
-    margin,  // of the flag test: what a step's cubic may be wrong by, over s^2 (1 - s)^2, over 6
+    margin,  // of the flag test: error bound of a step's cubic, over 6 s^2 (1 - s)^2
     start_delta,
     start_velocity,
-    leg_start,      // tau at which the present leg began
-    leg_amplitude,  // of its homogeneous part, then
-    leg_energy,     // hypot(u, u'), then
+    leg_start,      // tau at the beginning of the present leg
+    leg_amplitude,  // amplitude of its homogeneous part at that time
+    leg_energy,     // hypot(u, u') at that time
 
-    // What the cycle did.
+    // The results of the cycle.
     impacts,
     touched,
     separated,
@@ -74,25 +75,24 @@ enum class Field : std::uint8_t {
     jacobian_10,
     jacobian_11,
 
-    // The cell's rig, where rigs differ.
+    // The cell's rig, if rigs differ.
     damping_ratio,
     cubic,
     stiffness,
     damping,
     restitution,
 
-    // With a rigid stop (trajectory/rigid_stop.hpp). The phases between which the stop presses a hammer at
-    // rest:
-    // from the first, or up to the second, or both where the first is less.
+    // With a rigid stop (trajectory/rigid_stop.hpp): the phases between which the stop presses a hammer at
+    // rest, from the first on, or up to the second, or both where the first is less.
     press_from,
     press_to,
     // The impacts of the present stretch of pressing, as far as they lie in this cycle
     // (trajectory/rigid_impact.hpp).
     chain_until,    // phase at which the stretch is over
-    chain_impacts,  // of the cycle, when it began
+    chain_impacts,  // of the cycle, when the stretch began
     chain_impulse,  // of its impacts
-    // What the cycle did.
-    swallowed,  // impacts that belong to a completed chatter, but for one of each
+    // The results of the cycle.
+    swallowed,  // impacts that belong to a completed chatter, less one for each chatter
     chatter,
     impact_speed,  // as trajectory::Totals
     impulse,
@@ -108,24 +108,24 @@ constexpr Field after(Field field, std::size_t places) {
 constexpr std::size_t fields = index_of(Field::jacobian_11) + 1;
 constexpr std::size_t fields_with_rigs = index_of(Field::restitution) + 1;
 constexpr std::size_t fields_of_rigid_stops = index_of(Field::contact_work) + 1;
-// Those that don't change from cycle to cycle: the first of them depend on the gap always.
+// The number of constant fields; the first gap_fields always depend on the gap.
 constexpr std::size_t gap_fields = index_of(Field::frequency);
 constexpr std::size_t cell_fields = index_of(Field::delta);
 
 struct Lanes {
-    std::size_t size = 0;  // lanes in use; those that fill the last vector are idle
+    std::size_t size = 0;  // lanes in use; those that pad the last vector are idle
     std::array<double*, fields_of_rigid_stops> arrays{};
     std::uint64_t* pattern = nullptr;        // of the cycle's events
-    std::uint64_t* chain_pattern = nullptr;  // with a rigid stop: when the chain began
+    std::uint64_t* chain_pattern = nullptr;  // with a rigid stop: at the beginning of the chain
 
     double* operator[](Field field) const { return arrays[index_of(field)]; }
     // Row by row.
     [[nodiscard]] double* jacobian(std::size_t n) const { return (*this)[after(Field::jacobian_00, n)]; }
 };
 
-// Moments of lanes that wait for the same treatment.
+// The moments of lanes that wait for the same treatment.
 struct Queue {
-    // Room for so many lanes; those in it stay.
+    // Reserves space for `lanes` lanes; the entries stay.
     void make_room(std::size_t lanes) {
         lane.resize(lanes + 2 * widest_vector);
         for (auto* field : {&end, &time, &delta, &velocity, &sine, &cosine}) field->resize(lane.size());
@@ -144,15 +144,15 @@ struct Queue {
         cosine[size] = entry.cosine;
         ++size;
     }
-    // What waits for lane `which` waits for another one now.
+    // Renames the lane of an entry.
     void rename(std::int64_t which, std::int64_t to) {
         std::replace(lane.begin(), lane.begin() + static_cast<std::ptrdiff_t>(size), which, to);
     }
 
     std::size_t size = 0;
-    int passes = 0;  // of the march, since one was taken
+    int passes = 0;  // rounds of the march since lanes were last taken
     std::vector<std::int64_t> lane;
-    std::vector<double> end;   // grid point up to which it is to be followed, or was already
+    std::vector<double> end;   // grid point up to which the lane is to be followed, or has been
     std::vector<double> time;  // tau since the cycle began
     std::vector<double> delta;
     std::vector<double> velocity;
@@ -160,7 +160,7 @@ struct Queue {
     std::vector<double> cosine;
 };
 
-// Lanes alone.
+// A list of lanes without moments.
 struct LaneList {
     std::size_t size = 0;
     std::vector<std::int64_t> lane;
@@ -174,9 +174,9 @@ struct Queues {
     Queue crossings;      // above the stop at the end of a step
     Queue hops;           // may rise above it within a stretch of flight
     Queue contacts;       // of any length; on a rigid stop, at rest
-    Queue releases;       // above the stop, which doesn't press
-    Queue turns;          // the same, but they leave slowly; from a rigid stop, and come back soon
-    Queue held_contacts;  // with a cubic spring: those that wait for the kick at a grid point
+    Queue releases;       // above the stop, which does not press
+    Queue turns;          // the same, but leaving slowly; with a rigid stop: leaving and soon back
+    Queue held_contacts;  // with a cubic spring: waiting for the kick at a grid point
     Queue held_releases;
     [[nodiscard]] std::array<Queue*, 7> events() {
         return {&crossings, &hops, &contacts, &releases, &turns, &held_contacts, &held_releases};
@@ -195,8 +195,8 @@ struct Grid {
 struct Wanted {
     bool measure = false;   // peak force and a bound of |u|
     bool jacobian = false;  // of the cycle
-    // All lanes come to their cycle's end. Otherwise some events may wait for more of their kind, to fill the
-    // vectors, and the next call goes on with them.
+    // All lanes reach the end of their cycle. Otherwise some events may wait for more of their kind, to fill
+    // the vectors, and the next call continues with them.
     bool whole = true;
 };
 

@@ -1,4 +1,4 @@
-// Contacts of any length: sure steps to the release and from maximum to maximum of the force, as those of
+// Contacts of any length: safe steps to the release and from maximum to maximum of the force, as in
 // trajectory/first_crossing.hpp and largest_value.hpp.
 #if defined(PETERKA_BATCH_LONG_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_LONG_CONTACT_INL_HPP
@@ -12,15 +12,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// When a contact of any length comes to the zero of a derivative of the force (order 0 or 1) that rises there,
-// times the sign.
+// The zero of sign times a derivative of the force (order 0 or 1), where it rises, in a contact of any length.
 struct Sought {
     V time;
     ContactPoint point;
     Mask found;
     Mask unsure;
 };
-// Long for one loop, whose parts would each be handed nearly all values of its step.
+// Long for a single loop, whose parts would each need nearly all values of its step.
 HWY_INLINE Sought seek(const auto& cells, const auto& contact, int order, V sign, V from,
                        const ContactPoint& start, V end, Mask which) {
     const V zero = all(0);
@@ -67,14 +66,15 @@ HWY_INLINE Sought seek(const auto& cells, const auto& contact, int order, V sign
         }
         const Mask absent = active & (better > left);
 
-        // the slope keeps its sign up to twice the correction; the series is short enough where it is small
+        // the slope keeps its sign up to twice the correction; the series is short enough where the correction
+        // is small
         const Root near = taylor_root(value, slope, curvature, zero, zero);
         const V correction = near.time;
         const V size = near.reach;
         const Mask monotone = slope > all(4) * size * mul_add(jerk, all(2) * size, abs(curvature));
         const Mask small = (size * w < all(2e-4)) & (size * cells.eta < all(2e-4));
         const Mask arrived = active & ~absent & monotone & small & (correction <= left);
-        // Newton's step, where it is safe to take it, converges faster than the bound's
+        // Newton's step, where it is safe, converges faster than the bound's
         const Mask newton = monotone & (correction <= left);
         const Mask moves = newton | (better * w > all(1e-9));
         const Mask stuck = ~(arrived | absent | moves) & active;
@@ -93,8 +93,8 @@ HWY_INLINE Sought seek(const auto& cells, const auto& contact, int order, V sign
     return {time, point, found, unsure | active};
 }
 
-// Largest force of a contact up to its end: its maxima one after another, for as long as what is left of the
-// transient could still exceed the largest seen (as in trajectory/largest_value.hpp).
+// Largest force of a contact up to its end: its maxima one after another, as long as the rest of the transient
+// could still exceed the largest seen (as in trajectory/largest_value.hpp).
 HWY_INLINE Peak long_peak(const auto& cells, const auto& contact, V end, Mask which) {
     const V highest = contact.static_force() + contact.force_swing();
     V time = all(0);

@@ -1,4 +1,4 @@
-// How lanes in flight march from grid point to grid point: see kernel-inl.hpp, which includes this.
+// The march of lanes in flight from grid point to grid point; included by kernel-inl.hpp.
 #if defined(PETERKA_BATCH_MARCH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_MARCH_INL_HPP
 #undef PETERKA_BATCH_MARCH_INL_HPP
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// The first grid point from which a lane is to march; the cycle's end where none is.
+// The first grid point with a lane to march; the end of the cycle if there is none.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR int Kernel<measure, jacobian, law, own>::earliest() const {
     const double* next = lanes_[Field::next];
@@ -23,7 +23,7 @@ HWY_ATTR int Kernel<measure, jacobian, law, own>::earliest() const {
     return static_cast<int>(point);
 }
 
-// All lanes that are there, from grid point n to the next.
+// Advances all lanes at grid point n to the next one.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
     const auto point = static_cast<std::size_t>(n);
@@ -32,7 +32,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
     const double part = n == 0 ? 0.5 : 1;  // of the cubic that acts in this kick
     V cubic_part = all(0);
     if constexpr (cubic && !own) cubic_part = all(part * rig_.cubic);
-    const Lanes lanes = lanes_;  // so that the compiler knows that no store changes them
+    const Lanes lanes = lanes_;  // tells the compiler that no store changes them
     const std::size_t size = in_vectors(lanes.size);
     for (std::size_t word = 0; word < size; word += 64) {
         Flags flags;
@@ -50,7 +50,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::step(int n) {
     }
 }
 
-// Kicks a vector of lanes, and gives the kick's derivative by delta.
+// Kicks a vector of lanes, and returns the kick's derivative by delta.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_INLINE V Kernel<measure, jacobian, law, own>::kick(const Lanes& lanes, std::size_t i, Mask active,
                                                        V cubic_part) const {
@@ -82,7 +82,7 @@ HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, st
     const V forced_velocity = forced_part(Field::forced_velocity_sine, Field::forced_velocity_cosine,
                                           Field::forced_velocity_constant);
     const V e01 = load(lanes[Field::e01] + i);
-    const V e10 = cubic ? load(lanes[Field::e10] + i) : e01;  // without, -e01
+    const V e10 = cubic ? load(lanes[Field::e10] + i) : e01;  // without a cubic spring, -e01
     const Matrix2 flow{load(lanes[Field::e00] + i), e01, e10, load(lanes[Field::e11] + i)};
     const V x1 = mul_add(flow.e00, x0, mul_add(flow.e01, v0, forced_delta));
     const V by_velocity = mul_add(flow.e11, v0, forced_velocity);
@@ -106,13 +106,13 @@ HWY_INLINE Flags Kernel<measure, jacobian, law, own>::fly(const Lanes& lanes, st
     }
     if constexpr (cubic && jacobian) {
         const Matrix2 j = kicked(load_jacobian(lanes, i), kick_slope);
-        const Mask flies = active & ~(above | between);  // events carry the others
+        const Mask flies = active & ~(above | between);  // the others are carried by their events
         store_jacobian(choose(flies, flow * j, j), lanes, i);
     }
     return {bits(above), bits(between & ~above)};
 }
 
-// Those of up to 64 lanes that events stop in the step after grid point n.
+// Queues those of up to 64 lanes that events stop in the step after grid point n.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::enqueue(std::size_t first_lane, int n, Flags flags) {
     const auto point = static_cast<std::size_t>(n);

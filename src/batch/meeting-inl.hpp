@@ -1,4 +1,4 @@
-// How a flight comes to the stop: when, and the proof that it is for the first time.
+// When a flight meets the stop, with proof that it is for the first time.
 #if defined(PETERKA_BATCH_MEETING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_MEETING_INL_HPP
 #undef PETERKA_BATCH_MEETING_INL_HPP
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// Where what rises along a flight comes through zero, a short time away, by its Taylor series.
+// The zero of a quantity that rises along a flight, a short time away, by its Taylor series.
 struct Meeting {
     V time;     // from now
     Mask sure;  // the series resolves it
@@ -26,7 +26,7 @@ HWY_INLINE Meeting meet(const auto& cells, const Rise& rise) {
     for (int n = 0; n < 3; ++n) {
         t = neg_mul_add(t * t, mul_add(t, mul_add(t, fourth, third), second), first);
     }
-    // what is left out is t^5/120 of the fifth derivative, and the fourth power of second t
+    // truncation omits t^5/120 of the fifth derivative, and the fourth power of second t
     const V reach = max(abs(t), abs(first)) * max(max(cells.eta, cells.frequency), all(8) * abs(second));
     return {t, (reach < all(1e-3)) & (rise.slope > all(0))};
 }
@@ -44,11 +44,11 @@ HWY_INLINE Moments meeting_moment(const auto& cells, const Moments& m, const Der
 struct MeetingMoment {
     V time;  // since the stretch began
     Moments moment;
-    Mask found;   // comes through zero there, for the first time
+    Mask found;   // reaches zero there, for the first time
     Mask unsure;  // neither found nor surely absent
 };
 
-// A flight that starts below zero and ends a step of the grid later above it.
+// For a flight that starts below zero and ends above it one grid step later.
 HWY_INLINE MeetingMoment first_meeting(const auto& cells, const Moments& start, V delta1, V velocity1,
                                        V margin) {
     // guess: Newton's method on the cubic through both ends
@@ -94,11 +94,11 @@ HWY_INLINE MeetingMoment first_meeting(const auto& cells, const Moments& start, 
     return {time, end, found, ~found};
 }
 
-// Any rise from below zero along a flight, over a stretch of a few steps at most. From a point with s <= 0 and
-// a bound A on s'' the parabola's root is a step that can't pass the crossing (as in
-// trajectory/first_crossing.hpp); A is the largest that s'' becomes in a window, from its present value, slope,
-// and the bound on what bends it. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later, where
-// it is zero.
+// Any rise from below zero along a flight, over a stretch of at most a few steps. From a point with s <= 0 and
+// a bound A on s'', the parabola's root is a step that cannot pass the crossing (as in
+// trajectory/first_crossing.hpp); A is the largest s'' possible in a window, from its present value, its slope,
+// and a bound on its second derivative. rise_of(m, d): s at a moment; land(m, d, t): the moment a time t later,
+// where s is zero.
 template <class RiseOf, class Land>
 HWY_INLINE MeetingMoment seek(const auto& cells, const Moments& start, V length, V fourth_derivative,
                               Mask which, RiseOf rise_of, Land land) {
@@ -115,7 +115,7 @@ HWY_INLINE MeetingMoment seek(const auto& cells, const Moments& start, V length,
         const Derivatives d = derivatives(cells, m);
         const Rise s = rise_of(m, d);
         const V below = min(s.value, zero);
-        // the parabola's root for a window, or `otherwise` where it has none
+        // the parabola's root for a window, or `otherwise` if it has none
         const auto bound = [&](V window) HWY_ATTR {
             const V bend = mul_add(window * all(0.5), fourth_derivative, s.third);
             return max(s.second, mul_add(window, bend, s.second));
@@ -148,7 +148,7 @@ HWY_INLINE MeetingMoment seek(const auto& cells, const Moments& start, V length,
             found = found | arrived;
         }
         active = ~(arrived | absent) & active;
-        const Mask stuck = ~(better > all(1e-9)) & active;  // next to grazing
+        const Mask stuck = ~(better > all(1e-9)) & active;  // near grazing
         unsure = unsure | stuck;
         active = ~stuck & active;
         if (!any(active)) break;
@@ -165,7 +165,7 @@ HWY_INLINE MeetingMoment seek_touch(const auto& cells, const Moments& start, V l
         [](const Moments& m, const Derivatives& d) HWY_ATTR { return rise_of_position(m, d); },
         [&](const Moments& m, const Derivatives& d, V t) HWY_ATTR { return meeting_moment(cells, m, d, t); });
 }
-// From where the stop doesn't press: the next moment at which it would, if it is still reached.
+// From where the stop does not press: the next moment at which it would, if that is still reached.
 HWY_INLINE MeetingMoment seek_force(const auto& cells, const Moments& start, V length, V fourth_derivative,
                                     Mask which) {
     const V fourth = fourth_derivative * mul_add(all(cells.rig.lag), max(cells.eta, cells.frequency), all(1));

@@ -1,4 +1,4 @@
-// The kernel for lanes with rigs of their own: see kernel-inl.hpp.
+// The kernel for lanes with their own rigs: see kernel-inl.hpp.
 #define PETERKA_WITHOUT_SSE4
 #include "batch/targets.hpp"
 

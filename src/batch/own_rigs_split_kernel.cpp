@@ -1,4 +1,4 @@
-// The kernel for lanes with rigs of their own and cubic springs, apart so that both are built at the same time.
+// The kernel for lanes with their own rigs and cubic springs, separate so that both compile in parallel.
 #define PETERKA_WITHOUT_SSE4
 #include "batch/targets.hpp"
 

@@ -1,4 +1,4 @@
-// Lanes that wait for the same treatment, put on a list from any vector and taken off in full ones.
+// Lanes that wait for the same treatment, appended from any vector and taken off in full vectors.
 #if defined(PETERKA_BATCH_QUEUES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_QUEUES_INL_HPP
 #undef PETERKA_BATCH_QUEUES_INL_HPP
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// Few lanes of a vector are pushed at a time, so these go one by one.
+// Few lanes of a vector are pushed at a time, so they are pushed one by one.
 HWY_INLINE void push(Index lanes, Mask which, LaneList& list) {
     if (!any(which)) return;
     const Numbers lane(lanes);
@@ -39,11 +39,11 @@ HWY_INLINE void push(Index lanes, V end, V time, const Moments& m, Mask which, Q
     }
 }
 
-// A vector of lanes, padded with copies of the first: these compute and store what it does, but must queue
-// nothing.
+// A vector of lanes, padded with copies of the first: the copies compute and store the same as the first, but
+// must queue nothing.
 struct Waiting {
     Index lanes;
-    Mask real;  // no padding
+    Mask real;  // not padding
     V end, time;
     Moments moment;
 };

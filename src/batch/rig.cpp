@@ -20,7 +20,7 @@ Flow flow_of(const Motion& motion, double t) {
     return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
 }
 
-// The force after a unit speed, without forcing, and its derivatives.
+// The unforced force after a unit speed, and its derivatives.
 struct UnitForce {
     double value;
     double slope;
@@ -60,8 +60,8 @@ struct ShareBounds {
     [[nodiscard]] double width() const { return std::min(largest, -least); }
 };
 
-// Narrowed to where first + (a/v) second + (J/v) remainder < 0; half of `first` is kept for the remainder, and
-// some for what lies between samples.
+// The range narrowed to where first + (a/v) second + (J/v) remainder < 0; half of `first` is reserved for the
+// remainder, and some for the error between samples.
 ShareBounds narrowed(ShareBounds range, double first, double second, double remainder) {
     if (!(first < 0)) return {0, 0, 0};
     const double room = -0.45 * first;
@@ -71,7 +71,7 @@ ShareBounds narrowed(ShareBounds range, double first, double second, double rema
     return range;
 }
 
-// Looks for the time from which the force falls so that the range of a/v is widest.
+// Finds the time from which the force falls that gives the widest range of a/v.
 void set_short_contacts(Rig& rig, const Motion& contact) {
     constexpr std::size_t samples = 512;
     constexpr double longest =
@@ -120,7 +120,7 @@ void set_short_contacts(Rig& rig, const Motion& contact) {
 }
 
 // The time near `guess` at which the force after a unit speed under a constant acceleration, f + a integral f,
-// vanishes (order 0), or its slope (order 1). Not a number where Newton's method doesn't get there.
+// vanishes (order 0), or its slope (order 1). NaN if Newton's method does not converge.
 double time_under(const Rig& rig, const Motion& contact, double a, int order, double guess) {
     double t = guess;
     for (int n = 0; n < 30; ++n) {
@@ -137,7 +137,7 @@ double time_under(const Rig& rig, const Motion& contact, double a, int order, do
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-// The polynomial in a/pull_scale through the shifts at Chebyshev's nodes.
+// The polynomial in a/pull_scale that interpolates the shifts at the Chebyshev nodes.
 std::array<double, Rig::guess_terms> fitted_shift(const Rig& rig, const Motion& contact, int order,
                                                   double unforced) {
     constexpr auto terms = static_cast<int>(Rig::guess_terms);

@@ -1,5 +1,5 @@
-// What a rigid stop does to the lanes that strike it: impacts, chatter and rest. See kernel-inl.hpp, which
-// includes this; trajectory/rigid_stop.hpp and rigid_impact.hpp say what happens there, and why.
+// Impacts, chatter and rest of lanes that strike a rigid stop; included by kernel-inl.hpp.
+// trajectory/rigid_stop.hpp and rigid_impact.hpp explain the mechanics.
 #if defined(PETERKA_BATCH_RIGID_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_RIGID_INL_HPP
 #undef PETERKA_BATCH_RIGID_INL_HPP
@@ -16,14 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace peterka::batch::HWY_NAMESPACE {
 
-// A flight that leaves the stop and comes back soon, by its Taylor series delta = sum of c_n t^n: t is the root
-// of delta/t, whose slope keeps its sign all the way.
+// A flight that leaves the stop and returns soon, by its Taylor series delta = sum of c_n t^n: t is the root of
+// delta/t, whose slope keeps its sign all the way.
 struct ShortHop {
-    V time, speed;  // when it is back, and how fast
+    V time, speed;  // time and speed of the return
     Mask sure;
 };
 HWY_INLINE ShortHop short_hop(const auto& cells, const Moments& start, V fourth_derivative, V left) {
-    // At a quarter of a radian what is left out is 1e-18 of the forcing's part.
+    // At a quarter of a radian the truncation error is 1e-18 of the forcing's part.
     constexpr std::size_t terms = 13;
     constexpr double longest = 0.25;
     const V zeta = all(cells.rig.damping_ratio);
@@ -70,7 +70,7 @@ HWY_INLINE V pressing_impulse(const auto& cells, V from, V to) {
     return mul_add(cells.drive, wave, all(2) * cells.static_position * half_way) / cells.eta;
 }
 
-// Of an impact at a speed v > 0.
+// The result of an impact at a speed v > 0.
 template <bool measure, bool jacobian, Law law, bool own>
 struct Kernel<measure, jacobian, law, own>::Struck {
     V rebound;   // the speed after it
@@ -109,7 +109,7 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
     track.pattern = choose(which, append(track.pattern, trajectory::Phase::contact), track.pattern);
     if constexpr (jacobian) track.reflect(r, (all(1) + r) * pull / m.velocity, which);
 
-    // the series of the bounces that are left
+    // the series of the remaining bounces
     constexpr double small = 6.0554544523933429e-6 / 8;  // cube root of a double's epsilon
     const V sigma = rebound / (pull * (all(1) - r));
     const V slope = cells.eta * cells.drive * m.cosine / pull;
@@ -127,7 +127,7 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
             cells.index, rests);
         put(all(1), lanes_[Field::chatter], cells.index, rests & ~at_once);
         if constexpr (measure) {
-            // the bounces that are left take what is left of the speed; what presses goes on until the release
+            // the remaining bounces absorb the remaining speed; the stop presses until the release
             const V left = rebound * rebound * all(0.5);
             track.contact_work = choose(rests, track.contact_work + left, track.contact_work);
             put(gather(lanes_[Field::chain_impulse], cells.index) - rebound, lanes_[Field::chain_impulse],
@@ -140,7 +140,7 @@ HWY_ATTR typename Kernel<measure, jacobian, law, own>::Struck Kernel<measure, ja
     return {rebound, rests};
 }
 
-// After an impact: at rest, soon back, or on its way to a grid point.
+// After an impact: at rest, soon back, or on the way to a grid point.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::rebound(const Cells& cells, V time, const Moments& m,
                                                            Mask which, Gathered& track) {
@@ -157,10 +157,10 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::rebound(const Cells& cells, V
     depart(cells, time, left, goes & ~soon, track);
 }
 
-// Bounces of a chatter, one after the other, up to its rest or to a flight that takes longer.
+// Bounces of a chatter, one after another, until it comes to rest or a flight takes longer.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::bounce() {
-    constexpr double most_impacts = 9'990;  // beyond, the twin sees whether these are too many for a cycle
+    constexpr double most_impacts = 9'990;  // beyond, the twin decides whether these are too many for a cycle
     const Waiting w = take(queues_.turns);
     const Cells cells = cells_of(w.lanes);
     const V swing = gather(lanes_[Field::swing], w.lanes);
@@ -189,7 +189,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::bounce() {
     track.keep(lanes_, w.lanes);
 }
 
-// The hammer leaves the stop, and isn't back soon.
+// The hammer leaves the stop, and is not soon back.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::depart(const Cells& cells, V time, const Moments& m,
                                                           Mask which, Gathered& track) {
@@ -199,7 +199,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::depart(const Cells& cells, V 
     if (any(flies)) release(cells, time, m, all(steps_), flies, track);
 }
 
-// A hammer at rest on the stop from now on, until nothing presses it any more.
+// A hammer at rest on the stop, until the stop no longer presses it.
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::rest() {
     const Waiting w = take(queues_.contacts);
@@ -224,7 +224,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::rest() {
         const V force = mul_sub(cells.drive, largest, cells.gap);
         track.peak_force = choose(until > w.time, max(track.peak_force, force), track.peak_force);
         track.raise_displacement(abs(cells.gap), every());
-        // the chatter and the rest that follows it are one impact, since the last bounce that was followed
+        // the chatter and the rest that follows it count as one impact, since the last bounce that was followed
         const V chained = gather(lanes_[Field::chain_impulse], w.lanes) +
                           pressing_impulse(cells, gather(lanes_[Field::chain_until], w.lanes), theta_until);
         track.impulse = choose(leaves, max(track.impulse, chained), track.impulse);
@@ -239,7 +239,7 @@ HWY_ATTR void Kernel<measure, jacobian, law, own>::rest() {
     track.keep(lanes_, w.lanes);
 }
 
-// From rest the hammer falls away: it can't be back before half its own period is over, nor before the stop
+// A hammer at rest falls away: it cannot return before half its own period has passed, nor before the stop
 // presses again (trajectory/rigid_legs.hpp).
 template <bool measure, bool jacobian, Law law, bool own>
 HWY_ATTR void Kernel<measure, jacobian, law, own>::fall(const Cells& cells, V time, const Moments& m,

@@ -1,4 +1,4 @@
-// The kernel for a rigid stop, apart from the others so that all are built at the same time.
+// The kernel for a rigid stop, separate from the others so that all compile in parallel.
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,6 +1,6 @@
-// Impacts that are short against the forcing (see rig.hpp): Newton's method from the times of a constant
-// acceleration. Typically one evaluation each for the release and the peak, without a transcendental function
-// but the forcing's.
+// Impacts that are short compared with the forcing (rig.hpp): Newton's method from the times of a constant
+// acceleration. Typically one evaluation each for the release and the peak, and no transcendental functions
+// except the forcing's.
 #if defined(PETERKA_BATCH_SHORT_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_SHORT_CONTACT_INL_HPP
 #undef PETERKA_BATCH_SHORT_CONTACT_INL_HPP
@@ -25,10 +25,10 @@ struct Release {
     Mask sure;
 };
 
-// End of a contact whose force is surely like the unforced one's (see rig.hpp). pull: acceleration by forcing
-// over speed, over pull_scale.
+// End of a contact whose force surely has the unforced shape (rig.hpp). pull: the forcing's acceleration over
+// speed, over pull_scale.
 HWY_INLINE Release short_release(const Rig& rig, const auto& contact, V pull, Mask which) {
-    const V close = all(2.5e-3 / rig.contact_frequency);  // its fifth power, over 120, is left out
+    const V close = all(2.5e-3 / rig.contact_frequency);  // its fifth power, over 120, is neglected
     const V earliest = all(rig.falls_from - rig.exit_time);
     const V latest = all(rig.latest_exit - rig.exit_time);
     V time = max(min(guess(rig.exit_shift, pull), latest), earliest);
@@ -61,7 +61,7 @@ HWY_INLINE ShortPeak short_peak(const Rig& rig, const auto& contact, V pull, Mas
     const Force first = contact.force(contact.start());
     if (rig.falls_from == 0) return {first.value, all(0), every()};
     const Mask falls = first.slope <= all(0);
-    const V close = all(4e-3 / rig.contact_frequency);  // an error of the time counts squared
+    const V close = all(4e-3 / rig.contact_frequency);  // an error of the time has a quadratic effect
     const V earliest = all(-rig.peak_time);
     const V latest = all(rig.falls_from - rig.peak_time);
     V time = max(min(guess(rig.peak_shift, pull), latest), earliest);

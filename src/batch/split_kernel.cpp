@@ -1,4 +1,4 @@
-// The kernel with a cubic spring, apart from the other so that both are built at the same time.
+// The kernel with a cubic spring, separate from the other so that both compile in parallel.
 #include "batch/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE

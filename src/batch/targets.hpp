@@ -1,6 +1,6 @@
-// Instruction sets that the kernels are built for, besides the compiler's baseline: SSE4, AVX2 and AVX-512 on
-// x86. More, of which each release of Highway knows others, would only lengthen the build, and so would SSE4
-// for lanes with rigs of their own (PETERKA_WITHOUT_SSE4): the baseline does the same there.
+// Instruction sets for which the kernels are built besides the compiler's baseline: SSE4, AVX2 and AVX-512 on
+// x86. More, and each release of Highway adds some, would only lengthen the build, and so would SSE4 for lanes
+// with their own rigs (PETERKA_WITHOUT_SSE4): the baseline performs as well there.
 #pragma once
 
 #include <hwy/detect_targets.h>

@@ -1,5 +1,5 @@
-// What a trajectory of each lane has gathered in this cycle: in registers while its lane is treated, in the
-// table meanwhile.
+// What the trajectory of each lane has gathered in this cycle: in registers while the lane is treated,
+// otherwise in the arrays.
 #if defined(PETERKA_BATCH_TRACK_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_TRACK_INL_HPP
 #undef PETERKA_BATCH_TRACK_INL_HPP
@@ -82,13 +82,14 @@ struct Track {
     HWY_INLINE void carry(const Matrix2& f, Mask where) {
         jacobian_now = choose(where, f * jacobian_now, jacobian_now);
     }
-    // The force jumps by chi v.
+    // The saltation at a touch: the force jumps by chi v.
     HWY_INLINE void jump(V damping, Mask where) {
         const Matrix2 after = kicked(jacobian_now, damping);
         jacobian_now.e10 = choose(where, after.e10, jacobian_now.e10);
         jacobian_now.e11 = choose(where, after.e11, jacobian_now.e11);
     }
-    // A rigid stop: the velocity turns round, and the slope times the position is added to it.
+    // The saltation at a rigid impact: the velocity is reversed, and the slope times the position is added to
+    // it.
     HWY_INLINE void reflect(V restitution, V slope, Mask where) {
         const Matrix2& j = jacobian_now;
         const Matrix2 after{-(restitution * j.e00), -(restitution * j.e01),
@@ -96,7 +97,7 @@ struct Track {
                             mul_sub(slope, j.e01, restitution * j.e11)};
         jacobian_now = choose(where, after, j);
     }
-    // What comes now doesn't depend on the start.
+    // From here on the motion does not depend on the start.
     HWY_INLINE void forget(Mask where) {
         const V zero = all(0);
         jacobian_now = choose(where, Matrix2{zero, zero, zero, zero}, jacobian_now);

@@ -1,8 +1,8 @@
-// Vectors of doubles, one lane per cell. Included once per instruction set (Highway's foreach_target), as all
+// Vectors of doubles, one lane per cell. Included once per instruction set (Highway's foreach_target), like all
 // -inl headers here.
 //
 // Every operation is elementwise and every fused one is written mul_add, so all instruction sets with fused
-// operations give the same bytes.
+// operations give bitwise equal results.
 #if defined(PETERKA_BATCH_VECTORS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef PETERKA_BATCH_VECTORS_INL_HPP
 #undef PETERKA_BATCH_VECTORS_INL_HPP
@@ -51,7 +51,7 @@ HWY_INLINE V all(double x) {
     const auto one = hn::Set(Tag(), x);
     return {one, one};
 }
-// So that the same words serve a number of all lanes and one of each.
+// Lets the same code serve a number shared by all lanes and one number per lane.
 HWY_INLINE V all(V x) {
     return x;
 }
@@ -77,7 +77,7 @@ HWY_INLINE void store(Pattern x, std::uint64_t* to) {
     hn::StoreU(x.b, PatternTag(), to + half());
 }
 #if HWY_TARGET == HWY_AVX2
-// Single loads take half as long as the processor's own gathering.
+// Single loads take half as long as the hardware gather.
 HWY_INLINE hn::Vec<Tag> gather(const double* from, hn::Vec<IndexTag> lanes) {
     const __m128i low = _mm256_castsi256_si128(lanes.raw);
     const __m128i high = _mm256_extracti128_si256(lanes.raw, 1);
@@ -103,7 +103,7 @@ HWY_INLINE void scatter(Pattern x, std::uint64_t* to, Index lanes) {
     hn::ScatterIndex(x.a, PatternTag(), to, lanes.a);
     hn::ScatterIndex(x.b, PatternTag(), to, lanes.b);
 }
-// A vector's numbers one by one.
+// The numbers of a vector one by one.
 template <class Number>
 class Numbers {
   public:
@@ -121,7 +121,7 @@ HWY_INLINE Index index_from(std::size_t first) {
     const auto lowest = hn::Add(hn::Iota(IndexTag(), 0), hn::Set(IndexTag(), static_cast<std::int64_t>(first)));
     return {lowest, hn::Add(lowest, hn::Set(IndexTag(), static_cast<std::int64_t>(half())))};
 }
-// Of whole numbers.
+// From integer-valued doubles.
 HWY_INLINE Index index_of(V numbers) {
     return {hn::ConvertTo(IndexTag(), numbers.a), hn::ConvertTo(IndexTag(), numbers.b)};
 }

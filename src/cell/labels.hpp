@@ -1,4 +1,4 @@
-// The classes that a cell is put into, and their names. The numbers and the names are part of the file format.
+// The classes of a cell, and their names. The numbers and the names are part of the file format.
 #pragma once
 
 #include <array>
@@ -17,20 +17,20 @@ enum class Regime : std::int8_t {
 };
 inline constexpr std::int8_t regime_not_computed = -128;
 
-// Why a cell is unresolved or failed, or what its claim leaves open; `verified` for all others.
+// Why a cell is unresolved or failed, or what its claim leaves open; `verified` otherwise.
 enum class Status : std::int8_t {
     verified = 0,
     budget = 1,           // max_cycles ran out before anything was verified
     conservative = 2,     // nothing dissipates, so nothing settles
     too_many_events = 3,  // more contacts in one forcing cycle than any physical orbit has
-    not_finite = 4,       // the state left the range of numbers
+    not_finite = 4,       // the state overflowed the range of floating-point numbers
     solver_failed = 5,    // the integrator gave up, or the start lies inside a rigid stop
-    rounding = 6,         // settled in this run, but errors of rounding grew enough to end elsewhere
+    rounding = 6,         // settled in this run, but rounding errors grew enough to end elsewhere
     imprecise = 7,        // settled, but its peak force may be off by more than solver.tolerance
-    chaotic_so_far = 8,   // max_cycles ran out before chaos could be told from a long transient
+    chaotic_so_far = 8,   // max_cycles ran out before chaos could be distinguished from a long transient
 };
 
-// Which engine carried the cell.
+// The engine that carried the cell.
 enum class Engine : std::int8_t {
     exact = 0,   // closed form; a cubic spring is left out
     split = 1,   // closed form with the cubic spring as kicks
@@ -38,7 +38,7 @@ enum class Engine : std::int8_t {
     arkode = 3,  // explicit Runge-Kutta, or implicit where the contact is stiff
 };
 
-// The compiler complains of a class without a name; nullptr for what is no class.
+// The compiler warns of a class without a name; nullptr for values that are no class.
 constexpr const char* name(Regime regime) {
     switch (regime) {
         case Regime::no_impact:
@@ -81,18 +81,18 @@ constexpr const char* name(Status status) {
     return nullptr;
 }
 
-// What is proved of a cell in interval arithmetic, or why it isn't (certificate/certify.hpp).
+// What is proved about a cell in interval arithmetic, or why nothing is (certificate/certify.hpp).
 enum class Certified : std::int8_t {
-    force_not_bounded = -8,  // within reasonable effort
+    force_not_bounded = -8,  // not within reasonable effort
     not_surely_stable = -7,  // a multiplier is too close to the unit circle, or beyond it
-    near_grazing = -6,       // it can't be told from a motion with another contact, or one less
-    no_orbit_enclosed = -5,  // too close to where the orbit ends
+    near_grazing = -6,       // cannot be distinguished from a motion with one contact more or less
+    no_orbit_enclosed = -5,  // too close to where the orbit ceases to exist
     other_label = -4,        // another p, or a smaller period
     no_orbit_found = -3,     // the cell's state leads to no periodic orbit
     other_stop = -2,         // no theorem for this law of the stop
-    cubic_spring = -1,       // the cubic term is too strong for the bounds that the proof rests on
+    cubic_spring = -1,       // the cubic term is too strong for the bounds used by the proof
     not_tried = 0,
-    orbit = 1,  // exists, alone in its neighbourhood, with these contacts, p and smallest q, and is stable
+    orbit = 1,  // exists, unique in its neighbourhood, with these contacts, p and smallest q, and is stable
     start = 2,  // and [start] is proved to lead to it
 };
 inline constexpr int first_certified = -8;
@@ -139,7 +139,7 @@ constexpr const char* name(Certified certified) {
     return nullptr;
 }
 
-// The smallest value of a label; the others follow one by one.
+// The smallest value of a label; the others follow consecutively.
 template <class Label>
 inline constexpr int first_label = 0;
 template <>
@@ -152,7 +152,7 @@ constexpr std::size_t count_labels() {
     return count;
 }
 
-// In their order.
+// All names of a label, in the order of its values.
 template <class Label>
 constexpr auto all_names() {
     std::array<const char*, count_labels<Label>()> names{};

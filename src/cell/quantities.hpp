@@ -1,5 +1,5 @@
-// The table of what is told of a cell, and below it the one of what is told of each of its attractors, where it
-// has many starts. From their rows follow
+// The table of a cell's quantities, followed by that of its attractors' quantities, where it has many starts.
+// Their rows determine
 // - which names [output] fields takes, and what `check` says of them   (job/names.hpp)
 // - what a job stores                                                 (job/stored_quantities.hpp)
 // - what is measured while a cell is solved                           (regime/solve_cell.cpp)
@@ -20,7 +20,7 @@
 
 namespace peterka::cell {
 
-// What [output] fields can ask for, in the order of the table. One of them may bring several quantities.
+// What [output] fields can request, in the order of the table. One name may bring several quantities.
 enum class OptionalField {
     multiplier,
     lyapunov,
@@ -36,7 +36,7 @@ enum class OptionalField {
     critical_kick,
 };
 
-// The unit in the file; how it comes from nondimensional numbers is told in scene/scales.hpp.
+// The unit in the file; scene/scales.hpp converts from nondimensional numbers.
 enum class Dimension { label, number, force_over_weight, speed, impulse, time, power, length };
 
 constexpr const char* unit_of(Dimension dimension) {
@@ -62,16 +62,16 @@ constexpr const char* unit_of(Dimension dimension) {
 
 // What must be recorded of the motion for a quantity.
 enum class Recorded {
-    usual,         // what deciding a cell takes anyway
-    impacts,       // each impact: trajectory::Detail::impacts where the stop is rigid, and else ::contacts
+    usual,         // what solving a cell records anyway
+    impacts,       // each impact: trajectory::Detail::impacts for a rigid stop, otherwise ::contacts
     contacts,      // each stretch of motion: trajectory::Detail::contacts
     cycle_forces,  // the largest force of each cycle
 };
 
-// What a refined map gives a cell that it fills from the cells around it.
+// What a refined map assigns to a cell that it fills from the cells around it.
 enum class Filled {
-    never,         // belongs to the run towards the steady state: a filled cell has none
-    as_around,     // the same as all of them
+    never,         // belongs to the run towards the steady state, which a filled cell does not have
+    as_around,     // the same as in all of them
     interpolated,  // where it is smooth
 };
 
@@ -85,11 +85,11 @@ enum class StoredWhen {
     on_request
 };
 
-// Who keeps a quantity; on request: which name asks for it.
+// When a quantity is stored; if on request, the name that requests it.
 struct StorageRule {
     StoredWhen kept = StoredWhen::always;
     std::optional<OptionalField> field = {};
-    const char* field_name = nullptr;  // the quantity's own if there is none
+    const char* field_name = nullptr;  // nullptr: the quantity's own name
 };
 
 inline constexpr int newest_layout = 3;  // of files
@@ -98,7 +98,7 @@ enum class InAttractorTable { no, yes };
 
 enum class NumberKind { label, count, real };
 
-// A number of a cell as a double, which holds every kind of them exactly.
+// A number of a cell as a double, which represents every kind exactly.
 template <class Numbers>
 struct Access {
     double (*load)(const Numbers&);
@@ -127,8 +127,8 @@ struct QuantityOf {
     Recorded recorded = Recorded::usual;
     InAttractorTable in_attractor_table = InAttractorTable::no;
     std::span<const char* const> names_of_values = {};  // of a label
-    int since = 2;                                      // the first layout of files that has it
-    int first_value = 0;                                // that has a name
+    int since = 2;                                      // the first file layout that has it
+    int first_value = 0;                                // first value that has a name
 
     [[nodiscard]] double load(const Computed& from) const { return member.computed.load(from); }
     [[nodiscard]] double load(const Stored& from) const { return member.stored.load(from); }
@@ -240,7 +240,7 @@ inline constexpr Quantity rows[] = {
     {"start_attractor", member([](auto& cell) -> auto& { return cell.start_attractor; }), number, "attractor on which [start] ends; -1 for none of those that are kept", of_many_starts},
 };
 
-// A share is filled by a rule of its own (refine/fill_attractors.cpp).
+// A share is filled by its own rule (refine/fill_attractors.cpp).
 inline constexpr AttractorQuantity attractor_rows[] = {
     {"attractor_regime", of_attractor([](auto& attractor) -> auto& { return attractor.regime; }), label, "regime of an attractor of the cell, those with the largest shares first", always, as_around, usual, {}, regime_names},
     {"attractor_status", of_attractor([](auto& attractor) -> auto& { return attractor.status; }), label, "the status of the start whose claim leaves least open, of those that end on it", always, never, usual, {}, status_names, 3},
@@ -265,7 +265,7 @@ inline constexpr AttractorQuantity attractor_rows[] = {
 inline constexpr std::span<const Quantity> quantities = table::rows;
 inline constexpr std::span<const AttractorQuantity> attractor_quantities = table::attractor_rows;
 
-// Hands over each quantity's field that is computed on request, with its name.
+// Passes on the field of each quantity that is computed on request, with its name.
 template <template <Units> class Numbers, class Take>
 constexpr void for_each_field_of(std::span<const QuantityOf<Numbers>> rows, Take take) {
     for (const QuantityOf<Numbers>& quantity : rows) {

@@ -1,7 +1,7 @@
-// How fast a leg can bend near a moment that is known, in two ways, of which the better counts: by the length
-// of the whole motion, which follows it also at a resonance, whose steady response is far larger (reach.hpp);
-// and by that of what decays, which nothing but the cubic term drives, beside the steady response, which bends
-// by |R| eta^n: narrow where the hammer is pressed against a stiff stop for long.
+// Bounds of the derivatives along a leg near a known moment, as the better of two: one from the length of the
+// whole motion, which holds also at a resonance, whose steady response is far larger (reach.hpp); the other
+// from the length of the decaying part, which only the cubic term drives, plus the steady response, whose
+// derivatives are |R| eta^n: sharp where the hammer is pressed against a stiff stop for long.
 #pragma once
 
 #include "certificate/leg.hpp"
@@ -14,24 +14,24 @@ struct Bends {
     double jerk;
     double snap;
 
-    // Of the force kappa delta + chi delta'.
+    // For the force kappa delta + chi delta'.
     template <class Number>
-    [[nodiscard]] double of_force(const RigOf<Number>& rig) const {  // its second derivative
+    [[nodiscard]] double of_force(const RigOf<Number>& rig) const {  // bound of its second derivative
         return size_of(rig.stiffness) * acceleration + size_of(rig.damping) * jerk;
     }
     template <class Number>
-    [[nodiscard]] double of_slope(const RigOf<Number>& rig) const {  // its third
+    [[nodiscard]] double of_slope(const RigOf<Number>& rig) const {  // bound of its third derivative
         return size_of(rig.stiffness) * jerk + size_of(rig.damping) * snap;
     }
 };
 
-// A time in which they are good bounds; both ways they need c h <= 1.
+// A time over which the bounds are good; in both directions they require c h <= 1.
 template <class Number>
 double short_time(const Phase<Number>& phase) {
     return 1 / (std::sqrt(size_of(phase.stiffness())) + size_of(phase.damping()) + size_of(phase.frequency()));
 }
 
-// From the length r on.
+// Bounds from the length r.
 template <class Number>
 Bends bends_by_length(const Phase<Number>& phase, double r, const Drive& drive) {
     const double c = size_of(phase.damping());
@@ -44,8 +44,8 @@ Bends bends_by_length(const Phase<Number>& phase, double r, const Drive& drive) 
     return bend;
 }
 
-// Of a time h from this moment on, or around it. A few sums and products of positive numbers are rounded: far
-// less than what is added in the end.
+// Bounds over a time h from this moment on, or around it. Only a few sums and products of positive numbers are
+// rounded: far less than the margin added at the end.
 template <class Number>
 Bends bends(const Phase<Number>& phase, const Moment<Number>& moment, double h, Within within) {
     const double ch = size_of(phase.damping()) * h;

@@ -23,8 +23,8 @@ bool is_prime(std::int64_t n) {
     return n > 1;
 }
 
-// Whether the orbit surely differs from itself that many cycles later: a shorter period would map its events
-// onto one another, one after the other.
+// Whether the orbit surely differs from itself period/parts cycles later: a shorter period would map its events
+// onto one another, in order.
 bool differs_after(const EventChain& chain, const Places& places, std::int64_t parts) {
     const std::size_t events = places.size();
     if (events % static_cast<std::size_t>(parts) != 0) return true;
@@ -48,8 +48,8 @@ bool has_no_smaller_period(const EventChain& chain, const Places& places) {
     return true;
 }
 
-// Whether the cubic term may turn a swing as far as the cart's, or the gap's, upside down within a cycle: the
-// bounds of what it changes would be none.
+// Whether the cubic term may reverse a swing as large as the cart's, or the gap, within a cycle: the bounds of
+// its effect would then be void.
 bool is_too_bent(const Phase<Interval>& phase) {
     const double u = phase.gap().size() + 1;
     return !(phase.largest_cubic_slope(u) * size_of(Interval(2) * pi / phase.frequency()) < 1);
@@ -82,7 +82,7 @@ Certificate certify_steady(const Rig& rig, bool presses, const EnclosedStart& st
     const std::optional<SteadyMotion> motion = steady_motion(springs, presses);
     if (!motion) return refused(Certified::near_grazing);
     if (!(motion->margin > 0)) return refused(Certified::not_surely_stable);
-    // A start on the surface is told from one beside it where both numbers are exact.
+    // A start on the surface is distinguished from one next to it only if both numbers are exact.
     const bool touches =
         rig.gap.lo == rig.gap.hi && start.displacement.lo == rig.gap.lo && start.displacement.hi == rig.gap.hi;
     const Vector<Interval> state{touches ? Interval(0) : start.displacement - rig.gap,

@@ -1,13 +1,13 @@
-// The theorem about one cell.
+// The theorem about a single cell.
 //
-// Of a periodic cell: near the orbit that the cell's state at forcing phase 0 tells there is exactly one
-// periodic orbit of the equation of motion; it repeats after q cycles and not before, touches the stop p times
-// in them, meets no event but those of its chain, is asymptotically stable, and its largest force lies between
-// two bounds. Of no impact and sustained contact: the steady motion keeps away from the stop, or against it,
-// and attracts.
+// For a periodic cell: near the orbit given by the cell's state at forcing phase 0 there is exactly one
+// periodic orbit of the equation of motion; its smallest period is q cycles, it touches the stop p times in
+// them, meets no event but those of its chain, is asymptotically stable, and its largest force lies between two
+// bounds. For no impact and sustained contact: the steady motion stays away from the stop, or against it, and
+// attracts.
 //
-// The statement is about the whole equation with the job's numbers and the cell's place, all exact doubles. Of
-// what was computed before, it takes the cell's label and state, as a guess.
+// The statement concerns the complete equation with the job's numbers and the cell's coordinates, all exact
+// doubles. From previous computations it takes only the cell's label and state, as a guess.
 #pragma once
 
 #include "cell/labels.hpp"
@@ -23,8 +23,8 @@ struct Claim {
 
 struct Certificate {
     cell::Certified verdict = cell::Certified::not_tried;
-    Interval force_ratio = nothing();  // the largest F/(m g0)
-    double stability_margin = 0;       // lower bound, see stability.hpp
+    Interval force_ratio = nothing();  // the largest force F/(m g0)
+    double stability_margin = 0;       // lower bound (stability.hpp)
     [[nodiscard]] bool proved() const { return verdict > cell::Certified::not_tried; }
 };
 

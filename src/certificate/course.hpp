@@ -1,10 +1,9 @@
-// A motion with a cubic spring, by Taylor's series of order 20 in steps.
+// A motion with a cubic spring, by Taylor series of order 20 in steps (Moore, Interval Analysis, 1966).
 //
-// Each step has the series of one motion, from a point, whose remainder is that of Lagrange, with the
-// coefficient over a box that holds the motion during the step (bends of the moment, reach.hpp). All others of
-// the set stay within a ball around it, by the length r = sqrt(v^2 + K x^2) of the difference: with the slope s
-// of the cubic term r r' = -c v^2 - s x v <= |s| r^2/(2 sqrt(K)), so that r grows by at most exp(|s| t/(2
-// sqrt(K))).
+// Each step expands one motion, from a point, with Lagrange's remainder, whose coefficient is taken over a box
+// that contains the motion during the step (reach.hpp). All other motions of the set stay within a ball around
+// it, measured by the length r = sqrt(v^2 + K x^2) of the difference: with the slope s of the cubic term, r r'
+// = -c v^2 - s x v <= |s| r^2/(2 sqrt(K)), so that r grows by at most exp(|s| t/(2 sqrt(K))).
 #pragma once
 
 #include <array>
@@ -64,7 +63,7 @@ class Course {
         return state;
     }
 
-    // Of a double, which only searches, the linear phase's.
+    // For double, which only searches, the linear phase's flow.
     [[nodiscard]] Matrix<Number> flow(const Number& length) const {
         if constexpr (std::is_same_v<Number, double>) return phase_->flow(length);
         const Step& last = step_at(lowest(length), highest(length));
@@ -80,18 +79,18 @@ class Course {
 
     struct Step {
         double begin;
-        Series series;   // of delta; the last coefficient is that of the remainder
+        Series series;   // of delta; the last coefficient is the remainder's
         Series squares;  // of u^2, or (u + y)^2: the cubic term's slope over 3 gamma
         Series squares_of_box;
-        double ball;   // r of the others' distance, at the beginning
-        double slope;  // of the cubic term, at most, during the step
-        double reach;  // largest |u| during it
+        double ball;   // distance r of the other motions, at the beginning
+        double slope;  // largest slope of the cubic term during the step
+        double reach;  // largest |u| during the step
     };
 
     static double highest(double x) { return x; }
     static double highest(const Interval& x) { return x.hi; }
 
-    // Beyond it the series would converge too slowly.
+    // With longer steps the series would converge too slowly.
     static double step_of(const Phase<Number>& phase) {
         const double c = size_of(phase.damping());
         const double fastest = 0.5 * (c + std::sqrt(c * c + 4 * size_of(phase.stiffness())));
@@ -116,7 +115,7 @@ class Course {
         step.series = series(point, now, step.squares);
         const Reach reach = reach_of(*phase_, point, step_);
         step.reach = reach.displacement + 2 * ball / phase_->root_of_stiffness();
-        // The others of the set go a ball further.
+        // The other motions of the set reach further by the ball's radius.
         step.slope = phase_->largest_cubic_slope(step.reach);
         if (!std::isfinite(step.slope) || step.slope * step_ > phase_->root_of_stiffness()) step.ball = NAN;
         const Vector<Number> box{box_around(point.position, reach.velocity * step_ * above),
@@ -126,7 +125,7 @@ class Course {
         return step;
     }
 
-    // Taylor's coefficients of delta from a state.
+    // Taylor coefficients of delta from a state.
     [[nodiscard]] Series series(const Vector<Number>& state, const SineCosineOf<Number>& angle,
                                 Series& u2) const {
         Series x{};  // of delta
@@ -163,7 +162,7 @@ class Course {
         return x;
     }
 
-    // Of a small difference w of two motions, w'' + c w' + (K + 3 gamma squares) w = 0.
+    // For a small difference w of two motions, w'' + c w' + (K + 3 gamma squares) w = 0.
     [[nodiscard]] Series difference(const Series& squares, const Number& w, const Number& rate) const {
         Series x{};
         x[0] = w;
@@ -179,8 +178,8 @@ class Course {
         return x;
     }
 
-    // Of the step's center, and what the ball around it may change: the slope differs by 6 gamma (|u| + 1)
-    // times the distance.
+    // The flow of the step's center, and how much the surrounding ball may change it: the slope differs by 6
+    // gamma (|u| + 1) times the distance.
     [[nodiscard]] Matrix<Number> flow(const Step& step, const Number& s) const {
         const double root = phase_->root_of_stiffness();
         const double large_root = std::sqrt(size_of(phase_->stiffness())) * above;
@@ -208,8 +207,8 @@ class Course {
         return {position, velocity};
     }
 
-    // That which holds both offsets; the steps are taken as they are asked for, and each reaches a little
-    // further.
+    // The step that contains both offsets; steps are computed on demand, and each extends slightly into the
+    // next.
     [[nodiscard]] const Step& step_at(double from, double to) const {
         while (!(to <= steps_.back().begin + 0.99 * step_) && steps_.size() < 100'000) {
             const Step& last = steps_.back();

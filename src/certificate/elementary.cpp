@@ -45,8 +45,8 @@ SineCosine sine_cosine_of(double angle) {
     const Interval rest = Interval(angle) - Interval(multiple * right_angle_leading) -
                           Interval(multiple * right_angle_next) - Interval(multiple) * right_angle_rest;
     if (!(rest.size() < 0.8)) return {{-1, 1}, {-1, 1}};
-    // Series that alternate with falling terms: the remainder is below the first that is left out,
-    // 0.8^19/19! < 1.2e-19 and 0.8^20/20! < 4.8e-21.
+    // Alternating series with decreasing terms: the remainder is below the first omitted term, 0.8^19/19! <
+    // 1.2e-19 and 0.8^20/20! < 4.8e-21.
     const Interval minus_square = -square(rest);
     Interval sine = inverse_factorial[17];
     for (std::size_t n = 17; n > 1; n -= 2) sine = inverse_factorial[n - 2] + minus_square * sine;
@@ -66,7 +66,7 @@ SineCosine sine_cosine_of(double angle) {
     }
 }
 
-// Both have slopes of at most 1.
+// The slopes of sine and cosine are at most 1.
 Interval widened(const Interval& at_middle, double radius) {
     const Interval x = at_middle + Interval(-radius, radius);
     return {std::max(x.lo, -1.0), std::min(x.hi, 1.0)};

@@ -1,9 +1,9 @@
-// Enclosures of exp, sin, cos and pi, whose bounds are proved from the operations of intervals alone: nothing
-// of the mathematical library is trusted.
+// Enclosures of exp, sin, cos and pi, whose bounds are proved from interval operations alone: no function of
+// the mathematical library is trusted.
 //
-// The argument is reduced by Cody and Waite's multiples of ln 2 or pi/2, split so that the products with the
-// leading parts are exact; Taylor's polynomial of the rest is evaluated in intervals, and the remainder by
-// Lagrange's form is added.
+// The argument is reduced by multiples of ln 2 or pi/2 as by Cody and Waite (1980), split so that the products
+// with the leading parts are exact; the Taylor polynomial of the reduced argument is evaluated in intervals,
+// and its remainder in Lagrange's form is added.
 #pragma once
 
 #include "certificate/interval.hpp"
@@ -25,7 +25,7 @@ using SineCosine = SineCosineOf<Interval>;
 // -1 ... 1 for angles beyond 1e5 or wider than 2.
 [[nodiscard]] SineCosine sine_cosine(const Interval& angle);
 
-// What is only looked for in doubles, and proves nothing, is written by the same templates.
+// The same templates also serve searches in doubles, which prove nothing.
 inline SineCosineOf<double> sine_cosine(double angle) {
     return {std::sin(angle), std::cos(angle)};
 }

@@ -1,9 +1,9 @@
-// A periodic orbit with contacts as the chain of its events, and the equations that it obeys.
+// A periodic orbit with contacts as a chain of events, and the equations that it satisfies.
 //
-// An event lies on a surface, through (0, 0) of the plane (delta, delta') along a direction d: a touch on delta
-// = 0, d = (0, 1); a release and a resumed contact on kappa delta + chi delta' = 0. So its unknowns are its
-// time and how far along d it lies. The leg between two events, in closed form, brings two equations: that it
-// ends where the next event begins.
+// An event lies on a line through (0, 0) of the plane (delta, delta') along a direction d: a touch on delta =
+// 0, d = (0, 1); a release and a resumed contact on kappa delta + chi delta' = 0. So its unknowns are its time
+// and its coordinate along d. The leg between two events, in closed form, contributes two equations: it ends
+// where the next event begins.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@ namespace peterka::certificate {
 enum class EventKind : std::int8_t {
     touch,    // delta rises through 0: an impact
     release,  // the stop's force falls through 0
-    resume,   // it rises through 0 again before the hammer has left
+    resume,   // the force rises through 0 again before the hammer has left
 };
 
 struct Event {
     EventKind kind = EventKind::touch;
-    std::int64_t cycle = 0;  // in which it happens
+    std::int64_t cycle = 0;  // in which the event occurs
     double time = 0;         // within the cycle [tau]
-    double along = 0;        // of d
+    double along = 0;        // coordinate along d
 };
 
 struct EventChain {
@@ -33,14 +33,14 @@ struct EventChain {
 
     [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % events.size(); }
     [[nodiscard]] bool presses(std::size_t i) const { return events[i].kind != EventKind::release; }
-    // Whole cycles between the cycles of an event and the next.
+    // Whole cycles between the cycles of an event and of the next one.
     [[nodiscard]] std::int64_t cycles_of_leg(std::size_t i) const {
         return events[next(i)].cycle - events[i].cycle + (next(i) == 0 ? period : 0);
     }
     [[nodiscard]] std::int64_t impacts() const;
 };
 
-// Where an event is: its unknowns as numbers, or as what is proved to hold them.
+// The unknowns of an event, as numbers or as proved enclosures.
 template <class Number>
 struct Place {
     Number time = 0;
@@ -69,7 +69,7 @@ struct Springs {
     Vector<Number> release;  // d
 };
 
-// Leg i of a chain, which goes from one event to the next.
+// Leg i of a chain, from one event to the next.
 template <class Number>
 struct ChainLeg {
     Leg<Number> leg;
@@ -81,7 +81,7 @@ Vector<Number> scaled(const Vector<Number>& v, const Number& factor) {
     return {v.position * factor, v.velocity * factor};
 }
 
-// Where the event after leg i is.
+// The state at the event that ends leg i.
 template <class Number>
 Vector<Number> end_of_leg(const Springs<Number>& springs, const EventChain& chain,
                           const std::vector<Place<Number>>& places, std::size_t i) {
@@ -99,14 +99,14 @@ ChainLeg<Number> leg_of(const Springs<Number>& springs, const EventChain& chain,
             places[chain.next(i)].time - from.time + Number(cycles) * springs.rig.period};
 }
 
-// Its equations, and what they depend on.
+// A leg's equations, and their derivatives.
 template <class Number>
 struct LegEquations {
     Matrix<Number> flow;
-    Vector<Number> residual;  // of the leg's end from the next event
+    Vector<Number> residual;  // of the leg's end with respect to the next event
     Vector<Number> of_time;   // derivatives of the residual by this event's unknowns
     Vector<Number> of_along;
-    Vector<Number> of_end_time;  // and by the next event's
+    Vector<Number> of_end_time;  // and by the next event's unknowns
     Vector<Number> of_end_along;
 };
 

@@ -14,13 +14,13 @@ std::int64_t EventChain::impacts() const {
 
 namespace {
 
-// The largest h for which value + slope h + bend h^2/2 <= 0, of a value that isn't above 0.
+// The largest h for which value + slope h + bend h^2/2 <= 0, for a value of at most 0.
 double safe_step(double value, double slope, double bend) {
     const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * value));
     return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
 }
 
-// A hammer on its way.
+// A hammer in motion.
 class Walk {
   public:
     Walk(const Springs<double>& springs, const Vector<double>& state)
@@ -29,7 +29,7 @@ class Walk {
     [[nodiscard]] bool presses() const { return presses_; }
     [[nodiscard]] double time() const { return time_; }
 
-    // Until the next event, or a time if that comes first. nothing: it doesn't come to an end.
+    // Continues until the next event, or until a given time if that comes first. none: neither is reached.
     enum class End { event, time, none };
     [[nodiscard]] End go_on(double until, Event& event) {
         const Phase<double>& phase = springs_->phase(presses_);
@@ -53,7 +53,7 @@ class Walk {
     }
 
   private:
-    // Without passing the next event.
+    // The largest step that passes no event.
     [[nodiscard]] double largest_step(const Phase<double>& phase, const Moment<double>& now, double cap,
                                       bool begins) const {
         const Vector<double>& state = now.state;

@@ -1,5 +1,5 @@
-// The chain of events of an orbit, in doubles, from its state at forcing phase 0: where a proof begins. Nothing
-// of it is trusted.
+// The chain of events of an orbit, in doubles, from its state at forcing phase 0: the starting point of a
+// proof, which trusts none of it.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,13 +21,13 @@ struct StroboscopicOrbit {
 
 inline constexpr std::size_t most_events = 400;
 
-// nothing: the state leads through no chain that closes after q cycles.
+// nothing: no chain from this state closes after q cycles.
 [[nodiscard]] std::optional<EventChain> find_chain(const Springs<double>& springs,
                                                    const StroboscopicOrbit& orbit);
 
 [[nodiscard]] std::vector<Place<double>> places_of(const EventChain& chain);
 
-// Of the legs one after the other, two rows each; columns are (time, along) of the events.
+// The legs' equations in order, two rows each; columns are (time, along) of the events.
 struct EquationsInDoubles {
     Eigen::VectorXd residuals;
     Eigen::MatrixXd derivatives;

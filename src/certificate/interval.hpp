@@ -1,14 +1,14 @@
-// Intervals of doubles whose operations enclose: of whatever real numbers the operands hold, the result holds
-// theirs.
+// Intervals of doubles with enclosing operations: for all real numbers in the operands, the result contains the
+// exact result.
 //
 // Each bound is the rounded result moved outward by Algorithm 1 of Rump, Zimmermann, Boldo and Melquiond
-// (Computing predecessor and successor in rounding to nearest, BIT 2009): c -+ (phi |c| + eta) with phi = u
-// (1 + 2 u), u = 2^-53 and eta = 2^-1074 is at or beyond the doubles next to c, and a correctly rounded c is
-// nearer to the exact result than these. It asks for rounding to nearest and no fused operations
+// (Computing predecessor and successor in rounding to nearest, BIT 2009): c -+ (phi |c| + eta) with phi = u (1
+// + 2 u), u = 2^-53 and eta = 2^-1074 is at or beyond the doubles next to c, and a correctly rounded c is
+// nearer to the exact result than these. It requires rounding to nearest and no fused operations
 // (-ffp-contract=off).
 //
-// What can't be enclosed by two finite doubles becomes nothing(), both bounds NaN, and so does all that is
-// computed from it: every question about it is answered with no, so that nothing is proved of it.
+// What cannot be enclosed by two finite doubles becomes nothing(), with both bounds NaN, and so does every
+// result computed from it: every predicate on it is false, so that nothing is proved from it.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Interval {
     constexpr Interval(double lowest, double highest) : lo(lowest), hi(highest) {}
 
     [[nodiscard]] double middle() const { return lo + 0.5 * (hi - lo); }
-    [[nodiscard]] double radius() const;  // from middle(), to both ends
+    [[nodiscard]] double radius() const;  // from middle() to the farther end
     [[nodiscard]] double size() const { return std::max(std::abs(lo), std::abs(hi)); }  // largest |x|
     [[nodiscard]] bool positive() const { return lo > 0; }
     [[nodiscard]] bool negative() const { return hi < 0; }

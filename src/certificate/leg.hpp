@@ -1,5 +1,5 @@
-// A motion along one phase, from a state at a time: in closed form, or, with a cubic spring, by Taylor's series
-// (course.hpp).
+// A motion within one phase, from a state at a given time: in closed form or, with a cubic spring, by Taylor
+// series (course.hpp).
 #pragma once
 
 #include <optional>
@@ -32,11 +32,12 @@ class Leg {
         if (course_) return moment(course_->at(offset), time_ + offset);
         return straight(phase_->flow(offset), time_ + offset);
     }
-    // What a small change of the start becomes in a time.
+    // The derivative of the state after a time by the initial state.
     [[nodiscard]] Matrix<Number> flow(const Number& length) const {
         return course_ ? course_->flow(length) : phase_->flow(length);
     }
-    // After a length, where the end's time is known up to whole cycles; and where the flow is known, too.
+    // The moment after a length, where the end's time is known up to whole cycles; and where the flow is also
+    // known.
     [[nodiscard]] Moment<Number> end(const Number& length, const Number& time) const {
         return course_ ? moment(course_->at(length), time) : straight(phase_->flow(length), time);
     }
@@ -44,7 +45,7 @@ class Leg {
                                      const Number& time) const {
         return course_ ? moment(course_->at(length), time) : straight(flow, time);
     }
-    // Of a state at a time, whatever led to it.
+    // The moment for a state at a time, whatever led to it.
     [[nodiscard]] Moment<Number> moment(const Vector<Number>& state, const Number& time) const {
         const SineCosineOf<Number> angle = sine_cosine(phase_->frequency() * time);
         return {state, angle, state - phase_->steady(angle)};

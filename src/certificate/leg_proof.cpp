@@ -8,14 +8,14 @@ namespace {
 
 constexpr int most_steps_of_a_leg = 100'000;
 
-// The largest h for which value + slope h + bend h^2/2 <= 0, about; 0 where there is none.
+// Approximately the largest h for which value + slope h + bend h^2/2 <= 0; 0 if there is none.
 double largest_step(double value, double slope, double bend) {
     if (!(value <= 0)) return 0;
     const double root = std::sqrt(std::max(0.0, slope * slope - 2 * bend * value));
     return slope > 0 ? -2 * value / (slope + root) : (root - slope) / bend;
 }
 
-// Before the end, at which the signal comes to 0 from below: a time for which it surely was below.
+// A time before the end, at which the signal reaches 0 from below, during which it surely was below 0.
 double surely_before(const Springs<Interval>& springs, const Phase<Interval>& phase, Signal signal,
                      const Moment<Interval>& end) {
     const Watched watched = watch(springs, phase, signal, end);
@@ -54,7 +54,7 @@ bool March::step(double until, bool on_surface) {
     if (!(end > offset_) || !(time <= cap_)) return false;
     const Interval by_slope = watched.slope * time + Interval(bend) * square(time) / Interval(2);
     const bool begins_below = on_surface ? watched.slope.negative() : watched.value.negative();
-    // Convex in the step: below 0 at both ends, it is so in between.
+    // Convex in the step: negative at both ends, hence also in between.
     if (!begins_below || !(watched.value + by_slope).negative()) return false;
     offset_ = end;
     return true;

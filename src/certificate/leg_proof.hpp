@@ -1,28 +1,28 @@
-// The proof that a leg meets no event but those at its ends.
+// Proof that a leg meets no event except those at its ends.
 //
-// Lemma. In flight the stop doesn't press as long as at each moment delta < 0 or kappa delta + chi delta' < 0;
+// Lemma. In flight the stop does not press as long as at each moment delta < 0 or kappa delta + chi delta' < 0;
 // in contact it presses as long as kappa delta + chi delta' > 0 (from a contact with delta > 0, delta can reach
-// 0 only with delta' <= 0, where that isn't so). At an end the signal that makes the event is 0, and it is its
-// slope that tells on which side it comes from. In between steps are proved one after the other by S(t + h) <=
-// S + S' h + C h^2/2 with a bound C of |S''| (bends.hpp).
+// 0 only with delta' <= 0, where this fails). At an end, the signal that makes the event is 0, and its slope
+// tells from which side it comes. In between, steps are proved one after the other by S(t + h) <= S + S' h + C
+// h^2/2 with a bound C of |S''| (bends.hpp).
 #pragma once
 
 #include "certificate/signal.hpp"
 
 namespace peterka::certificate {
 
-// Leg i of a chain whose events lie in `places`: that it is free of events, and that its end crosses the
-// surface with a speed.
+// Proves for leg i of a chain, whose events lie in `places`, that it is free of events and that its end crosses
+// the surface transversally.
 [[nodiscard]] bool leg_is_free(const Springs<Interval>& springs, const EventChain& chain,
                                const std::vector<Place<Interval>>& places, std::size_t i);
 
-// Marches along a leg from an offset: steps as long as they can be proved to keep one of the signals below 0.
+// Marches along a leg from an offset, in steps as long as can be proved to keep one of the signals below 0.
 class March {
   public:
     March(const Springs<Interval>& springs, const Leg<Interval>& leg, bool presses)
         : springs_(&springs), leg_(&leg), presses_(presses), cap_(short_time(leg.phase())) {}
 
-    // One step from the offset, at most up to `until`; on_surface: the signal is 0 there. False: no step is
+    // One step from the offset, at most up to `until`; on_surface: the signal is 0 there. False: no step can be
     // proved.
     [[nodiscard]] bool step(double until, bool on_surface = false);
     [[nodiscard]] double offset() const { return offset_; }

@@ -34,7 +34,7 @@ std::vector<Place<Interval>> box_around(const EventChain& chain, const std::vect
 
 constexpr double rounding = 1 + 1e-10;
 
-// The four numbers of A in a column that aren't 0: in the rows of the event's own leg and the one before it.
+// The four nonzero numbers of a column of A: in the rows of the event's own leg and of the previous one.
 class Column {
   public:
     Column(const Vector<Interval>& begins, const Vector<Interval>& ends) {
@@ -81,11 +81,11 @@ class Krawczyk {
     }
 
     [[nodiscard]] std::size_t size() const { return 2 * chain_.events.size(); }
-    // Of C G(m).
+    // The value of C G(m).
     [[nodiscard]] const std::vector<double>& correction() const { return correction_; }
 
-    // How far the operator's image of the box m -+ radii lies from m at most. Of the many numbers of I - C A
-    // only bounds are wanted, in doubles: each is rounded a dozen times at most, which `rounding` covers.
+    // The largest distance from m of the operator's image of the box m -+ radii. For the many entries of I - C
+    // A only bounds in doubles are needed: each is rounded at most a dozen times, which `rounding` covers.
     [[nodiscard]] std::vector<double> image(const std::vector<double>& radii) const {
         const Legs legs = legs_of(springs_, chain_, box_around(chain_, radii));
         std::vector<Column> columns;
@@ -97,7 +97,7 @@ class Krawczyk {
         std::vector<double> reach;
         for (std::size_t row = 0; row < size(); ++row) {
             const auto r = static_cast<Eigen::Index>(row);
-            double sum = correction_[row] + 1e-290;  // more than what may have underflown
+            double sum = correction_[row] + 1e-290;  // exceeds any underflow
             for (std::size_t column = 0; column < size(); ++column) {
                 const std::size_t leg = column / 2;
                 const std::size_t leg_before = (leg + legs.size() - 1) % legs.size();

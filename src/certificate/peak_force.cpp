@@ -22,7 +22,7 @@ class ContactPeak {
     ContactPeak(const Springs<Interval>& springs, const Leg<Interval>& leg, double length, Interval& largest)
         : springs_(springs), leg_(leg), length_(length), largest_(largest) {}
 
-    // Takes the largest force of the contact into account. False: it took too many pieces.
+    // Includes the largest force of the contact. False: it took too many pieces.
     [[nodiscard]] bool bound() {
         std::vector<Piece> waiting{{0, length_}};
         for (int pieces = 0; !waiting.empty(); ++pieces) {
@@ -54,11 +54,11 @@ class ContactPeak {
 
     void raise(const Interval& force) { largest_ = larger(largest_, force); }
 
-    // Whether the piece needs no more looking at.
+    // Whether the piece needs no further subdivision.
     bool is_done(const Piece& piece) {
         const double middle = 0.5 * (piece.from + piece.to);
         const double half = up(std::max(up(piece.to - middle), up(middle - piece.from)));
-        if (!(half <= short_time(leg_.phase()))) return false;  // else the bounds are bad, or none
+        if (!(half <= short_time(leg_.phase()))) return false;  // otherwise the bounds are poor or invalid
         const Moment<Interval> moment = leg_.at(Interval(middle));
         const Force force = at(moment);
         const Bends near = bends(leg_.phase(), moment, half, Within::both_ways);

@@ -2,10 +2,10 @@
 //     delta'' + c delta' + K delta + r = eta^2 sin(theta) - g,   theta = eta tau,
 // with c = 2 zeta and K = 1 in flight, and 2 zeta + chi and 1 + kappa while the stop presses. With linear
 // springs r = 0, and a motion is its steady response, -g/K + Im(R exp(i theta)) with R = eta^2/(K - eta^2 + i c
-// eta), and what decays. Else r = gamma u^3 or gamma (x^3 - y^3), with u = delta + g, y = sin(theta), x = u + y
-// (scene/oscillator.hpp).
+// eta), plus a decaying part. Otherwise r = gamma u^3 or gamma (x^3 - y^3), with u = delta + g, y = sin(theta),
+// x = u + y (scene/oscillator.hpp).
 //
-// Templates over the number: Interval encloses, double searches.
+// Templates over the number type: Interval encloses, double searches.
 #pragma once
 
 #include <cmath>
@@ -110,15 +110,15 @@ class Phase {
     [[nodiscard]] const Number& cubic() const { return cubic_; }  // gamma
     [[nodiscard]] bool absolute() const { return absolute_; }     // r = gamma (x^3 - y^3)
     [[nodiscard]] const Number& gap() const { return gap_; }
-    [[nodiscard]] double root_of_stiffness() const { return root_; }  // sqrt(K), or less
-    // Of the springs' cubic part while |u| stays below a bound, or of its slope by u.
+    [[nodiscard]] double root_of_stiffness() const { return root_; }  // lower bound of sqrt(K)
+    // Bounds of the springs' cubic part while |u| stays below u, and of its derivative by u.
     [[nodiscard]] double largest_cubic(double u) const {
         return size_of(cubic_) * (absolute_ ? (u + 1) * (u + 1) * (u + 1) + 1 : u * u * u) * 1.000000001;
     }
     [[nodiscard]] double largest_cubic_slope(double u) const {
         return 3 * size_of(cubic_) * (absolute_ ? (u + 1) * (u + 1) : u * u) * 1.000000001;
     }
-    [[nodiscard]] double swing() const { return swing_; }  // |R|, or more
+    [[nodiscard]] double swing() const { return swing_; }  // upper bound of |R|
 
     [[nodiscard]] Number acceleration(const Vector<Number>& state, const Number& sine) const {
         const Number linear = drive_ * sine - gap_ - damping_ * state.velocity - stiffness_ * state.position;
@@ -143,7 +143,7 @@ class Phase {
                 frequency_ * (real_ * angle.cosine - imaginary_ * angle.sine)};
     }
 
-    // What a difference of two motions becomes in a time.
+    // Propagates a difference of two motions over a time.
     [[nodiscard]] Matrix<Number> flow(const Number& time) const {
         using std::exp;
         const Number turn = discriminant_ * time * time;
@@ -168,8 +168,8 @@ class Phase {
         return {swing + part, sine_like, -(stiffness_ * sine_like), swing - part};
     }
 
-    // A flow of the linear phase, and by how much a cubic term of at most this slope changes it: by Duhamel's
-    // formula e = |s| t/sqrt(K) at most in the length sqrt(v^2 + K x^2), times exp(e).
+    // A flow of the linear phase, widened by the effect of a cubic term of at most this slope: by Duhamel's
+    // formula at most e = |s| t/sqrt(K) in the length sqrt(v^2 + K x^2), times exp(e).
     [[nodiscard]] Matrix<Number> changed(const Matrix<Number>& flow, const Number& time, double slope) const {
         if (is_linear()) return flow;
         constexpr double above = 1 + 1e-12;
@@ -182,7 +182,7 @@ class Phase {
     }
 
   private:
-    // Of z for |z| < 1/2: sum of (-z)^n/(2n)! and of (-z)^n/(2n+1)!, whose remainders after n = 8 are below
+    // For |z| < 1/2, the sums of (-z)^n/(2n)! and of (-z)^n/(2n+1)!, whose remainders after n = 8 are below
     // z^9/18! and z^9/19!.
     static Number even_series(const Number& z) {
         Number sum(1);

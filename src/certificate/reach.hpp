@@ -1,9 +1,9 @@
-// How far a motion can go within a time of a state that is known.
+// How far a motion can move within a time from a known state.
 //
 // With y = delta + g/K, the length r = sqrt(delta'^2 + K y^2) grows by at most the drive d = eta^2 + |cubic
-// term| in a unit of time, for r r' = delta' (eta^2 sin(theta) - cubic - c delta'); backwards it grows to (r +
-// d h) exp(c h) at most in a time h. |delta'| and sqrt(K) |y| stay below r. The cubic term is bounded by |u|,
-// and |u| by |delta'| again: a bound U with |u(0)| + r(U) h <= U can't be left within h.
+// term| per unit time, since r r' = delta' (eta^2 sin(theta) - cubic - c delta'); backwards it grows to at most
+// (r + d h) exp(c h) in a time h. |delta'| and sqrt(K) |y| stay below r. The cubic term is bounded by |u|, and
+// |u| in turn by |delta'|: a bound U with |u(0)| + r(U) h <= U cannot be exceeded within h.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace peterka::certificate {
 
 enum class Within { later, both_ways };
 
-// Bounds of a force, and of its first two derivatives.
+// Bounds of a force and of its first two derivatives.
 struct Drive {
     double value = 0;
     double rate = 0;
@@ -37,7 +37,7 @@ double length_of(const Phase<Number>& phase, const Vector<Number>& rest) {
     return std::sqrt(v * v + size_of(phase.stiffness()) * y * y);
 }
 
-// Of the cubic term while u, u' and u'' stay below these.
+// The cubic term's bounds while u, u' and u'' stay below these.
 template <class Number>
 Drive cubic_drive(const Phase<Number>& phase, double u, double v, double a) {
     const double gamma = size_of(phase.cubic());
@@ -50,7 +50,7 @@ Drive cubic_drive(const Phase<Number>& phase, double u, double v, double a) {
             gamma * (6 * x * rate * rate + 3 * x * x * (a + eta * eta) + 9 * eta * eta)};
 }
 
-// A few sums and products of positive numbers are rounded: far less than what is added in the end.
+// Only a few sums and products of positive numbers are rounded: far less than the margin added at the end.
 template <class Number>
 Reach reach_of(const Phase<Number>& phase, const Vector<Number>& state, double h,
                Within within = Within::later) {

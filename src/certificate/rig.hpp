@@ -1,5 +1,5 @@
-// The nondimensional numbers of one cell, enclosed: what follows exactly from the doubles of the job's resolved
-// text and of the file's coordinates (scene/oscillator.hpp has their meaning and the equation).
+// Enclosures of the nondimensional numbers of one cell, as they follow exactly from the doubles of the job's
+// resolved text and of the file's coordinates (meanings and equation: scene/oscillator.hpp).
 #pragma once
 
 #include <optional>
@@ -18,24 +18,24 @@ struct RigOf {
     Number gap = 0;            // g, in A0
     Number period = 0;         // 2 pi/eta
     Number cubic = 0;          // gamma = k3 A0^2/k
-    bool absolute = false;     // of x^3 - y^3, not of u^3
+    bool absolute = false;     // the cubic term is that of x^3 - y^3, not u^3
 };
 using Rig = RigOf<Interval>;
 
-// Some numbers within: those of a search that proves nothing.
+// Numbers within the enclosures, for a search that proves nothing.
 [[nodiscard]] RigOf<double> middle(const Rig& rig);
 
-// Of a spring-dashpot stop; nothing of another law.
+// The rig of a spring-dashpot stop; nothing for any other law.
 [[nodiscard]] std::optional<Rig> rig_of(const job::CellNumbers& numbers);
 
-// Where the hammer starts, x(0)/A0 and x'(0)/(A0 omega), absolute.
+// The hammer's start, x(0)/A0 and x'(0)/(A0 omega), absolute.
 struct EnclosedStart {
     Interval displacement;
     Interval velocity;
 };
 [[nodiscard]] EnclosedStart start_of(const job::CellNumbers& numbers);
 
-// F/(m g0) of F/(k A0): omega^2 A0/g0.
+// The factor from F/(k A0) to F/(m g0): omega^2 A0/g0.
 [[nodiscard]] Interval force_ratio(const job::CellNumbers& numbers);
 
 }  // namespace peterka::certificate

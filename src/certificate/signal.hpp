@@ -1,4 +1,4 @@
-// A quantity whose sign decides events, as it is at a moment of a leg, enclosed.
+// Enclosure of a quantity whose sign decides events, at a moment of a leg.
 #pragma once
 
 #include "certificate/bends.hpp"
@@ -6,10 +6,10 @@
 
 namespace peterka::certificate {
 
-// Events are where these rise through 0.
+// Events occur where these rise through 0.
 enum class Signal {
-    penetration,  // delta
-    force,        // kappa delta + chi delta', which a flight beyond the surface must keep below 0
+    penetration,  // kappa delta + chi delta', which a flight beyond the surface must keep below 0
+    force,        // the negative force, while the stop presses
     pull,         // the same with the other sign, while the stop presses
 };
 
@@ -27,7 +27,7 @@ inline Watched watch(const Springs<Interval>& springs, const Phase<Interval>& ph
     return signal == Signal::force ? Watched{force, slope} : Watched{-force, -slope};
 }
 
-// Bound of its second derivative.
+// A bound of the signal's second derivative.
 inline double bend_of(const Springs<Interval>& springs, Signal signal, const Bends& bends) {
     return signal == Signal::penetration ? bends.acceleration : bends.of_force(springs.rig);
 }

@@ -6,8 +6,8 @@
 namespace peterka::certificate {
 namespace {
 
-// A product of many matrices as Q R, Q being numbers near to a rotation: R. J. Lohner's way to keep an
-// enclosure narrow in the direction in which the product is. (Enclosing the solutions of ordinary initial and
+// A product of many matrices as Q R, with Q point numbers close to a rotation: R. J. Lohner's method to keep an
+// enclosure narrow in the dominant direction of the product. (Enclosing the solutions of ordinary initial and
 // boundary value problems, in Computer Arithmetic, Teubner 1987.)
 class Product {
   public:
@@ -47,7 +47,7 @@ double stability_margin(const Interval& determinant, const Interval& trace) {
 double stability_margin(const Springs<Interval>& springs, const EventChain& chain,
                         const std::vector<Place<Interval>>& places) {
     Product product;
-    Interval contraction;  // -ln det M: each flow has the determinant exp(-c t), a saltation 1
+    Interval contraction;  // -ln det M: each flow has determinant exp(-c t), a saltation 1
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (chain.events[i].kind == EventKind::touch) {
             product.multiply({Interval(1), Interval(0), -springs.rig.damping, Interval(1)});

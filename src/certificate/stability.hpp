@@ -1,9 +1,10 @@
 // Stability of an orbit from an enclosure of its monodromy matrix: Jury's conditions |det M| < 1 and
-// |tr M| < 1 + det M hold exactly where both Floquet multipliers lie inside the unit circle.
+// tr M| < 1 + det M hold exactly if both Floquet multipliers lie inside the unit circle.
 //
 // M is the product of the legs' flows and, at each touch, where the force jumps by chi delta', of the saltation
-// (1 0; -chi 1); at release and resumed contact the force is continuous, and so is the flow. All events cross
-// their surfaces with a speed, so that the flow is smooth around the orbit.
+// matrix (1 0; -chi 1) (Leine & Nijmeijer 2004); at release and resumed contact the force is continuous, and so
+// is the flow's derivative. All events cross their surfaces transversally, so that the flow is smooth around
+// the orbit.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace peterka::certificate {
 
-// A lower bound of min(1 - |det M|, 1 + det M - |tr M|): above 0 where the orbit is stable.
+// A lower bound of min(1 - |det M|, 1 + det M - |tr M|): positive if the orbit is stable.
 [[nodiscard]] double stability_margin(const Interval& determinant, const Interval& trace);
 [[nodiscard]] double stability_margin(const Springs<Interval>& springs, const EventChain& chain,
                                       const std::vector<Place<Interval>>& places);

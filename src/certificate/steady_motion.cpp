@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_steps_to_settle = 20'000;
 
-// Of a delta + b delta' along the linear response: its mean, and how far it swings.
+// Mean and amplitude of a delta + b delta' along the linear response.
 struct Swing {
     Interval mean;
     Interval amplitude;
@@ -22,16 +22,16 @@ Swing swing_of(const Phase<Interval>& phase, const Interval& a, const Interval& 
     return {a * phase.rest(), sqrt(square(sine) + square(cosine))};
 }
 
-// The force, or in flight the penetration.
+// The swing of the force or, in flight, of the penetration.
 Swing swing_of(const Springs<Interval>& springs, bool presses) {
     const Phase<Interval>& phase = springs.phase(presses);
     return presses ? swing_of(phase, springs.rig.stiffness, springs.rig.damping)
                    : swing_of(phase, Interval(1), Interval(0));
 }
 
-// int |h| dt and int |h'| dt, or more. With b = c/2: h is exp(-b t) sin(nu t)/nu, whose integral is coth(pi
-// b/(2 nu))/K, or does not change its sign; and h' at most exp(-b t) sqrt(K)/nu, or h rises once, to 1/b at
-// most, and falls.
+// Upper bounds of int |h| dt and int |h'| dt. With b = c/2: either h is exp(-b t) sin(nu t)/nu, with int |h| dt
+// = coth(pi b/(2 nu))/K, or h does not change its sign; and either |h'| is at most exp(-b t) sqrt(K)/nu, or h
+// rises once, to at most 1/b, and falls.
 struct Gain {
     Interval of_value;
     Interval of_rate;
@@ -47,20 +47,20 @@ Gain gain_of(const Phase<Interval>& phase) {
     return {(Interval(1) + decay) / (Interval(1) - decay) / stiffness, sqrt(stiffness) / rate / b};
 }
 
-// The largest |u| of a motion that stays so near to the linear response.
+// The largest |u| of a motion at most `shift` from the linear response.
 double reach_of_motion(const Phase<Interval>& phase, double shift) {
     const Interval middle = abs(phase.rest() + phase.gap());
     return (middle + Interval(phase.swing()) + Interval(shift)).hi;
 }
 
-// Whether all motions within |u| come ever nearer to each other.
+// Whether all motions with |u| up to this bound approach each other.
 bool contracts(const Phase<Interval>& phase, double u) {
     const Interval slope(phase.largest_cubic_slope(u));
     const Interval c = phase.damping();
     return (c - slope).positive() && (c * phase.stiffness() - slope * (Interval(1) + c)).positive();
 }
 
-// rho, the largest distance from the linear response; NaN where none is proved.
+// rho, the largest distance from the linear response; NaN if none is proved.
 double shift_of(const Phase<Interval>& phase, const Gain& gain) {
     if (phase.is_linear()) return 0;
     double shift = 0;
@@ -101,7 +101,7 @@ std::optional<SteadyMotion> steady_motion(const Springs<Interval>& springs, bool
     return motion;
 }
 
-// V never grows; once the signal can't change its sign by what it allows, it never does.
+// V never increases; once it is too small for the signal to change its sign, it never does.
 bool keeps_to_phase(const Springs<Interval>& springs, bool presses, const SteadyMotion& motion,
                     const Vector<Interval>& start) {
     const Phase<Interval>& phase = springs.phase(presses);
@@ -113,8 +113,8 @@ bool keeps_to_phase(const Springs<Interval>& springs, bool presses, const Steady
         const Interval w = left.position + Interval(-motion.shift, motion.shift);
         const Interval rate = left.velocity + Interval(-motion.rate_shift, motion.rate_shift);
         const Interval length = sqrt(square(rate + half * w) + stiffness * square(w));
-        const Interval largest = length / sqrt(stiffness);  // |w| from now on
-        const Interval fastest = length + half * largest;   // |w'|
+        const Interval largest = length / sqrt(stiffness);  // bound of |w| from now on
+        const Interval fastest = length + half * largest;   // bound of |w'|
         const Interval change =
             presses ? springs.rig.stiffness * largest + springs.rig.damping * fastest : largest;
         return change.hi < motion.room && contracts(phase, (Interval(motion.reach) + largest).hi);

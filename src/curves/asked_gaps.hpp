@@ -1,4 +1,4 @@
-// The gaps at which a job asks for the places of curves, on the axis of its plane that runs over the gap.
+// The gaps at which a job requests the places of curves, as coordinates on the gap axis of its plane.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace peterka::curves {
 
-// 0 where the gap runs along the columns; 1 along the rows, or where no axis runs over it.
+// 0 if the gap varies along the columns; 1 if along the rows, or if neither axis is the gap.
 [[nodiscard]] std::size_t gap_axis(const job::Job& job);
 
-// Coordinates, in the order of the job.
+// Coordinates, in the job's order.
 [[nodiscard]] std::vector<double> asked_gaps(const Rig& rig, const job::Job& job);
 
 }  // namespace peterka::curves

@@ -1,4 +1,4 @@
-// What the axes of the plane are called in a file of curves, and what is named after them.
+// Names of the plane's axes in a file of curves, and of the datasets named after them.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 namespace peterka::curves {
 
 struct AxisOfFile {
-    std::size_t number;    // 0 of the columns, 1 of the rows
-    std::string_view key;  // what it runs over, as job::axis_quantity has it
+    std::size_t number;    // 0: columns, 1: rows
+    std::string_view key;  // its quantity, as in job::axis_quantity
     hdf5::Variable coordinate;
 
-    // A dataset in its unit: "point_frequency_ratio" with "point_".
+    // A dataset in this axis's unit: "point_frequency_ratio" for the prefix "point_".
     [[nodiscard]] hdf5::Variable named(const char* prefix) const;
 };
 
 struct AxesOfFile {
     AxisOfFile column;
     AxisOfFile row;
-    explicit AxesOfFile(const job::Job& job);  // which outlives it
+    explicit AxesOfFile(const job::Job& job);  // the job must outlive this object
 };
 
-// prefix and name together, which live as long as the program.
+// prefix + name, stored for the lifetime of the program.
 [[nodiscard]] const char* name_of(const char* prefix, const hdf5::Variable& coordinate);
 
 }  // namespace peterka::curves

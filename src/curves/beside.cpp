@@ -30,8 +30,9 @@ Stepper along(const Rig& rig, const PlanePoint& window, const PlanePoint& throug
                 through, {way.row / window.row / window.column, -way.column / window.column / window.row})}};
 }
 
-// The direction in which both halves of an orbit that repeats itself part, in sizes of the unknowns: at a
-// doubling the equations leave it free as well as that along the orbit of half the period.
+// The direction in which the two halves of a doubled orbit separate, in scaled unknowns. At a period doubling
+// the null space of the Jacobian is spanned by it and the tangent of the branch of half the period (branch
+// switching: Keller 1977).
 Eigen::VectorXd parting_of_halves(const Stepper& stepper, const OrbitPoint& doubled) {
     const Eigen::VectorXd sizes = sizes_of_unknowns(stepper.rig(), doubled, stepper.window());
     const Eigen::MatrixXd scaled =
@@ -85,7 +86,8 @@ std::vector<OrbitPoint> stable_doubled_beside(const Rig& rig, const PlanePoint& 
     Stepper stepper = along(rig, window, at.place, way);
     const OrbitPoint doubled = twice(rig, at);
     const Stepper::Here here{doubled, parting_of_halves(stepper, doubled)};
-    // a longer one where the branch starts so flat that Newton's method falls back on the orbit it parts from
+    // longer steps where the branch leaves so flat that Newton's method falls back onto the orbit of half the
+    // period
     for (const double step : {step_aside / 10, step_aside, 10 * step_aside, 100 * step_aside}) {
         stepper.set_step(step);
         const auto next = stepper.next(here, step);

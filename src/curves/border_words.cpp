@@ -37,13 +37,13 @@ std::vector<Label> common_labels(const CurveSearchResult& found, std::int64_t mo
 }
 
 struct Border {
-    double at = 0;  // in the unit that the heading tells
+    double at = 0;  // in the unit given in the heading
     CurveKind kind = CurveKind::fold;
-    std::vector<Label> labels;  // that it bounds
+    std::vector<Label> labels;  // of the regimes that it bounds
 };
 
-// Of the stable motions beside a point of a curve, those labels that are on one side alone. A motion that ends
-// there while another one with its label begins bounds no regime.
+// The labels of stable motions that exist on one side of a curve only. Where a motion ends and another one with
+// the same label begins, the curve bounds no regime.
 std::vector<Label> labels_bounded_at(const Rig& rig, const PlanePoint& window, const Seed& at,
                                      std::size_t axis) {
     const PlanePoint along = moved({}, axis, 1);
@@ -64,7 +64,7 @@ std::vector<Label> labels_bounded_at(const Rig& rig, const PlanePoint& window, c
     return bounded;
 }
 
-// Along the axis that isn't the gap's.
+// Borders along the axis other than the gap's.
 class AlongBorders {
   public:
     explicit AlongBorders(const scene::Scene& scene)
@@ -118,10 +118,10 @@ class AlongBorders {
 
     Rig rig_;
     std::size_t gap_axis_;
-    std::string key_;  // of the other
-    double hertz_;     // of Omega/omega = 1
+    std::string key_;  // of that axis
+    double hertz_;     // at Omega/omega = 1
     double metres_;
-    bool has_one_length_;  // A0 is that of all cells
+    bool has_one_length_;  // A0 is the same in all cells
     PlanePoint window_;
 };
 

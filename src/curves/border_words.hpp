@@ -1,4 +1,4 @@
-// The borders of each regime at the gaps that a job names, in words.
+// The borders of each regime at the gaps that a job names, as text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace peterka::curves {
 
-// Of regimes with more than 1 % of the coarse map; empty where the job names no gap.
+// For regimes with more than 1 % of the coarse map; empty if the job names no gap.
 [[nodiscard]] std::string borders_in_words(const scene::Scene& scene, const CurveSearchResult& found);
 
 }  // namespace peterka::curves

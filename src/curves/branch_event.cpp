@@ -23,8 +23,8 @@ std::optional<OrbitPoint> crossing_of_multiplier(const Stepper& stepper, const O
     auto found = solve(stepper.rig(), between(from, to, before / (before - after)), stepper.window(),
                        stepper.conditions_and(Condition::at_multiplier(sign)));
     if (!found) return std::nullopt;
-    // another one, behind the step or beyond it, may lie as close to the guess
-    constexpr double rounding = 0.01;  // of the step, which bends
+    // a different crossing, outside the step, may lie as close to the guess
+    constexpr double rounding = 0.01;  // relative to the step, as the branch is curved
     const Eigen::VectorXd step = way_between(stepper.rig(), from, to, stepper.window());
     const Eigen::VectorXd way = way_between(stepper.rig(), from, *found, stepper.window());
     const double share = way.dot(step) / step.squaredNorm();
@@ -48,20 +48,20 @@ std::optional<OrbitPoint> grazing_between(const Stepper& stepper, const OrbitPoi
     return reshaped ? settle(*reshaped) : std::nullopt;
 }
 
-// Whether a value that has the same sign at both ends of a step, and in its middle, may have lost it in
-// between.
+// Whether a test function of equal sign at both ends of a step may vanish in between, judged by the parabola
+// through the ends and the middle.
 bool may_vanish(double from, double middle, double to) {
-    constexpr double near = 0.2;  // of the ends' values: the parabola is no more than a guess
+    constexpr double near = 0.2;  // of the smaller end value: the parabola is only an estimate
     const double ends = std::min(std::abs(from), std::abs(to));
     if ((from > 0) != (middle > 0)) return true;
     const double bend = std::copysign(1.0, from) * (from - 2 * middle + to);
     const double fall = std::copysign(1.0, from) * (3 * from - 4 * middle + to);
-    if (!(bend > 0) || !(fall > 0) || fall > 4 * bend) return false;  // it has no lowest value within
+    if (!(bend > 0) || !(fall > 0) || fall > 4 * bend) return false;  // no minimum within the step
     return std::abs(from) - fall * fall / (8 * bend) < near * ends;
 }
 
-// Whether a step that shows nothing at its end has passed over two events that undo each other: a doubling and
-// its reverse, an impact gained and lost again.
+// Whether a step with no event at its end may have passed over two that cancel: a period doubling and its
+// reverse, or an impact gained and lost again.
 bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to, bool merges) {
     const auto middle = solve(stepper.rig(), between(from, to, 0.5), stepper.window(), stepper.conditions());
     if (!middle) return true;
@@ -74,8 +74,8 @@ bool may_hide_events(const Stepper& stepper, const OrbitPoint& from, const Orbit
     });
 }
 
-// An orbit of twice the period that ends where its halves become equal ends at a period doubling; and one
-// that repeats itself where it grazes does so in each of its parts.
+// Reduces a seed to its smallest period: an orbit of twice the period that ends where its halves become equal
+// ends at a period doubling, and a repeated orbit that grazes does so in each repetition.
 std::optional<Seed> sound(const Stepper& stepper, const Seed& seed) {
     Seed result = seed;
     const OrbitPoint shortest = with_smallest_period(stepper.rig(), seed.point, 1e-4);
@@ -115,7 +115,7 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
         const bool crosses =
             (bifurcation_of(stepper, from, sign) > 0) != (bifurcation_of(stepper, to, sign) > 0);
         if (!by_multipliers || !crosses) continue;
-        if (merges && sign > 0) continue;  // which the orbit has where it merges, and may keep by rounding
+        if (merges && sign > 0) continue;  // det(M - I) touches 0 at the merging; rounding may flip its sign
         offer(crossing_of_multiplier(stepper, from, to, sign),
               sign > 0 ? CurveKind::fold : CurveKind::period_doubling);
     }
@@ -134,7 +134,7 @@ BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoi
 
 namespace {
 
-// The tangent at a point of a branch that goes on that way in the plane.
+// The point with its tangent, oriented along `ahead` in the plane.
 Stepper::Here ahead_from(const Stepper& stepper, const OrbitPoint& point, const PlanePoint& ahead) {
     Stepper::Here here = stepper.at(point);
     const PlanePoint now = Stepper::along(here.tangent);
@@ -146,8 +146,8 @@ double duration_at(const Stepper& stepper, const OrbitPoint& point) {
     return stepper.rig().at(point.place).duration_of(point.orbit.period);
 }
 
-// Where a pair of events is born the equations turn back, with the pair in reverse order: the branch goes on
-// without it.
+// Where a pair of events is born, the solutions of the equations turn back with the pair in reverse order: the
+// branch continues without it.
 bool leave_pair(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here, std::size_t pair) {
     const double length = from.point.orbit.length_of_leg(pair, duration_at(stepper, from.point));
     const double reversed = here.point.orbit.length_of_leg(pair, duration_at(stepper, here.point));
@@ -168,7 +168,7 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
         return leave_pair(stepper, from, here, *pair);
     const auto changed = with_true_events(stepper.rig(), here.point);
     if (changed && is_same_motion(changed->orbit, here.point.orbit))
-        return true;  // by less than rounding tells
+        return true;  // the events differ by rounding only
     auto settled =
         changed ? solve(stepper.rig(), *changed, stepper.window(), stepper.conditions()) : std::nullopt;
     const auto mirrored = settled ? reversed_pair(stepper.rig(), *settled) : std::nullopt;
@@ -177,10 +177,9 @@ bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::H
                         stepper.conditions());
         if (settled && reversed_pair(stepper.rig(), *settled)) return false;
     }
-    // an impact more or less comes by a grazing, which so long a step has passed over
+    // an impact gained or lost implies a grazing that so long a step has passed over
     if (!settled || settled->orbit.impacts() != here.point.orbit.impacts()) return false;
-    for (const int sign :
-         {1, -1}) {  // and so do multipliers pass 1 or -1, but for rounding on a curve of these
+    for (const int sign : {1, -1}) {  // as does a multiplier past 1 or -1, except by rounding on its curve
         constexpr double rounding = 1e-6;
         const double before = bifurcation_of(stepper, here.point, sign);
         const double after = bifurcation_of(stepper, *settled, sign);

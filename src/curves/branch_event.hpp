@@ -1,5 +1,5 @@
-// What happens to an orbit between two points of a branch: a multiplier through 1 or -1, an impact gained or
-// lost; solved for as a point of a curve.
+// The events between two points of a branch, solved for as points of curves: a Floquet multiplier crosses 1 or
+// -1, or an impact is gained or lost.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 namespace peterka::curves {
 
 struct BranchEvent {
-    std::optional<Seed> seed;  // what happens first
-    bool lost = false;         // something happened, but it isn't known what
+    std::optional<Seed> seed;  // the first event
+    bool lost = false;         // an event occurred but could not be identified
 };
 
-// `fault` is what the orbit has at the farther point. Without `by_multipliers` only impacts count: at a point
-// of a curve a multiplier is 1 or -1 but for rounding.
+// `fault` is that of the orbit at `to`. Without `by_multipliers` only impacts count: on a curve a multiplier
+// equals 1 or -1 up to rounding.
 [[nodiscard]] BranchEvent judge(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to,
                                 const OrbitFault& fault, bool by_multipliers = true);
 
-// Gives the point to which a step came `from` another the events of its true motion where these are others, but
-// as many impacts; false where it has no orbit with them.
+// Gives `here`, reached by a step from `from`, the events of its true motion if they differ but the number of
+// impacts does not; false if no orbit with these events is found.
 [[nodiscard]] bool change_events(const Stepper& stepper, const Stepper::Here& from, Stepper::Here& here);
 
 }  // namespace peterka::curves

@@ -1,5 +1,5 @@
-// One step along a one-dimensional family of orbits: a guess along the tangent, then Newton's shortest way back
-// (pseudo-arclength continuation).
+// One step along a one-parameter family of orbits: tangent predictor, then minimum-norm Newton corrections
+// (Allgower & Georg 1990, ch. 3; a variant of the pseudo-arclength continuation of Keller 1977).
 #pragma once
 
 #include <optional>
@@ -17,29 +17,29 @@ class Stepper {
     [[nodiscard]] const Rig& rig() const { return *rig_; }
     [[nodiscard]] const PlanePoint& window() const { return window_; }
     [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
-    // The conditions and one more.
+    // The conditions plus `condition`.
     [[nodiscard]] std::vector<Condition> conditions_and(const Condition& condition) const;
 
     struct Here {
         OrbitPoint point;
-        Eigen::VectorXd tangent;  // in sizes of the unknowns
+        Eigen::VectorXd tangent;  // in scaled unknowns
     };
-    // The tangent at a point, so that it points along `ahead`, or, without it, as it comes.
+    // The point with its tangent, oriented along `ahead`; without it the sign is arbitrary.
     [[nodiscard]] Here at(const OrbitPoint& point, const Eigen::VectorXd& ahead = {}) const;
-    // The next point; a step that bends too much or fails is halved, one that bends little makes the next one
-    // longer. None where steps become too short.
+    // The next point. A step that fails or turns the tangent too far is halved; one that turns it little
+    // lengthens the next. None if the steps become too short.
     [[nodiscard]] std::optional<Here> next(const Here& here, double longest);
 
     void set_step(double step) { step_ = step; }
     [[nodiscard]] double step() const { return step_; }
-    // What the place moves along a tangent, in shares of the window.
+    // The displacement of the place along a tangent, in shares of the window.
     [[nodiscard]] static PlanePoint along(const Eigen::VectorXd& tangent) {
         return {tangent[tangent.size() - 2], tangent[tangent.size() - 1]};
     }
 
   private:
     const Rig* rig_;
-    PlanePoint window_;  // its sizes
+    PlanePoint window_;  // its size
     std::vector<Condition> conditions_;
     double step_ = 1e-3;
 };

@@ -36,7 +36,7 @@ struct AxesOfBranches {
     }
 };
 
-// Values of which each point has a few, in rows of one length.
+// Several values per point, padded with NaN to rows of equal length.
 template <class Values>
 Numbers padded(const Points& points, std::size_t length, Values&& values) {
     Numbers numbers;

@@ -10,7 +10,7 @@
 
 namespace peterka::curves {
 
-// None without any.
+// Empty if there are no branches.
 [[nodiscard]] std::vector<map_file::Table> branch_tables(const Rig& rig, const AxesOfFile& of_file,
                                                          const std::vector<UnstableBranch>& branches);
 

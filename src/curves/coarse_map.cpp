@@ -15,7 +15,7 @@ Site site_of(const regime::CellResult& cell, double gap) {
             State<double>(cell.orbit_displacement - gap, cell.orbit_velocity)};
 }
 
-// Each motion once: the first start that ends on it stands for it.
+// Each motion once, represented by the first start that ends on it.
 void add_others(const std::vector<regime::CellResult>& ends, double gap, std::vector<Site>& sites) {
     for (const regime::CellResult& end : ends) {
         const Site site = site_of(end, gap);
@@ -48,6 +48,7 @@ std::vector<Site> unpack_sites(NumberReader& from) {
     return sites;
 }
 
+// The finalizer of SplitMix64 (Steele, Lea & Flood 2014).
 std::uint64_t scattered(std::uint64_t n) {
     n = (n ^ (n >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     n = (n ^ (n >> 27U)) * 0x94d049bb133111ebULL;

@@ -12,13 +12,13 @@
 
 namespace peterka::curves {
 
-// What is kept of a cell.
+// One motion of a cell.
 struct Site {
     regime::Regime regime = regime::Regime::failed;
     std::int64_t impacts = 0;
     std::int64_t period = 0;
     double peak_force = regime::unknown;          // F/(k A0)
-    State<double> orbit = State<double>::Zero();  // (delta, delta') at forcing phase 0, where it is periodic
+    State<double> orbit = State<double>::Zero();  // (delta, delta') at forcing phase 0, if periodic
 
     friend bool same_label(const Site& a, const Site& b) {
         return a.regime == b.regime && a.impacts == b.impacts && a.period == b.period;
@@ -32,7 +32,7 @@ class CoarseMap {
   public:
     CoarseMap(const scene::Scene& scene, const Rig& rig) : scene_(&scene), rig_(&rig) {}
 
-    // The map is computed in parts, each by one call on some rank; together they make it.
+    // The map is computed in parts, each by one call on any rank, and then put together.
     [[nodiscard]] std::int64_t parts() const;
     [[nodiscard]] Numbers solve(std::int64_t part) const;
     void put_together(const std::vector<Numbers>& parts);
@@ -43,12 +43,12 @@ class CoarseMap {
     [[nodiscard]] const Site& site(std::int64_t cell) const {
         return sites_[static_cast<std::size_t>(cell)].front();
     }
-    // The same, and the periodic motions on which other starts of the cell end, where the job has [starts].
+    // site(cell), and the periodic motions on which other starts of the cell end if the job has [starts].
     [[nodiscard]] const std::vector<Site>& sites(std::int64_t cell) const {
         return sites_[static_cast<std::size_t>(cell)];
     }
     [[nodiscard]] PlanePoint place(std::int64_t cell) const;
-    // The orbit of one of a cell's sites; none where the equations have no stable one next to it.
+    // The orbit of one of a cell's sites; none if the equations have no stable solution next to it.
     [[nodiscard]] std::optional<OrbitPoint> orbit(std::int64_t cell, const PlanePoint& window,
                                                   std::size_t site = 0) const;
 
@@ -64,11 +64,11 @@ class CoarseMap {
 struct Edge {
     std::int64_t from = 0;
     std::int64_t to = 0;
-    std::size_t site = 0;  // of the cell from which it comes; 0 at an edge between labels
+    std::size_t site = 0;  // of sites(from); 0 at an edge between labels
 };
 
-// All edges of periodic cells up to a period, each from every side that can be followed, and those of further
-// motions that the neighbour has not; in an order that scatters them over the plane.
+// All edges of periodic cells up to a period, one for each side whose orbit can be followed, and those of
+// further motions that the neighbour lacks, in an order that scatters them over the plane.
 [[nodiscard]] std::vector<Edge> edges_of(const CoarseMap& map, std::int64_t most_period);
 
 }  // namespace peterka::curves

@@ -1,4 +1,4 @@
-// Columns of a table in a file of curves: one dimension, and a number in each row.
+// The columns of a table in a file of curves: one dimension, one number per row.
 #pragma once
 
 #include <limits>
@@ -33,7 +33,7 @@ class Columns {
 
   private:
     const char* group_;
-    const char* name_;  // of the dimension; a table keeps no copy of it
+    const char* name_;  // of the dimension; tables keep no copy of it
     Dimension dimension_;
     std::vector<Table> tables_;
 };

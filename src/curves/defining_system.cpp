@@ -150,7 +150,7 @@ std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoi
         const Equations at = equations(rig, guess, conditions);
         const double error = residual(guess, at);
         if (!std::isfinite(error) || !at.jacobian.allFinite()) return std::nullopt;
-        // at the level of rounding a further step moves the point no closer
+        // at rounding level a further step brings no improvement
         if (error <= largest_residual && (error < rounding || error > last / 4)) return guess;
         last = error;
         const Eigen::VectorXd sizes = sizes_of_unknowns(rig, guess, window);

@@ -1,8 +1,8 @@
-// The equations of an orbit, and the conditions that single out a branch of orbits, a curve or a point on it.
+// The defining system of an orbit, and the conditions that select a branch of orbits, a curve or a point on it.
 //
-// 2 equations for each leg: its end is where the next event begins. Events that don't graze bring 2 unknowns, a
-// grazing one brings 1; the place brings 2 more. So the orbits without a grazing form a surface over the plane,
-// those with one a curve, and each condition takes away one dimension.
+// Multiple shooting from event to event: each leg gives 2 equations, that it ends where the next event begins.
+// A grazing event has 1 unknown, any other event 2; the place has 2 more. So the orbits without a grazing form
+// a surface over the plane, those with one a curve, and each condition removes one dimension.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,13 +18,13 @@ namespace peterka::curves {
 struct Condition {
     enum class Kind : std::uint8_t {
         line,         // the place lies on a line
-        bifurcation,  // a multiplier is `sign`, on a side of the grazing
+        bifurcation,  // a multiplier equals `sign`, on one side of a grazing
         slow,         // an event has velocity 0
-        inflection,   // delta'' is 0 where it grazes, too
+        inflection,   // delta'' = 0 at a grazing
     };
     Kind kind = Kind::line;
-    PlanePoint through = {};  // line: a point of it,
-    PlanePoint normal = {};   // and what is perpendicular to it
+    PlanePoint through = {};  // line: a point on it,
+    PlanePoint normal = {};   // and its normal
     int sign = 1;
     Side side = Side::without_impact;
     std::size_t event = 0;
@@ -43,22 +43,22 @@ struct Equations {
 [[nodiscard]] Equations equations(const Rig& rig, const OrbitPoint& point,
                                   const std::vector<Condition>& conditions);
 
-// Sizes in which unknowns are measured, so that a step of 1 is a large one in each of them.
+// Scales of the unknowns: a step of 1 in a scaled unknown is a large one.
 [[nodiscard]] Eigen::VectorXd sizes_of_unknowns(const Rig& rig, const OrbitPoint& point,
                                                 const PlanePoint& window);
 
-// Largest value of the equations of the orbit and the bifurcation, relative to the hammer's velocities.
+// Largest residual of the equations and conditions, relative to 1 + the hammer's largest speed.
 [[nodiscard]] double residual(const OrbitPoint& point, const Equations& equations);
 
-// Newton's method, by the shortest step where there are fewer equations than unknowns. None where it leads
+// Newton's method, with the minimum-norm step if there are fewer equations than unknowns. None where it leads
 // nowhere, or further away than one size.
 [[nodiscard]] std::optional<OrbitPoint> solve(const Rig& rig, OrbitPoint guess, const PlanePoint& window,
                                               const std::vector<Condition>& conditions);
 
-// The direction in which a curve goes on, in sizes of the unknowns and of length 1.
+// The unit tangent of a curve, in scaled unknowns.
 [[nodiscard]] Eigen::VectorXd tangent(const Rig& rig, const OrbitPoint& point, const PlanePoint& window,
                                       const std::vector<Condition>& conditions);
 
-inline constexpr double largest_residual = 1e-11;  // of a point that is kept
+inline constexpr double largest_residual = 1e-11;  // of an accepted point
 
 }  // namespace peterka::curves

@@ -13,13 +13,13 @@ namespace peterka::curves {
 
 namespace {
 
-// Where a motion that is followed one way ends, and why.
+// Where a motion followed in one direction ends, and why.
 struct End {
     double at = 0;  // value on the axis
     EdgeKind kind = EdgeKind::none;
 };
 
-// Nothing is known of what lies beyond where an orbit was lost.
+// The nearer end; NaN if the orbit was lost there, since nothing is known of what lies beyond.
 EdgeDistance nearest(double value, const std::vector<End>& ends) {
     EdgeDistance result;
     result.kind = EdgeKind::none;
@@ -71,7 +71,7 @@ class Line {
                value_of_edge <= value(map_.place(cell(count() - 1)));
     }
 
-    // The cells whose motion it is, and where it ends on either side.
+    // Follows the cell's orbit both ways and gives all cells with this motion their nearer end.
     void follow_orbit_of(std::int64_t first) {
         const auto orbit = map_.orbit(cell(first), window_);
         if (!orbit) {
@@ -87,7 +87,7 @@ class Line {
     End follow_to(const OrbitPoint& orbit, std::int64_t first, std::int64_t last,
                   std::vector<std::int64_t>& members) {
         if (last == first) return {value(map_.place(cell(last))), EdgeKind::none};
-        std::int64_t next = first;  // the last cell that was passed
+        std::int64_t next = first;  // the last cell passed
         const std::int64_t way = last > first ? 1 : -1;
         const auto look = [&](const OrbitPoint& here, const OrbitPoint& there, const PlanePoint& until) {
             std::vector<std::int64_t> passed;
@@ -110,8 +110,8 @@ class Line {
         return {value(followed.last), followed.reached ? EdgeKind::none : EdgeKind::unknown};
     }
 
-    // What the followed orbit is to a cell that a step passes: its own motion, or another one that can live
-    // there, too; else the step was too long and has missed something.
+    // Relation of the followed orbit to a cell that a step passes: the cell's own motion, another stable motion
+    // that coexists there, or neither: the step was too long and has missed an event.
     enum class Passing : std::uint8_t { of_the_cell, of_another, no_motion };
 
     [[nodiscard]] Passing pass(const OrbitPoint& here, const OrbitPoint& there, std::int64_t i) const {
@@ -150,7 +150,7 @@ class Line {
             }
             return ends;
         }
-        // between cells that may be further apart than a resonance is wide
+        // between cells, which may be further apart than a resonance is wide
         constexpr std::int64_t looks = 16;
         for (std::int64_t i = 0; i + 1 < count(); ++i) {
             const PlanePoint here = map_.place(cell(i));
@@ -172,7 +172,7 @@ class Line {
     const Rig& rig_;
     std::int64_t most_period_;
     LineOfCells line_;
-    PlanePoint window_;  // its sizes
+    PlanePoint window_;  // its size
     std::vector<EdgeDistance> found_;
 };
 

@@ -1,8 +1,7 @@
-// How far a cell of the coarse map is from where its own motion ends or changes, along each axis of the plane.
+// The distance of a coarse map's cell from where its own motion ends or changes, along each axis of the plane.
 //
 // The cell's orbit is followed along its row or column, both ways, to the first fold, period doubling or
-// grazing, which is solved for as a point of a curve is. Other motions that live at the same places don't
-// matter.
+// grazing, which is solved for like a point of a curve. Coexisting motions are ignored.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +12,29 @@
 
 namespace peterka::curves {
 
-// Stored as int8; the numbers are part of the file format. The first ones are those of CurveKind.
+// Stored as int8; the numbers are part of the file format. The first three are those of CurveKind.
 enum class EdgeKind : std::int8_t {
     fold = 0,
     period_doubling = 1,
     grazing = 2,
     none = 3,        // within the window
     unknown = 4,     // the orbit could not be followed far enough
-    no_orbit = -128  // that the curves are about: chaos, say, or too long a period
+    no_orbit = -128  // not an orbit that curves cover: chaos, say, or too long a period
 };
 
 struct EdgeDistance {
-    // Of the axis's value, with its sign, until the nearest edge; NaN where there is none.
+    // Signed change of the axis's value to the nearest edge; NaN if there is none.
     double change = std::numeric_limits<double>::quiet_NaN();
     EdgeKind kind = EdgeKind::no_orbit;
 };
 
-// The cells of one row, from column to column, or of one column.
+// The cells of one row, column by column, or of one column.
 struct LineOfCells {
     bool is_row = true;
     std::int64_t number = 0;
 };
 
-// The number of one of its cells.
+// The number in the map of a line's i-th cell.
 [[nodiscard]] std::int64_t cell_of(const CoarseMap& map, const LineOfCells& line, std::int64_t i);
 
 // In the order of the line.

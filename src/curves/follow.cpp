@@ -75,7 +75,7 @@ class Follower {
         return progress_of(Stepper::along(here.tangent));
     }
 
-    // So that the place moves by no more than a share of the window.
+    // The longest step for which the place moves by at most a fixed share of the window.
     [[nodiscard]] static double longest_along(const Stepper::Here& here) {
         const PlanePoint along = Stepper::along(here.tangent);
         return std::min(0.25, 0.02 / std::max(std::hypot(along.column, along.row), 1e-3));

@@ -20,15 +20,15 @@ PlanePoint on_way(const PlanePoint& from, const PlanePoint& to, double share) {
     return {from.column + share * (to.column - from.column), from.row + share * (to.row - from.row)};
 }
 
-// The hammer swings by P = eta^2/|1 - eta^2 + 2 i zeta eta|, which is the gap where
+// The hammer's amplitude P = eta^2/|1 - eta^2 + 2 i zeta eta| equals the gap g where
 // s^2 (1 - g^2) + s g^2 (2 - 4 zeta^2) - g^2 = 0 with s = eta^2.
 std::vector<double> frequencies_with_swing(const PlacedRig& rig) {
     const double g2 = rig.gap() * rig.gap();
     const double damping = rig.damping(false);
     const double b = g2 * (1 - 2 * damping * damping);     // half the middle coefficient
-    const double root = std::sqrt(b * b + (1 - g2) * g2);  // NaN where the swing reaches nowhere so far
+    const double root = std::sqrt(b * b + (1 - g2) * g2);  // NaN if no frequency reaches this amplitude
     std::vector<double> frequencies;
-    // as quotients of the constant term, for the usual ones cancel where g is near 1
+    // as quotients of the constant term: the textbook formula cancels for g near 1
     for (const double s : {g2 / (b + root), g2 / (b - root)}) {
         if (s > 0) frequencies.push_back(std::sqrt(s));
     }

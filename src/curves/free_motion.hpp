@@ -1,5 +1,5 @@
-// The motion without impacts, an ellipse in the plane of the hammer's state: where it just reaches the stop it
-// ends, and a curve of grazings passes.
+// The motion without impacts, an ellipse in the hammer's state plane. It ends where it just reaches the stop,
+// on a grazing curve.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace peterka::curves {
 
-// How far it stays from the stop, in A0; below 0 where it would reach beyond, without limit at a resonance
-// without damping.
+// Its clearance from the stop, in A0; negative where it would reach beyond, without limit at an undamped
+// resonance.
 [[nodiscard]] double room_of_free_motion(const Rig& rig, const PlanePoint& place);
 
 // Frequencies at which it just reaches the stop.
@@ -18,11 +18,11 @@ namespace peterka::curves {
 
 [[nodiscard]] PlanePoint on_way(const PlanePoint& from, const PlanePoint& to, double share);
 
-// Between two places with room on one side only, the share of the way from one to the other; none elsewhere.
+// The share of the way between two places at which the clearance changes sign; none if it does not.
 [[nodiscard]] std::optional<double> share_at_end_of_free_motion(const Rig& rig, const PlanePoint& from,
                                                                 const PlanePoint& to);
 
-// The same as a point of the curve.
+// The same as a point of the grazing curve.
 [[nodiscard]] std::optional<Seed> end_of_free_motion(const Rig& rig, const PlanePoint& from,
                                                      const PlanePoint& to, const PlanePoint& window);
 

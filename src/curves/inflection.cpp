@@ -10,8 +10,8 @@ bool grazing_turns_over(const Rig& rig, const OrbitPoint& here, const OrbitPoint
     const Event& event = there.orbit.events[grazing];
     const bool lifted = rig.at(there.place).slope(false, event.time, State<double>::Zero())[1] > 0;
     if (lifted != event.presses) return true;
-    // Newton's method may have found the family of orbits on which the stop presses for no time at all
-    constexpr double nothing = 1e-9;  // of the orbit
+    // Newton's method may have found the spurious family of orbits whose contact has no duration
+    constexpr double nothing = 1e-9;  // of the orbit's duration
     const double duration = rig.at(there.place).duration_of(there.orbit.period);
     return event.presses && there.orbit.length_of_leg(grazing, duration) < nothing * duration;
 }

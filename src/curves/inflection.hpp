@@ -1,8 +1,8 @@
-// Where a hammer grazes the stop while its acceleration is 0, too.
+// Where the hammer grazes the stop with zero acceleration, a codimension-2 point (Kowalczyk et al. 2006).
 //
-// A grazing in flight is the highest point of a hop: the acceleration leads away from the stop. A grazing at
-// which the stop goes on to press is the lowest point of a flight beyond the surface, from which the hammer is
-// lifted back towards the stop that has let go. The curves of both end where the two points are one, an
+// A grazing in flight is a maximum of delta: the acceleration points away from the stop. A grazing at which the
+// stop goes on to press is a minimum of a flight beyond the surface, from which the hammer is driven back
+// towards the stop that has released it. The curves of both kinds end where maximum and minimum coincide, at an
 // inflection.
 #pragma once
 
@@ -13,11 +13,11 @@
 
 namespace peterka::curves {
 
-// Whether a grazing orbit has passed an inflection on the way from here to there, with the same events.
+// Whether a grazing orbit passes an inflection on the way from `here` to `there`, with the same events.
 [[nodiscard]] bool grazing_turns_over(const Rig& rig, const OrbitPoint& here, const OrbitPoint& there);
 
-// With a grazing at which the stop doesn't go on to press: at an inflection both are one. None where other
-// events follow than the end of the contact.
+// The orbit with a grazing at which the stop doesn't go on to press: at an inflection the two coincide. None if
+// an event other than the end of the contact follows.
 [[nodiscard]] std::optional<OrbitPoint> with_brief_grazing(const OrbitPoint& point);
 
 }  // namespace peterka::curves

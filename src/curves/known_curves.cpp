@@ -27,7 +27,7 @@ Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint
 
 bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
              const PlanePoint& window) {
-    constexpr double chord = 1e-3;  // that a curve may bulge between two points, in shares of the window
+    constexpr double chord = 1e-3;  // largest deviation of a curve from its chords, in shares of the window
     constexpr double alike = 0.03;
     if (curve.kind != kind || curve.period != period) return false;
     const Nearest nearest = nearest_on(curve, point.place, window);

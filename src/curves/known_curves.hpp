@@ -1,4 +1,4 @@
-// The curves found so far: whether a point lies on one of them, and how far away they are.
+// The curves found so far: whether a point lies on one of them, and its distance from them.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace peterka::curves {
 
-// Where a point lies next to a curve: in the plane, in shares of sizes given, and what the curve has there.
+// A point's distance from a curve, in units of given sizes, and the curve's values at the nearest point.
 struct Nearest {
     double distance = 0;
     double trace = 0;
@@ -15,11 +15,11 @@ struct Nearest {
 };
 [[nodiscard]] Nearest nearest_on(const Curve& curve, const PlanePoint& place, const PlanePoint& sizes);
 
-// Whether a curve of this kind passes through a point with the same orbit.
+// Whether a curve is of this kind and passes through a point with the same orbit.
 [[nodiscard]] bool lies_on(const Curve& curve, CurveKind kind, std::int64_t period, const CurvePoint& point,
                            const PlanePoint& window);
 
-// Whether a curve is one that is known already.
+// Whether a curve has already been found.
 [[nodiscard]] bool is_known(const std::vector<Curve>& known, const Curve& curve, const PlanePoint& window);
 
 }  // namespace peterka::curves

@@ -16,7 +16,7 @@ namespace {
 
 using Label = std::pair<std::int64_t, std::int64_t>;  // p, q; 0, 1 without impacts
 
-// Cells next to a place, and the size of those around it.
+// The cells around a place, and the size of a cell there.
 struct Cells {
     std::int64_t first_column = 0;
     std::int64_t first_row = 0;
@@ -44,7 +44,7 @@ class EdgeTeller {
     }
 
   private:
-    // Of the motions that end or change at a point of the curve.
+    // The labels of the motions that end or change at a point of the curve.
     [[nodiscard]] std::vector<Label> labels_at(std::size_t i) const {
         const std::int64_t p = curve_.points[i].orbit.impacts();
         const std::int64_t q = curve_.period;
@@ -75,7 +75,7 @@ class EdgeTeller {
         return cells;
     }
 
-    // Neighbours with different labels, one of which is such a motion's, with a curve's point within a cell.
+    // Edges within a cell of the curve's i-th point, from a cell that has one of labels_at(i).
     [[nodiscard]] std::vector<Edge> edges_at(std::size_t i) const {
         const PlanePoint& place = curve_.points[i].place;
         const std::vector<Label> labels = labels_at(i);
@@ -114,7 +114,7 @@ class EdgeTeller {
         return LabelEdge::unknown;
     }
 
-    // A point in some between speaks for those next to it.
+    // One in a few undecided points is examined; those that follow take its result.
     void find_reasons() {
         constexpr std::size_t between_looks = 4;
         LabelEdge last = LabelEdge::unknown;
@@ -134,7 +134,7 @@ class EdgeTeller {
         }
     }
 
-    // Perpendicular to the curve, in units of its own, a cell's breadth.
+    // A cell's width perpendicular to the curve, measured in cells.
     [[nodiscard]] PlanePoint aside(std::size_t i) const {
         const PlanePoint size = cells_around(curve_.points[i].place).size;
         const PlanePoint& before = curve_.points[i > 0 ? i - 1 : i].place;
@@ -163,7 +163,8 @@ class EdgeTeller {
         return beside.any ? LabelEdge::narrow : LabelEdge::unknown;
     }
 
-    // Labels alone might change here by chance: a cell's motion is followed to the curve.
+    // Whether a cell's motion, followed across an edge, ends on the curve: labels alone may change here by
+    // chance.
     [[nodiscard]] bool is_edge_of_a_motion() const {
         int left = 64;
         for (std::size_t i = 0; i < curve_.points.size(); ++i) {
@@ -189,7 +190,7 @@ class EdgeTeller {
     const Rig& rig_;
     const CoarseMap& map_;
     Curve& curve_;
-    PlanePoint window_;  // its sizes
+    PlanePoint window_;  // its size
 };
 
 }  // namespace

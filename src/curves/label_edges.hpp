@@ -1,5 +1,5 @@
-// Whether labels of the coarse map change along a curve, and, where they don't, why: each curve ends or changes
-// a stable motion, but a map shows one only where its start ends on it and where it has a cell.
+// Whether labels of the coarse map change along a curve and, if not, why: each curve ends or changes a stable
+// motion, but a map shows that motion only in cells whose start leads to it.
 #pragma once
 
 #include "curves/coarse_map.hpp"
@@ -7,7 +7,7 @@
 
 namespace peterka::curves {
 
-// Of a curve that was just traced, whose orbits are there.
+// For a curve just traced, which still has its orbits.
 void tell_edges(const Rig& rig, const CoarseMap& map, Curve& curve);
 
 }  // namespace peterka::curves

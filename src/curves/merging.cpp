@@ -9,7 +9,7 @@ namespace peterka::curves {
 
 namespace {
 
-// Whether the second half has the events of the first.
+// Whether both halves have the same kinds of events, without a grazing.
 bool has_equal_kinds(const Orbit& orbit) {
     const std::size_t half = orbit.events.size() / 2;
     if (orbit.period % 2 != 0 || orbit.events.size() % 2 != 0) return false;
@@ -20,7 +20,7 @@ bool has_equal_kinds(const Orbit& orbit) {
     return true;
 }
 
-// The orbit half a period later, with the times of the same half.
+// The orbit half a period later, with its times shifted back to the original interval.
 OrbitPoint half_a_period_later(const Rig& rig, const OrbitPoint& point) {
     OrbitPoint later = point;
     std::vector<Event>& events = later.orbit.events;
@@ -33,7 +33,7 @@ OrbitPoint half_a_period_later(const Rig& rig, const OrbitPoint& point) {
     return later;
 }
 
-// The mean of both halves, which near the merging is the orbit of q cycles but for the square of their
+// The mean of both halves, which near the merging equals the orbit of q cycles up to the square of their
 // difference.
 OrbitPoint mean_of_halves(const Rig& rig, const OrbitPoint& point) {
     OrbitPoint mean = between(point, half_a_period_later(rig, point), 0.5);
@@ -47,7 +47,7 @@ Eigen::VectorXd difference_of_halves(const Stepper& stepper, const OrbitPoint& p
     return way_between(stepper.rig(), point, half_a_period_later(stepper.rig(), point), stepper.window());
 }
 
-constexpr double equal_halves = 1e-6;  // of a difference, in sizes of the unknowns
+constexpr double equal_halves = 1e-6;  // norm of a difference, in scaled unknowns
 
 }  // namespace
 
@@ -68,8 +68,8 @@ bool halves_are_equal(const Stepper& stepper, const OrbitPoint& point) {
 
 bool halves_meet(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to) {
     if (!has_equal_kinds(from.orbit) || !has_same_events(from.orbit, to.orbit)) return false;
-    if (halves_are_equal(stepper, from)) return false;  // followed twice over
-    // a branch may have got on to the orbit of q cycles
+    if (halves_are_equal(stepper, from)) return false;  // the orbit of q cycles, followed twice over
+    // a branch may have jumped to the orbit of q cycles
     return halves_are_equal(stepper, to) ||
            difference_of_halves(stepper, from).dot(difference_of_halves(stepper, to)) < 0;
 }
@@ -78,7 +78,7 @@ std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint
     auto found = solve(stepper.rig(), mean_of_halves(stepper.rig(), from), stepper.window(),
                        stepper.conditions_and(Condition::at_multiplier(-1)));
     if (!found) return std::nullopt;
-    // it lies on the way that was stepped over, whose halves may be the other way round at its end
+    // it must lie within the step, at whose end the halves may have changed places
     const double step = way_between(stepper.rig(), from, to, stepper.window()).norm();
     const double distance =
         way_between(stepper.rig(), from, twice(stepper.rig(), *found), stepper.window()).norm();

@@ -1,7 +1,8 @@
-// Where an orbit of 2q cycles ends because it merges with one of q cycles, which doubles its period there.
+// Where an orbit of 2q cycles ends by merging with one of q cycles, at a period doubling of the latter.
 //
 // Along the branch the two halves of the orbit become equal and then change places, and the branch turns back:
-// the same orbits follow, half a period later. No multiplier tells, for det(M - I) touches 0 and goes back.
+// the same orbits follow, half a period later. No multiplier indicates it, since det(M - I) touches 0 without a
+// change of sign.
 #pragma once
 
 #include <optional>
@@ -10,17 +11,17 @@
 
 namespace peterka::curves {
 
-// Whether both halves of an orbit are the same motion, but for rounding.
+// Whether both halves of an orbit are the same motion up to rounding.
 [[nodiscard]] bool halves_are_equal(const Stepper& stepper, const OrbitPoint& point);
 
-// Whether the halves of an orbit become equal, or change places, on a step from one point to another.
+// Whether the halves of an orbit become equal, or change places, during a step.
 [[nodiscard]] bool halves_meet(const Stepper& stepper, const OrbitPoint& from, const OrbitPoint& to);
 
-// The orbit of q cycles where they meet; none where there is none as close as such a step leads.
+// The orbit of q cycles where they meet; none if none is found within reach of the step.
 [[nodiscard]] std::optional<OrbitPoint> merging_orbit(const Stepper& stepper, const OrbitPoint& from,
                                                       const OrbitPoint& to);
 
-// The orbit twice over, as one of twice the period.
+// The orbit followed twice over, as one of twice the period.
 [[nodiscard]] OrbitPoint twice(const Rig& rig, const OrbitPoint& point);
 
 }  // namespace peterka::curves

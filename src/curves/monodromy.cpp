@@ -11,19 +11,19 @@ namespace peterka::curves {
 
 namespace {
 
-// What an event and its leg bring to the product.
+// The factors of the monodromy matrix from one event and the leg after it.
 struct Factor {
-    Jacobian<double> before;  // all factors up to the event
+    Jacobian<double> before;  // product of all factors up to the event
     Change change;
     Jacobian<double> flow;
-    Jacobian<double> through;  // up to the end of the leg
+    Jacobian<double> through;  // product up to the end of the leg
 };
 
-// All factors of M scaled as bifurcation() says, and what belongs to them.
+// All factors of M, scaled as described at bifurcation(), and their product.
 struct Product {
     std::vector<Factor> factors;
     Jacobian<double> matrix = Jacobian<double>::Identity();
-    double determinant = 1;  // of M itself
+    double determinant = 1;  // of the unscaled M
 };
 
 Product product_of(const PlacedRig& rig, const Orbit& orbit, Side side, double speed) {
@@ -49,7 +49,7 @@ bool strikes(const PlacedRig& rig, const Event& event) {
     return rig.is_rigid() && event.kind == EventKind::touch;
 }
 
-// The product of all speeds on a rigid stop over `speed`, but for one of them.
+// The product of all impact speeds on a rigid stop, each over `speed`, except that of event `left_out`.
 double speeds_without(const PlacedRig& rig, const Orbit& orbit, double speed, std::size_t left_out) {
     double product = 1;
     for (std::size_t i = 0; i < orbit.events.size(); ++i) {
@@ -77,7 +77,7 @@ Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place
         const bool counts = side == Side::with_impact;
         const bool strikes = rig.is_rigid() && event.kind == EventKind::touch;
         const Jacobian<double> jump =
-            rig.saltation(event, counts, strikes ? event.velocity : 1).value;  // a speed of its own: unscaled
+            rig.saltation(event, counts, strikes ? event.velocity : 1).value;  // its own speed: unscaled
         product.matrix = rig.flow(event.presses, length) * (jump * product.matrix).eval();
         product.determinant *= std::exp(-2 * rig.damping(event.presses) * length);
         if (event.kind == EventKind::touch) product.determinant *= rig.determinant_of_touch();
@@ -85,8 +85,8 @@ Monodromy monodromy(const Rig& rigs, const Orbit& orbit, const PlanePoint& place
     return product;
 }
 
-// tr dM is the sum over all factors X of tr(after dX before), and d ln det M that over all legs of
-// -2 b d(length).
+// Product rule: tr dM is the sum over all factors X of tr(after dX before). Liouville's formula: d ln det M is
+// the sum over all legs of -2 b d(length).
 Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side side) {
     const std::size_t count = orbit.events.size();
     const Unknowns unknowns(orbit);
@@ -99,7 +99,7 @@ Bifurcation bifurcation(const PlacedRig& rig, const Orbit& orbit, int sign, Side
         result.gradient[unknowns.column()] += rig.by_column(by_frequency, by_gap);
         result.gradient[unknowns.row()] += rig.by_row(by_frequency, by_gap);
     };
-    // of the last leg, by the frequency
+    // derivative of the last leg's length by the frequency
     const double last_longer = -rig.duration_of(orbit.period) / rig.frequency();
     Jacobian<double> after = Jacobian<double>::Identity();
     double size = 1;

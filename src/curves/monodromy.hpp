@@ -1,5 +1,5 @@
-// How a small change of the state grows over one period of an orbit: the product M of flows and saltations,
-// beginning just before the first event.
+// The monodromy matrix M of an orbit: the product of flows and saltation matrices over one period, beginning
+// just before the first event (Leine & Nijmeijer 2004).
 #pragma once
 
 #include <Eigen/Core>
@@ -8,27 +8,27 @@
 
 namespace peterka::curves {
 
-// Which side of a grazing: the orbit that passes by, or that with the impact.
+// The side of a grazing: the orbit that misses the stop, or the one with the impact.
 enum class Side : std::uint8_t { without_impact, with_impact };
 
 struct Monodromy {
     Jacobian<double> matrix;
-    double determinant = 0;  // of the matrix, without cancellation
+    double determinant = 0;  // of the matrix, computed without cancellation
 
-    // det(M - sign I): 0 where a multiplier is sign.
+    // det(M - sign I), which is 0 where a multiplier equals sign.
     [[nodiscard]] double bifurcation(int sign) const { return 1 - sign * matrix.trace() + determinant; }
-    // The multiplier that is largest in size, with the sign of its real part.
+    // The Floquet multiplier of largest modulus, as this modulus with the sign of its real part.
     [[nodiscard]] double multiplier() const;
     [[nodiscard]] bool is_stable() const { return std::abs(multiplier()) < 1; }
 };
 
 [[nodiscard]] Monodromy monodromy(const Rig& rig, const Orbit& orbit, const PlanePoint& place, Side side);
 
-// 0 where a multiplier is sign, and its derivatives by the unknowns (unknowns.hpp): det(M - sign I), times the
-// speed of each impact on a rigid stop over the largest one or the cart's, without which it has no limit at a
-// grazing; and over the size of the factors that M is made of. They reach 1e4 where weak impacts follow each
-// other, and cancel in M, so that the last digit of each of them moves det(M - sign I) by as many times its
-// own.
+// A test function, 0 where a multiplier equals sign, and its gradient by the unknowns (unknowns.hpp). It is
+// det(M - sign I), times v over the largest speed or the cart's for each impact speed v on a rigid stop, since
+// M grows as 1/v at a grazing (Nordmark 1991), and divided by the size of M's factors. These reach 1e4 in
+// sequences of weak impacts and cancel in M, so that their rounding errors reach det(M - sign I) amplified by
+// as much.
 struct Bifurcation {
     double value = 0;
     Eigen::VectorXd gradient;

@@ -17,7 +17,7 @@ using motion::Probe;
 using trajectory::first_crossing;
 using Ending = trajectory::Crossing<double>::Ending;
 
-// The same legs and events as those of trajectory/linear_legs.hpp and rigid_legs.hpp, with their times kept.
+// The legs and events of trajectory/linear_legs.hpp and rigid_legs.hpp, with the event times recorded.
 class Walk {
   public:
     explicit Walk(const PlacedRig& rig)
@@ -95,7 +95,7 @@ class Walk {
         const Phase before = phase;
         phase = next.phase;
         x = next.moment.state;
-        if (next.phase == Phase::flight) {  // it leaves the stop that has let go before
+        if (next.phase == Phase::flight) {  // it leaves the stop, which has released it before
             x[0] = 0;
             return;
         }

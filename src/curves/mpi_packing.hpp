@@ -1,4 +1,4 @@
-// Seeds and curves as plain numbers, for the way between ranks.
+// Seeds and curves as plain numbers, to be sent between ranks.
 #pragma once
 
 #include <span>

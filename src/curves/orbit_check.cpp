@@ -26,7 +26,7 @@ struct LegInTime {
     [[nodiscard]] State<double> at(double time) const {
         return rig->state_in_leg(presses(), from, start, time);
     }
-    // f and df/dtau, were the stop to press.
+    // f and df/dtau, as if the stop pressed.
     [[nodiscard]] State<double> force(double time, const State<double>& x) const {
         const State<double> slope = rig->slope(presses(), time, x);
         return {rig->force(x), rig->force(slope)};
@@ -40,8 +40,8 @@ LegInTime leg_in_time(const PlacedRig& rig, const OrbitPoint& point, std::size_t
     return {&rig, &point, i, from.time, to, rig.departure(from)};
 }
 
-// Times at which a leg is looked at: 24 in each oscillation of the forcing and of its own, and of the latter
-// only for as long as it lasts.
+// Sampling of a leg: 24 times per oscillation of the forcing and of the leg itself, the latter only until it
+// has decayed.
 constexpr double looks_in_a_turn = 24;
 constexpr int most_looks = 4000;
 
@@ -83,17 +83,17 @@ void each_maximum(const LegInTime& leg, const Quantity& slope,
     }
 }
 
-// At its ends a leg meets by rounding what it begins and ends with.
+// Near its ends a leg may, by rounding, meet its own first and last events.
 double margin_of(const LegInTime& leg) {
     return 1e-6 * (leg.to - leg.from);
 }
 
-// What the motion meets before the leg ends.
+// The first event of the true motion before the leg ends.
 std::optional<Event> first_in(const LegInTime& leg) {
     return first_event_after(*leg.rig, leg.point->orbit.events[leg.event], leg.to - leg.from - margin_of(leg));
 }
 
-// When a flight that goes on beyond the stop reaches furthest.
+// The time at which a flight continued beyond the stop reaches furthest.
 double top_after(const LegInTime& leg, const Event& touch) {
     const auto velocity = [](double, const State<double>& x) { return x[1]; };
     double before = touch.time;
@@ -108,9 +108,9 @@ double top_after(const LegInTime& leg, const Event& touch) {
     return leg.to;
 }
 
-// A flight may rise above the stop while it has not left it yet, and at its very ends by rounding.
+// A flight may lie beyond the stop until it has left it and, by rounding, at its very ends.
 OrbitFault fault_of_flight(const LegInTime& leg) {
-    constexpr double depth = 1e-9;  // [A0] that is no impact, for a grazing curve runs along it
+    constexpr double depth = 1e-9;  // [A0] up to which it is no impact: a grazing curve runs along it
     OrbitFault fault;
     double highest = depth;
     bool has_left = leg.start[0] <= 0;
@@ -132,7 +132,7 @@ OrbitFault fault_of_flight(const LegInTime& leg) {
         fault = {OrbitFault::Kind::pierces, leg.event, time};
     });
     if (fault.kind != OrbitFault::Kind::none) return fault;
-    // what is too short to be seen so
+    // events too brief for the sampling
     const auto met = first_in(leg);
     if (!met) return fault;
     if (met->kind == EventKind::resume) return {OrbitFault::Kind::pattern, leg.event, met->time};

@@ -1,5 +1,5 @@
-// Whether an orbit that obeys the equations is a motion of the hammer: the equations know nothing of what a leg
-// does between its events.
+// Whether a solution of the orbit equations is a motion of the hammer: the equations ignore what a leg does
+// between its events.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@ struct OrbitFault {
         none,
         pierces,  // a flight reaches beyond the stop before its end
         slow,     // an impact has lost its speed
-        pattern,  // the stop lets go, or presses again, in between: the motion goes on smoothly with other
+        pattern,  // the stop releases, or presses again, in between: the motion continues smoothly with other
                   // events
     };
     Kind kind = Kind::none;
-    std::size_t event = 0;  // after which the leg begins, or which lost its speed
-    double time = 0;        // pierces: when the flight goes furthest
+    std::size_t event = 0;  // where the leg begins, or which lost its speed
+    double time = 0;        // pierces: when the flight reaches furthest
 };
 
-// The first fault of a kind that ends a branch, or else one of the pattern.
+// The first fault that ends a branch (pierces, slow), or else a pattern fault.
 [[nodiscard]] OrbitFault find_fault(const Rig& rig, const OrbitPoint& point);
 
 // Largest F/(k A0) of the orbit; NaN with a rigid stop.

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The steady motion of a leg's equation at a time, and its derivatives by frequency and gap.
+// The steady-state solution of a leg's equation at a time, and its derivatives by frequency and gap.
 struct SteadyMotion {
     State<double> state;
     State<double> by_frequency;

@@ -12,7 +12,7 @@ namespace {
 
 using EventPlace = std::vector<Event>::const_iterator;
 
-// The grazing of an orbit among the events of a simulated motion, which may have a weak impact instead.
+// Reinserts an orbit's grazing into the events of a simulated motion, which may have a weak impact instead.
 bool put_grazing_back(const Event& grazing, double duration, double speed, std::vector<Event>& events) {
     constexpr double weak = 1e-2;  // of the largest speed
     double time = grazing.time;
@@ -90,7 +90,7 @@ std::optional<OrbitPoint> grazing_in_place_of(const Rig& rig, const OrbitPoint& 
     const double pressing = rig.at(point.place).slope(false, slow.time, State<double>::Zero())[1];
     slow.velocity = 0;
     if (pressing > 0) {
-        if (rig.is_rigid()) return std::nullopt;  // the hammer stays on the stop
+        if (rig.is_rigid()) return std::nullopt;  // the hammer sticks to the stop
         slow.kind = EventKind::graze;
         return result;
     }
@@ -169,7 +169,7 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
                           point.orbit.largest_speed(), orbit->events)) {
         return std::nullopt;
     }
-    // the same ones may begin with another
+    // the same events may begin with a different one
     const std::size_t count = orbit->events.size();
     if (count == point.orbit.events.size()) {
         Orbit turned = *orbit;
@@ -183,7 +183,7 @@ std::optional<OrbitPoint> with_true_events(const Rig& rig, const OrbitPoint& poi
 
 namespace {
 
-// What grazes once in an orbit of twice the period that repeats itself grazes every time.
+// A repeated orbit that grazes in one repetition grazes in all of them.
 OrbitPoint grazing_with_smallest_period(const Rig& rig, const OrbitPoint& point, double nearness) {
     OrbitPoint rest = point;
     const std::size_t place = point.orbit.grazing();

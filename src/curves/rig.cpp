@@ -94,8 +94,8 @@ PlanePoint Rig::place_of(const PlanePoint& values) const {
     return {axes_[0].coordinate(values.column), axes_[1].coordinate(values.row)};
 }
 
-// Half the distance: small against what the value itself is, so that it stays on its side of 0, and far above
-// rounding. An error of 1e-9 in these derivatives costs Newton's method nothing.
+// Half the distance of the two places: small relative to the value itself, so that its sign is kept, and far
+// above rounding. An error of 1e-9 in these derivatives does not slow Newton's method.
 double Rig::step_of_difference(std::size_t axis, const PlanePoint& place) const {
     constexpr double step = 1e-6;
     const double size = std::abs(coordinate(place, axis));

@@ -49,8 +49,8 @@ class CurveSearch {
     static constexpr std::size_t followed_at_once = 256;
     static constexpr std::size_t traced_at_once = 32;
 
-    // Between neighbours in a column or row; of lines that follow each other with equally many, those of the
-    // first, for the same curves go on through the others.
+    // Between neighbours in a column or row. Of consecutive lines with equally many ends only those of the
+    // first are kept, since the same curves continue through the others.
     [[nodiscard]] std::vector<Seed> ends_of_free_motion(bool in_columns) const {
         std::vector<Seed> seeds;
         std::size_t count_before = 0;
@@ -81,7 +81,7 @@ class CurveSearch {
         });
     }
 
-    // 0, or 1 where the orbit reached the neighbour, and the seed.
+    // 1 if the orbit reached the neighbour, else 0; then the seed, if any.
     [[nodiscard]] Numbers follow_edge(const Edge& edge) const {
         Numbers numbers{0};
         const auto orbit = map_.orbit(edge.from, window_.size(), edge.site);
@@ -121,7 +121,7 @@ class CurveSearch {
         });
     }
 
-    // Far enough from those chosen already to be on another curve, as likely as not.
+    // Far enough from the seeds already chosen to be probably on a different curve.
     [[nodiscard]] bool stands_apart(const Seed& seed, const std::vector<Seed>& chosen) const {
         constexpr double far = 0.15;
         return std::ranges::none_of(chosen, [&](const Seed& other) {

@@ -1,4 +1,4 @@
-// A point of a curve, and what the curve is about.
+// A point of a curve, and the kind of the curve.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Seed {
     OrbitPoint point;
 };
 
-// What is asked of a point of a curve, besides the equations of its orbit.
+// The conditions on a point of a curve, besides the equations of its orbit.
 [[nodiscard]] inline std::vector<Condition> conditions_of(CurveKind kind) {
     if (kind == CurveKind::fold) return {Condition::at_multiplier(1)};
     if (kind == CurveKind::period_doubling) return {Condition::at_multiplier(-1)};

@@ -1,4 +1,4 @@
-// An orbit as a stroboscope sees it: its states at forcing phase 0.
+// The stroboscopic (Poincare) points of an orbit: its states at forcing phase 0.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace peterka::curves {
 
 struct Stroboscopic {
     State<double> state;
-    double time = 0;  // tau, in the orbit's own count
+    double time = 0;  // tau, as in the orbit's events
 };
 
-// One for each of its q cycles, in their order.
+// One for each of its q cycles, in order.
 [[nodiscard]] std::vector<Stroboscopic> stroboscopic_states(const Rig& rig, const OrbitPoint& point);
 
 }  // namespace peterka::curves

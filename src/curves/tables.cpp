@@ -41,7 +41,7 @@ Numbers forces_of_cells(const scene::Scene& scene, const CurveSearchResult& foun
     return forces;
 }
 
-// The coarse map, as the file of a map has it.
+// The coarse map, in the form of a map file.
 std::vector<Table> coarse_map(const scene::Scene& scene, const CurveSearchResult& found) {
     const job::Job& job = scene.job();
     const AxesOfFile axes(job);
@@ -74,7 +74,7 @@ std::vector<Table> coarse_map(const scene::Scene& scene, const CurveSearchResult
     return tables;
 }
 
-// How far each of its cells is from the edges of its own motion.
+// The distance of each of its cells from the edges of its own motion.
 std::vector<Table> distances(const scene::Scene& scene, const CurveSearchResult& found) {
     const AxesOfFile axes(scene.job());
     std::vector<Table> tables;
@@ -98,7 +98,7 @@ std::vector<Table> distances(const scene::Scene& scene, const CurveSearchResult&
     return tables;
 }
 
-// Of all curves, one after the other, and for each of them its curve's number.
+// The items of all curves, concatenated, and each item's curve number.
 template <class Item>
 struct Together {
     std::vector<Item> items;
@@ -200,7 +200,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const CurveSea
     const auto append = [&](const std::vector<Table>& more) {
         tables.insert(tables.end(), more.begin(), more.end());
     };
-    const auto append_if_any = [&](const Columns& columns) {  // a dimension has a size
+    const auto append_if_any = [&](const Columns& columns) {  // a dimension must not be empty
         if (!columns.tables().front().values.empty()) append(columns.tables());
     };
     append(distances(scene, found));
@@ -210,7 +210,7 @@ std::vector<map_file::Table> tables_of(const scene::Scene& scene, const CurveSea
     append_if_any(columns_of_crossings(found, rig, axes));
     append(branch_tables(rig, axes, found.branches));
     append(counts_of_edges(found.edges));
-    append_if_any(columns_of_run(found));  // the group to which the facts of the run are added
+    append_if_any(columns_of_run(found));  // the group to which the run's data are added
     return tables;
 }
 

@@ -26,7 +26,7 @@ double dot(const PlanePoint& a, const PlanePoint& b) {
     return a.column * b.column + a.row * b.row;
 }
 
-// Half a curve: from the seed on in one direction.
+// Half a curve: from the seed in one direction.
 class HalfCurve {
   public:
     HalfCurve(const Rig& rig, const Seed& seed, const Window& window)
@@ -67,7 +67,7 @@ class HalfCurve {
         }
     }
 
-    // One that lies at such a gap belongs to the step that ends there.
+    // A point that lies at a requested gap belongs to the step that ends there.
     void look_for_crossings(const OrbitPoint& here, const OrbitPoint& there) {
         for (const double gap : window_.gaps) {
             const std::size_t axis = window_.gap_axis;
@@ -85,8 +85,8 @@ class HalfCurve {
         }
     }
 
-    // Whether neither orbit next to a curve is stable. At a fold and a period doubling one of them always is,
-    // for the other multiplier lies inside the unit circle.
+    // Whether no orbit beside a curve is stable. At a fold and a period doubling one of them always is, since
+    // the other multiplier lies inside the unit circle.
     [[nodiscard]] bool bounds_nothing(const OrbitPoint& point) const {
         if (kind_ != CurveKind::grazing) return false;
         return !stable(point, Side::without_impact) && (rig_.is_rigid() || !stable(point, Side::with_impact));
@@ -107,8 +107,8 @@ class HalfCurve {
 
     enum class Step : std::uint8_t { goes_on, ends, unclear };
 
-    // A step ends the curve at the border, or where another impact grazes. What it has met may be too much at
-    // once for so long a step.
+    // A step ends the curve at the border, or where another impact grazes. One too long for what it has met is
+    // `unclear`.
     Step judge(const Stepper::Here& here, Stepper::Here& there) {
         if (kind_ == CurveKind::grazing && grazing_turns_over(rig_, here.point, there.point)) {
             const auto guess = with_brief_grazing(there.point);
@@ -206,7 +206,7 @@ class HalfCurve {
         }
     }
 
-    // In the plane a curve turns back at a cusp, while its orbits go on smoothly.
+    // At a cusp a curve turns back in the plane, while its orbits continue smoothly (Kuznetsov 2004, ch. 9).
     void look_for_cusp(const Stepper::Here& here, const Stepper::Here& there) {
         const PlanePoint before = Stepper::along(here.tangent);
         if (dot(before, Stepper::along(there.tangent)) > 0) return;

@@ -1,4 +1,4 @@
-// Where each unknown of an orbit stands in a vector: of each event its time and, where it doesn't graze, its
+// The positions of an orbit's unknowns in a vector: for each event its time and, unless it grazes, its
 // velocity; then the coordinates of the place.
 #pragma once
 
@@ -36,7 +36,7 @@ struct OrbitPoint {
     PlanePoint place;
 };
 
-// Moves all unknowns of a point.
+// Adds a step to all unknowns of a point.
 inline void move(OrbitPoint& point, const Eigen::VectorXd& step) {
     const Unknowns unknowns(point.orbit);
     for (std::size_t i = 0; i < point.orbit.events.size(); ++i) {

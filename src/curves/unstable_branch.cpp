@@ -15,7 +15,7 @@ namespace {
 constexpr double first_step = 1e-4;
 
 BranchPoint branch_point(const Rig& rig, const OrbitPoint& point, std::size_t axis) {
-    const CurvePoint numbers = curve_point(rig, point, CurveKind::grazing);  // no more than its orbit is asked
+    const CurvePoint numbers = curve_point(rig, point, CurveKind::grazing);  // the orbit's equations only
     const PlacedRig here = rig.at(point.place);
     BranchPoint result{.along = coordinate(point.place, axis),
                        .frequency = here.frequency(),
@@ -62,7 +62,7 @@ class BranchWalk {
     }
 
   private:
-    // From where an orbit parts from a stable one, if it is unstable that way.
+    // Begins a branch where an orbit separates from a stable one, if it is unstable in this direction.
     void begin(const Stepper::Here& from, const Seed& at) {
         constexpr std::size_t most_branches = 32;
         if (found_.size() >= most_branches) return;
@@ -86,10 +86,10 @@ class BranchWalk {
         }
     }
 
-    // The orbit with an impact more than one that grazes, or with none in place of the grazing.
+    // Begins beyond a grazing, with one more impact or with none in place of the grazing.
     void begin_beyond(const OrbitPoint& grazing, bool gains) {
         const std::size_t event = grazing.orbit.grazing();
-        if (grazing.orbit.events[event].presses) return;  // a contact that goes on, and no impact
+        if (grazing.orbit.events[event].presses) return;  // the contact continues: no impact
         const OrbitPoint beyond = beyond_grazing(rig_, grazing, gains);
         if (beyond.orbit.events.empty()) return;  // the motion without impacts, which is stable
         Stepper::Here here = stepper_.at(beyond);
@@ -104,7 +104,7 @@ class BranchWalk {
         return monodromy(rig_, point.orbit, point.place, Side::without_impact).is_stable();
     }
 
-    // The point of a curve at which it ends, if it does.
+    // Follows a branch; the point of a curve at which it ends, if any.
     std::optional<Seed> go_on(Stepper::Here here, UnstableBranch& branch) {
         constexpr int most_points = 2000;
         for (int count = 0; count < most_points; ++count) {
@@ -153,7 +153,7 @@ class BranchWalk {
     const Rig& rig_;
     const Window& window_;
     Seed seed_;
-    std::size_t axis_;  // that is followed, at one gap
+    std::size_t axis_;  // along which branches are followed, at a fixed gap
     Stepper stepper_;
     std::vector<UnstableBranch> found_;
 };

@@ -66,7 +66,7 @@ std::string edges_text(const EdgeCount& edges) {
         readable_share(edges.basin, edges.edges), readable_share(edges.unexplained(), edges.edges));
 }
 
-// What length of the curves, in shares of the window, is of a kind.
+// Length of the curves for each LabelEdge, in shares of the window.
 std::array<double, label_edge_kinds> lengths_by_edge(const CurveSearchResult& found, const PlanePoint& window) {
     std::array<double, label_edge_kinds> lengths{};
     for (const Curve& curve : found.curves) {

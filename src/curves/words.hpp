@@ -1,4 +1,4 @@
-// What a run of curves says at its end.
+// The closing summary of a run of curves.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace peterka::curves {
 
 [[nodiscard]] std::string in_words(const scene::Scene& scene, const CurveSearchResult& found);
 
-// How many points a rank traces in a second, and how well they obey their equations; empty without any.
+// Points traced per second and rank, and their median residual; empty if there are none.
 [[nodiscard]] std::string speed_in_words(const CurveSearchResult& found);
 
 }  // namespace peterka::curves

@@ -1,7 +1,7 @@
 // Which cells of a basin lead to the same attractor, and the order in which attractors are numbered. No file,
 // no MPI.
 //
-// Periodic cells are told apart by z = p/q and by the orbit's point at forcing phase 0; the other proved
+// Periodic cells are distinguished by z = p/q and by the orbit's point at forcing phase 0; the other proved
 // regimes are one attractor each. Cells that are unresolved, failed or not computed belong to none.
 #pragma once
 
@@ -15,8 +15,8 @@
 namespace peterka::findings {
 
 struct Attractor {
-    quantities::StoredCell cell;  // the first cell found on it stands for all
-    std::int64_t cells = 0;       // how many lead to it
+    quantities::StoredCell cell;  // the first cell found on it represents it
+    std::int64_t cells = 0;       // number of cells that lead to it
 };
 
 inline constexpr std::int32_t no_attractor = -1;

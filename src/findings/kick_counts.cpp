@@ -7,7 +7,7 @@ namespace peterka::findings {
 
 namespace {
 
-// Of sizes above 0.
+// Compares sizes above 0; any other value is not a size.
 bool is_smaller(double one, double other) {
     return one > 0 && (!(other > 0) || one < other);
 }

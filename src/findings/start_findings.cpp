@@ -24,7 +24,7 @@ AttractorLabel label_of(const StoredAttractor& attractor) {
     return {attractor.regime, attractor.period, attractor.impacts};
 }
 
-// all: those in use, the largest share first, and last what is known without a share.
+// all: the slots in use, the largest share first, those known without a share last.
 void add_cell(StartFindings& findings, const quantities::StoredCell& cell, std::span<const StoredAttractor> all,
               const parallel::CellIndex& place) {
     StartCounts& counts = findings.counts;

@@ -1,5 +1,5 @@
-// What the attractors of a map's cells say together, where each cell has many starts. Sums: the same in any
-// grouping of cells.
+// Statistics of the attractors of a map's cells, with many starts per cell. Sums, independent of the grouping
+// of cells.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace peterka::findings {
 
-// Of chaos that ends, where its mean life is shortest.
+// The transient chaos with the shortest mean life.
 struct ShortestLife {
     double seconds = std::numeric_limits<double>::infinity();
     double error = 0;
@@ -29,16 +29,16 @@ struct ShortestLife {
 };
 
 struct StartCounts {
-    static constexpr std::size_t told_apart = 8;           // numbers of attractors; the last one: or more
-    std::array<std::int64_t, told_apart + 1> by_number{};  // cells with so many attractors
+    static constexpr std::size_t told_apart = 8;           // numbers of attractors counted; the last: or more
+    std::array<std::int64_t, told_apart + 1> by_number{};  // cells by their number of attractors
     std::int64_t cells = 0;
-    std::int64_t mixed = 0;       // cells that have motions with impacts and without
-    std::int64_t never_hit = 0;   // cells that have none with impacts, as far as is known
-    std::int64_t known_free = 0;  // cells with one without impacts on which no start ended
+    std::int64_t mixed = 0;       // cells with motions both with and without impacts
+    std::int64_t never_hit = 0;   // cells with no known motion with impacts
+    std::int64_t known_free = 0;  // cells with a known motion without impacts that no start reached
     std::int64_t known_hit = 0;   // the same with impacts
     std::int64_t minority = 0;    // cells in which [start] ends on another attractor than most starts
-    std::int64_t not_kept = 0;    // cells in which it ends on none of those that are kept
-    std::int64_t left_over = 0;   // cells with more attractors than are kept
+    std::int64_t not_kept = 0;    // cells in which [start] ends on no stored attractor
+    std::int64_t left_over = 0;   // cells with more attractors than are stored
     std::int64_t dying = 0;       // cells with chaos from which starts were seen to escape
     ShortestLife shortest;
     KickCounts kicks;  // also without [starts]
@@ -65,8 +65,8 @@ struct StartFindings {
     std::map<AttractorPair, std::int64_t> pairs;  // cells
 };
 
-// Adds the cells of a tile; attractors slot after slot, as many of each cell as are kept. Cells not computed
-// yet count nowhere.
+// Adds the cells of a tile; attractors are given slot by slot, equally many for each cell. Cells not yet
+// computed are skipped.
 void add_attractors(StartFindings& findings, const parallel::Tile& tile,
                     std::span<const quantities::StoredCell> cells,
                     std::span<const quantities::StoredAttractor> attractors);

@@ -77,7 +77,7 @@ std::string reasons(const std::array<std::int64_t, cell::status_names.size()>& c
 }  // namespace
 
 void LargestForce::take(const LargestForce& other) {
-    // A NaN is larger than nothing; the lower cell wins a draw, so the order of taking does not matter.
+    // NaN is never taken; the lower cell wins a tie, so that the order of merging does not matter.
     if (!other.found() || !(other.peak_force_ratio >= peak_force_ratio)) return;
     const bool is_lower = std::tie(other.row, other.column) < std::tie(row, column);
     if (other.peak_force_ratio > peak_force_ratio || !found() || is_lower) *this = other;

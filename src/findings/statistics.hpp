@@ -1,7 +1,7 @@
-// What a map holds, for the summary at its end: counts and extremes over all cells that are there.
+// Counts and extremes over all cells present in a map, for its closing summary.
 //
-// Taken from cells in any grouping and merged, the result is the same: counts are sums, and of equal extremes
-// the one with the lowest cell wins. Forces are over the hammer's weight, F/(m g0).
+// The result is independent of the grouping and merging of cells: counts are sums, and of equal extremes the
+// one with the lowest cell wins. Forces are relative to the hammer's weight, F/(m g0).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace peterka::findings {
 
-// The largest peak force among some cells, and where.
+// The largest peak force of a set of cells, and where it occurs.
 struct LargestForce {
     double peak_force_ratio = -std::numeric_limits<double>::infinity();
     std::int64_t row = -1;
@@ -41,10 +41,10 @@ struct Counts {
     std::array<std::int64_t, cell::certified_names.size()> by_certificate{};  // in the order of their names
     std::array<std::int64_t, cell::status_names.size()> unresolved_by_status{};
     std::array<std::int64_t, cell::status_names.size()> failed_by_status{};
-    std::array<std::int64_t, cell::status_names.size()> open_by_status{};  // of what proofs leave open
+    std::array<std::int64_t, cell::status_names.size()> open_by_status{};  // cases that proofs leave open
     std::array<std::int64_t, cell::engine_names.size()> by_engine{};
-    std::int64_t cells = 0;   // that the map holds so far
-    std::int64_t filled = 0;  // of these, from cells around them
+    std::int64_t cells = 0;   // in the map so far
+    std::int64_t filled = 0;  // of these, filled from neighbouring cells
     std::int64_t cycles = 0;  // forcing cycles spent on them
 
     void add(const Counts& other);
@@ -58,7 +58,7 @@ struct Extremes {
     void take(const Extremes& other);
 };
 
-// For how many cycles chaotic motions were followed.
+// The numbers of cycles over which chaotic motions were followed.
 struct Observed {
     std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
     std::int64_t most = 0;
@@ -66,7 +66,7 @@ struct Observed {
     void take(const Observed& other);
 };
 
-// Of the cells that are chaotic_so_far, the one with the fewest impacts in a cycle: what loses least.
+// The chaotic_so_far cell with the fewest impacts per cycle, which dissipates least.
 struct LongestChaos {
     double impact_rate = std::numeric_limits<double>::infinity();
     std::int64_t row = -1;
@@ -76,8 +76,8 @@ struct LongestChaos {
     void take(const LongestChaos& other);
 };
 
-// Of the cells with a certificate: between which bounds the largest of their peak forces lies, and how far one
-// that was computed lies outside its own, relative; F/(m g0).
+// Bounds on the largest peak force of the cells with a certificate, F/(m g0), and the largest relative amount
+// by which a computed peak force lies outside its own bounds.
 struct ProvedForces {
     double lower = -std::numeric_limits<double>::infinity();
     double upper = -std::numeric_limits<double>::infinity();
@@ -102,11 +102,11 @@ struct Statistics {
     }
 };
 
-// Adds the cells of one tile, row by row; cells not computed yet count nowhere.
+// Adds the cells of one tile, row by row; cells not yet computed are skipped.
 void add_tile(Statistics& statistics, const parallel::Tile& tile,
               std::span<const quantities::StoredCell> cells);
 
-// One line per reason for which cells have no result, e.g. "3 cells failed: not_finite"; "" if all have one.
+// One line per reason why cells have no result, e.g. "3 cells failed: not_finite"; "" if all have one.
 [[nodiscard]] std::string failure_text(const Counts& counts);
 
 }  // namespace peterka::findings

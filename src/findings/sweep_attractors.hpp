@@ -1,4 +1,4 @@
-// What starts find along a sweep beside the motions that its branches are on. Of one gap.
+// Attractors that starts find along a sweep at one gap, besides those of its branches.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,26 @@
 
 namespace peterka {
 
-// Attractors of one class on which no branch is, at whatever points.
+// Attractors of one class that no branch is on, over all points.
 struct Unvisited {
     MotionClass motion;
     std::int64_t points = 0;
     std::int64_t first = 0;  // columns
     std::int64_t last = 0;
-    double largest_share = 0;      // of the starts of a point
-    bool beside_its_like = false;  // somewhere a branch is on another attractor of this class
+    double largest_share = 0;      // of a point's starts
+    bool beside_its_like = false;  // at some point a branch is on another attractor of this class
 };
 
 struct GapAttractors {
     std::int64_t points = 0;
-    std::int64_t several = 0;               // points with more attractors than one
-    std::int64_t most = 0;                  // at one point
-    std::int64_t with_unvisited = 0;        // points with one on which no branch is
-    std::vector<Unvisited> unvisited = {};  // those at most points first
+    std::int64_t several = 0;               // points with more than one attractor
+    std::int64_t most = 0;                  // attractors at one point
+    std::int64_t with_unvisited = 0;        // points with an attractor that no branch is on
+    std::vector<Unvisited> unvisited = {};  // by decreasing number of points
 };
 
-// cells: of all branches with this gap, row after row; attractors: slot after slot, row after row, as many of
-// each cell as are kept.
+// cells: those of all branches at this gap, row by row; attractors: slot by slot, row by row, equally many for
+// each cell.
 [[nodiscard]] GapAttractors find_beside_branches(std::span<const quantities::StoredCell> cells,
                                                  std::span<const quantities::StoredAttractor> attractors,
                                                  std::int64_t columns);

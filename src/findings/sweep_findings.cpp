@@ -94,7 +94,7 @@ BranchFindings find_in_branch(const job::Branch& branch, std::vector<StoredCell>
 
 std::optional<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down) {
     std::optional<Stretch> longest;
-    std::int64_t first = 0;  // of the stretch that the present column belongs to
+    std::int64_t first = 0;  // of the stretch that contains the current column
     for (std::int64_t i = 0; i < std::ssize(up.cells); ++i) {
         const auto column = static_cast<std::size_t>(i);
         if (!differ(up.cells[column], down.cells[column])) {

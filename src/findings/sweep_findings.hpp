@@ -1,4 +1,4 @@
-// What the branches of a sweep show: strongest impacts, bands of one kind of motion, jumps, and hysteresis.
+// Findings in the branches of a sweep: strongest impacts, bands of one kind of motion, jumps, and hysteresis.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace peterka {
 
-// What a cell is called: its regime, and z = p/q where it is periodic.
+// The class of a cell's motion: its regime, and z = p/q if it is periodic.
 struct MotionClass {
     regime::Regime regime = regime::Regime::failed;
     findings::ImpactClass z;  // 0/0 unless periodic
@@ -28,7 +28,7 @@ struct Band {
     [[nodiscard]] std::int64_t points() const { return last - first + 1; }
 };
 
-// From the last point before it to the first one after it, in the branch's direction.
+// From the last point before a jump to the first one after it, in the branch's direction.
 struct Jump {
     std::int64_t from = 0;
     std::int64_t to = 0;
@@ -40,8 +40,8 @@ struct Stretch {
     std::int64_t last = 0;
 };
 
-// What lies next to a point, seen along the frequencies. With both sides its own band, a largest force is a
-// maximum inside it: a resonance. Elsewhere the force may only be cut off.
+// What lies beside a point along the frequencies. If both sides are its own band, a largest force is a maximum
+// inside it: a resonance. Otherwise the force may merely be cut off.
 enum class Side { own_band, other_band, jump, end_of_sweep };
 struct Surroundings {
     Side below = Side::own_band;
@@ -55,7 +55,7 @@ struct BranchFindings {
     // columns of the largest peak force among z = 1/1 and among all
     std::optional<std::int64_t> one_to_one = {};
     std::optional<std::int64_t> largest = {};
-    Surroundings around_one_to_one = {};                            // of the former
+    Surroundings around_one_to_one = {};                            // of one_to_one
     std::vector<Jump> jumps = {};                                   // in the branch's direction
     std::vector<Band> bands = {};                                   // along the frequencies
     std::vector<std::pair<MotionClass, std::int64_t>> points = {};  // of each class, most frequent first
@@ -65,9 +65,9 @@ struct BranchFindings {
 [[nodiscard]] BranchFindings find_in_branch(const job::Branch& branch,
                                             std::vector<quantities::StoredCell> cells);
 
-// The longest stretch in which sweeping up and down lead to different steady motions: another class, or a peak
-// force that differs by more than a hundredth. Points without a period on either side don't count,
-// and a single point is no stretch.
+// The longest stretch in which sweeping up and down lead to different steady motions: a different class, or a
+// peak force that differs by more than 1 %. Points where either motion has no period don't count, and a single
+// point is not a stretch.
 [[nodiscard]] std::optional<Stretch> find_hysteresis(const BranchFindings& up, const BranchFindings& down);
 
 }  // namespace peterka

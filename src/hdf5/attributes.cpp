@@ -6,7 +6,7 @@ namespace peterka::hdf5 {
 
 namespace {
 
-// Text of any length, UTF-8: what h5py gives back as str.
+// Variable-length UTF-8 text, which h5py reads as str.
 TypeId text_type(const Checked& check) {
     TypeId type(check(H5Tcopy(H5T_C_S1), "H5Tcopy"));
     check(H5Tset_size(type.id(), H5T_VARIABLE), "H5Tset_size");

@@ -1,4 +1,4 @@
-// Attributes of a dataset, group or file: written once at creation, read only as what they claim to be.
+// Attributes of a dataset, group or file: written once at creation, read only if of the expected type.
 #pragma once
 
 #include <hdf5.h>
@@ -20,7 +20,7 @@ void write_attribute(const Checked& check, hid_t object, const char* name,
 void write_attribute(const Checked& check, hid_t object, const char* name,
                      std::span<const std::int32_t> numbers);
 
-// Nothing if the object has no such attribute or one of another type.
+// Nothing if the object has no such attribute or it is of another type.
 [[nodiscard]] std::optional<std::string> read_text(hid_t object, const char* name);
 [[nodiscard]] std::optional<std::int32_t> read_integer(hid_t object, const char* name);
 

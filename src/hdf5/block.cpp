@@ -25,7 +25,7 @@ DatasetId open_dataset(const Checked& check, hid_t file, const char* path) {
     return DatasetId(check(H5Dopen2(file, path, H5P_DEFAULT), "H5Dopen2"));
 }
 
-// The last byte is 0.
+// The last byte is reserved for 0.
 std::size_t length_that_fits(const std::string& text) {
     return whole_letters(text, text_capacity - 1);
 }
@@ -70,7 +70,7 @@ void write_number(const Checked& check, hid_t file, const char* path, double val
 
 double read_number(const Checked& check, hid_t file, const char* path) {
     const DatasetId dataset = open_dataset(check, file, path);
-    const SpaceId one(check(H5Screate(H5S_SCALAR), "H5Screate"));  // fails where more are stored
+    const SpaceId one(check(H5Screate(H5S_SCALAR), "H5Screate"));  // reading fails if more are stored
     double value = 0;
     check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, one.id(), H5S_ALL, H5P_DEFAULT, &value), "H5Dread");
     return value;

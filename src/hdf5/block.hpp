@@ -1,6 +1,6 @@
 // Raw numbers to and from a block of a dataset through HDF5, by this rank alone.
 //
-// A map that is being computed is written and read through stored.hpp, which vouches for it.
+// A map being computed is written and read through stored.hpp, which verifies it.
 #pragma once
 
 #include <hdf5.h>
@@ -16,15 +16,15 @@
 
 namespace peterka::hdf5 {
 
-// A rectangle of cells, a box on it, or a run of entries of a list.
+// A rectangle of cells, a box over it, or a range of entries of a list.
 class Block {
   public:
     explicit Block(const parallel::Tile& tile);
-    Block(const parallel::Tile& tile, std::int64_t depth);   // with so many values for each cell
-    Block(std::int64_t layers, const parallel::Tile& tile);  // so many planes of cells, one after the other
+    Block(const parallel::Tile& tile, std::int64_t depth);   // with `depth` values per cell
+    Block(std::int64_t layers, const parallel::Tile& tile);  // `layers` planes of cells, one after the other
     Block(std::int64_t first, std::int64_t count);
 
-    // Cut out of the dataset's own space.
+    // Within the dataset's own dataspace.
     [[nodiscard]] const hsize_t* offset() const { return offset_.data(); }
     [[nodiscard]] const hsize_t* count() const { return count_.data(); }
     [[nodiscard]] int rank() const { return rank_; }
@@ -38,7 +38,7 @@ class Block {
 void write_block(const Checked& check, hid_t dataset, Number number, const Block& block, const void* values);
 void read_block(const Checked& check, hid_t dataset, Number number, const Block& block, void* values);
 
-// A text as it lies in a file: cut to its room, the rest zeros.
+// A text as stored in a file: truncated to its capacity, the rest zeros.
 [[nodiscard]] std::array<char, text_capacity> padded_text(const std::string& text);
 
 // Scalars and texts by path.

@@ -32,14 +32,14 @@ std::string system_text(const std::string& reason) {
 
 void leave_open_files_alone() {
     H5dont_atexit();
-    H5open();  // once MPI is there, it would have MPI_Finalize close its files
+    H5open();  // once MPI is initialized, this call would make MPI_Finalize close its files
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 std::string hdf5_reason() {
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
-    std::ranges::replace(reason, '\n', ' ');  // MPICH's are of several lines
+    std::ranges::replace(reason, '\n', ' ');  // MPICH's reasons span several lines
     return reason.empty() ? "no reason given" : system_text(reason);
 }
 

@@ -4,7 +4,7 @@
 //     const DatasetId dataset(check(H5Dopen2(file, "regime", H5P_DEFAULT), "H5Dopen2"));
 //
 // A negative result becomes a Failure(ExitCode::output) that names the file, the call and the reason that HDF5
-// (or, below it, MPI or the system) gave. Making one turns off HDF5's own printing of its error stack.
+// (or, below it, MPI or the system) gave. Constructing one turns off HDF5's printing of its error stack.
 #pragma once
 
 #include <concepts>
@@ -30,13 +30,13 @@ class Checked {
     std::filesystem::path path_;
 };
 
-// To be called before MPI_Init: HDF5 closes nothing by itself when MPI or the program ends. Every file is
-// closed where it was written; what is still open then is a file whose MPI file alone was closed
-// (map_file/parallel_file.cpp), or one that couldn't be written, and HDF5 1.10 crashes when it closes one. It
-// doesn't print its error stacks from here on either.
+// Call before MPI_Init: HDF5 then closes nothing by itself when MPI or the program ends. Every file is closed
+// where it was written; a file still open at the end is one of which only the MPI file was closed
+// (map_file/parallel_file.cpp), or one that couldn't be written, and HDF5 1.10 crashes when it closes such a
+// file. From here on HDF5 prints no error stacks either.
 void leave_open_files_alone();
 
-// Why the last HDF5 call failed, in the words of the lowest layer that said something.
+// Why the last HDF5 call failed, as reported by the lowest layer that gave a reason.
 [[nodiscard]] std::string hdf5_reason();
 
 }  // namespace peterka::hdf5

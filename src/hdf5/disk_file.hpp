@@ -1,7 +1,7 @@
-// The bytes of a file as the disk has them, read by the system's own call.
+// The bytes of a file on disk, read by system calls.
 //
-// MPI-IO under HDF5 may call a read that failed a success (Open MPI's OMPIO does) and leave in memory whatever
-// was there, so nothing that a run goes on from is read through it. All functions throw
+// MPI-IO under HDF5 may report a failed read as a success (Open MPI's OMPIO does) and leave the buffer
+// unchanged, so nothing that a run resumes from is read through it. All functions throw
 // Failure(ExitCode::output) with the path and the system's reason.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace peterka::hdf5 {
 
-// Which file a path or a descriptor leads to, whatever its name.
+// The file to which a path or a descriptor refers, whatever its name.
 struct FileIdentity {
     std::uint64_t device = 0;
     std::uint64_t number = 0;
@@ -30,21 +30,20 @@ class DiskFile {
     DiskFile& operator=(DiskFile&&) = delete;
     ~DiskFile();
 
-    // All of them, or a failure: a file that ends before is one.
+    // Reads all bytes or fails, also if the file ends before.
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
 
-    // For what MPI-IO couldn't write, or wrote in part: writes it, or says why not.
+    // Writes what MPI-IO couldn't write, or wrote in part; fails with the reason.
     void write(std::uint64_t offset, std::span<const std::byte> bytes) const;
 
-    // Waits until the disk has what was written, and opens the file anew, so that a node sees what others
-    // wrote.
+    // Waits until written data are on disk, and reopens the file, so that a node sees what others wrote.
     void settle();
 
     [[nodiscard]] FileIdentity identity() const { return identity_; }
     [[nodiscard]] std::uint64_t size() const;
 
-    // Whether the path still leads to this very file. The system goes on taking what is written to a file that
-    // was removed or replaced, and drops it at the end.
+    // Fails unless the path still refers to this file. The system accepts writes to a file that was removed or
+    // replaced, and discards them at the end.
     void require_presence() const;
 
   private:

@@ -1,7 +1,7 @@
-// Owners of HDF5 identifiers: each closes what it holds, once, and can be moved but not copied.
+// Owners of HDF5 identifiers: each closes its identifier once, and can be moved but not copied.
 //
-// HDF5 hands out every object as an hid_t that must be closed by the call of its kind; a negative one owns
-// nothing.
+// HDF5 returns every object as an hid_t that must be closed by the call for its kind; an owner of a negative
+// one owns nothing.
 #pragma once
 
 #include <hdf5.h>

@@ -11,7 +11,7 @@ namespace {
 
 using Sizes = Storage::Sizes;
 
-// A plane is one layer, a list one row of it, a number one cell.
+// A plane is one layer, a list one row of a layer, a number one cell.
 Sizes as_box(const hsize_t* sizes, int rank, std::uint64_t lacking) {
     Sizes box;
     box.fill(lacking);
@@ -27,7 +27,7 @@ void each_row(const Sizes& offset, const Sizes& count, const UseRow& use_row) {
     }
 }
 
-// Hands on pieces as large as possible.
+// Merges adjacent pieces before passing them on.
 class Pieces {
   public:
     explicit Pieces(const Storage::Use& use) : use_(use) {}
@@ -84,7 +84,7 @@ bool Storage::find_storage(hid_t dataset, hid_t properties) {
         if (H5Pget_chunk(properties, rank_, sides.data()) != rank_) return false;
         chunk_ = as_box(sides.data(), rank_, 1);
         if (H5Dget_chunk_index_type(dataset, &index) < 0) return false;
-        // of these alone one address tells all others
+        // only for these does one address determine all others
         if (index != H5D_CHUNK_IDX_NONE && index != H5D_CHUNK_IDX_SINGLE) return false;
         if (H5Dget_chunk_info_by_coord(dataset, corner.data(), nullptr, &address, nullptr) < 0) return false;
     } else {

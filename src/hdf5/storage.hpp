@@ -1,7 +1,7 @@
-// Where in a file the numbers of a dataset lie: in one piece, tile after tile where it is chunked.
+// The location of a dataset's numbers in a file: contiguous, tile after tile if it is chunked.
 //
-// All storage of a map is allocated when it is made, without filters, so that the place of each number follows
-// from one address. A dataset that is stored in any other way has none of this kind.
+// All storage of a map is allocated at creation, without filters, so that the place of each number follows from
+// one address. A dataset stored in any other way has no Storage.
 #pragma once
 
 #include <hdf5.h>
@@ -22,7 +22,7 @@ class Storage {
     using Sizes = std::array<std::uint64_t, 3>;  // layers, rows, columns
 
     // Nothing for a dataset that is virtual, external, filtered, compact, not allocated or chunked with an
-    // index that could lead anywhere.
+    // index that allows chunks at arbitrary addresses.
     [[nodiscard]] static std::optional<Storage> of(const Checked& check, hid_t dataset);
 
     [[nodiscard]] std::uint64_t begin() const { return address_; }
@@ -35,7 +35,7 @@ class Storage {
     // Pieces of the file that hold a block, in the block's order.
     using Use = std::function<void(std::uint64_t offset, std::size_t bytes)>;
     void each_piece(const Block& block, const Use& use) const;
-    // All of it, tile by tile where it is chunked.
+    // The whole dataset, tile by tile if it is chunked.
     void each_piece(const Use& use) const;
 
   private:
@@ -44,7 +44,7 @@ class Storage {
 
     bool is_chunked_ = false;
     std::uint64_t address_ = 0;
-    std::uint64_t bytes_ = 0;  // in the file; chunks at the edge take the room of a whole one
+    std::uint64_t bytes_ = 0;  // in the file; chunks at the edge occupy the space of a whole one
     std::size_t bytes_per_value_ = 1;
     int rank_ = 0;
     Sizes size_{1, 1, 1};

@@ -9,7 +9,7 @@
 
 namespace peterka::hdf5 {
 
-// Numbers lie in files as this machine holds them.
+// Files hold numbers in this machine's byte order.
 static_assert(std::endian::native == std::endian::little);
 
 namespace {
@@ -25,7 +25,7 @@ void write_scalar(const Checked& check, hid_t dataset, hid_t type, const void* v
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value), "H5Dwrite");
 }
 
-// Past the selections, in which HDF5 looks for whatever else they may touch: a seventh of the instructions.
+// Bypasses selections, for which HDF5 searches for whatever else they may touch: a seventh of the instructions.
 void write_chunk(const Checked& check, hid_t dataset, const Block& chunk, std::size_t bytes,
                  const void* values) {
     constexpr std::uint32_t filters_left_out = 0;
@@ -76,7 +76,7 @@ bool Stored::hand_over(const Block& block, const void* values) const {
             write_block(map_.check, dataset_.id(), number_, block, values);
         }
         return true;
-    } catch (const Failure&) {  // the system is asked why
+    } catch (const Failure&) {  // the write by a system call reports the reason
         return false;
     }
 }

@@ -1,9 +1,9 @@
-// A dataset of an open map: its numbers are written through HDF5, read from the disk by the system's own call,
-// and every write is looked at before it counts, for MPI-IO may hide a failed or a short one. What it didn't
-// write is written by the system's own call, which does so or says why not.
+// A dataset of an open map: its numbers are written through HDF5 and read from disk by system calls. Every
+// write is read back, since MPI-IO may hide a failed or short one. What it didn't write is written by a system
+// call, which succeeds or reports the reason.
 //
-// The writes are this rank's own, and each is plain data at a place that is fixed. The HDF5 file must have been
-// opened with file_access() or in parallel, so that nothing is held back in memory. All functions throw
+// The writes are this rank's own, of plain data at fixed places. The HDF5 file must have been opened with
+// file_access() or in parallel, so that nothing is held back in memory. All functions throw
 // Failure(ExitCode::output).
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace peterka::hdf5 {
 
-// A file that HDF5 has open, and the same by the system's own calls; both outlive what is made of them.
+// A file opened by HDF5 and by system calls; both must outlive the datasets made from them.
 struct OpenMap {
     const Checked& check;
     hid_t file;
@@ -41,7 +41,7 @@ class Stored {
     [[nodiscard]] std::size_t bytes(const Block& block) const;
 
   private:
-    [[nodiscard]] bool hand_over(const Block& block, const void* values) const;  // whether HDF5 took them
+    [[nodiscard]] bool hand_over(const Block& block, const void* values) const;  // whether HDF5 accepted them
     [[nodiscard]] bool holds(const Block& block, std::span<const std::byte> values) const;
 
     OpenMap map_;

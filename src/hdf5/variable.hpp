@@ -1,4 +1,4 @@
-// What a reader is told about one dataset: name, kind of number, unit and meaning.
+// The metadata of one dataset: name, kind of number, unit and meaning.
 #pragma once
 
 #include <hdf5.h>
@@ -14,18 +14,18 @@ namespace peterka::hdf5 {
 
 enum class Number { int8, int32, int64, uint64, float64, text };
 
-// Every text has the same room, reserved when the file is made; longer ones are cut [bytes].
+// Capacity of every text, reserved when the file is created; longer texts are truncated [bytes].
 inline constexpr std::size_t text_capacity = 4096;
 
-// Names of the values 0, 1, 2, ..., or from first_flag on, of a variable that tells classes apart; empty for a
-// measured quantity.
+// Names of the values 0, 1, 2, ..., or from first_flag on, of a categorical variable; empty for a measured
+// quantity.
 using Flags = std::span<const char* const>;
 
 struct Variable {
     const char* name;
     Number number;
     double fill;        // value before anything is written; exact in each kind of number used
-    const char* units;  // "" where a unit makes no sense
+    const char* units;  // "" if it has no unit
     const char* long_name;
     Flags flags = {};
     int first_flag = 0;
@@ -33,12 +33,12 @@ struct Variable {
 
 [[nodiscard]] std::size_t bytes_of(Number number);
 
-// How a number lies in the file: little-endian at any machine; a text as UTF-8 of fixed capacity.
+// The type in the file: little-endian on every machine; a text as UTF-8 of fixed capacity.
 [[nodiscard]] TypeId file_type(const Checked& check, Number number);
-// How this machine holds it; HDF5's own identifier, not to be closed. There is none for text.
+// The type in memory: HDF5's own identifier, not to be closed. There is none for text.
 [[nodiscard]] hid_t memory_type(Number number);
 
-// Calls `visitor` with a zero of the C++ type of a number: the one switch from kinds of numbers to types.
+// Calls `visitor` with a zero of a number's C++ type: the only switch from kinds of numbers to types.
 template <class Visitor>
 decltype(auto) visit_number(Number number, Visitor&& visitor) {
     switch (number) {

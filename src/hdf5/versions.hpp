@@ -1,6 +1,5 @@
-// What releases of HDF5 have under different names: objects of a file are told apart by their address
-// until 1.10 (Debian 12) and by a token from 1.12 on (Debian 13). Nothing else asks for a
-// release.
+// Names that differ between releases of HDF5: objects of a file are distinguished by their address up to 1.10
+// (Debian 12) and by a token from 1.12 on (Debian 13). No other code depends on the release.
 #pragma once
 
 #include <hdf5.h>
@@ -35,7 +34,7 @@ inline ObjectToken token_of(const ObjectInfo& info) {
 
 #endif
 
-// Two objects of one file are the same where these are.
+// Two objects of one file are the same if these are equal.
 using ObjectIdentity = std::array<std::byte, sizeof(ObjectToken)>;
 inline ObjectIdentity identity_of(const ObjectInfo& info) {
     return std::bit_cast<ObjectIdentity>(token_of(info));

@@ -56,7 +56,7 @@ bool CvodeStepper::step() {
 
 bool CvodeStepper::look(double time, LegPoint& point) {
     const int flag = CVodeGetDky(solver_.get(), time, 0, unknowns_.get());
-    if (flag == CV_BAD_T) return false;  // of a step so short that rounding moves its ends
+    if (flag == CV_BAD_T) return false;  // in a step so short that rounding moves its ends
     require_cvode(flag, "CVodeGetDky");
     point = load(unknowns_.get(), time);
     return true;

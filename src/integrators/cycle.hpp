@@ -38,7 +38,7 @@ class CycleIntegration {
     }
 
     [[nodiscard]] const Oscillator<double>& oscillator() const { return leg_->oscillator; }
-    // From the state x at tau = from to tau = to, of one cycle.
+    // From the state x at tau = from to tau = to, within one cycle.
     [[nodiscard]] Cycle<double> cycle(const State<double>& x, double from, double to,
                                       Recorder<double>* recorder);
 
@@ -57,11 +57,11 @@ class CycleIntegration {
     void record_step(const LegPoint& end, Integrals& integrals, Recorder<double>& recorder);
     void record_leg(const State<double>& start, const LegPoint& end, const Integrals& integrals,
                     Recorder<double>& recorder) const;
-    // Against a stop that gives way, and against a rigid one.
+    // With a compliant stop, and with a rigid one.
     Cycle<double> pressing_cycle(const State<double>& x, double from, double to, Recorder<double>* recorder);
     Cycle<double> striking_cycle(const State<double>& x, double from, double to, Recorder<double>* recorder);
-    // A hammer that leaves its rest on the stop can't be back before something presses again, or before its
-    // spring swings back.
+    // A hammer that leaves its rest on the stop can't return before it is pressed again, or before its spring
+    // swings back.
     [[nodiscard]] double time_away(double theta) const {
         const double stiffening =
             3 * std::abs(leg_->oscillator.cubic) * (1 + leg_->oscillator.gap * leg_->oscillator.gap);
@@ -74,17 +74,17 @@ class CycleIntegration {
     std::unique_ptr<SundialsLeg> leg_;
     std::unique_ptr<Stepper> stepper_;
     StepEvents<Stepper> events_;
-    std::optional<RigidCourse<double>> course_;  // of a rigid stop
+    std::optional<RigidCourse<double>> course_;  // for a rigid stop
     int steps_ = 0;                              // in this cycle
-    double leg_start_ = 0;                       // tau of the cycle
+    double leg_start_ = 0;                       // tau within the cycle
 };
 
 template <class Stepper>
 auto CycleIntegration<Stepper>::integrate_leg(const State<double>& x, double length, Recorder<double>* recorder)
     -> LegEnd {
-    constexpr int most_steps = 200'000;  // in a cycle: a second of work; a scene that wants more is too stiff
+    constexpr int most_steps = 200'000;  // per cycle: a second of work; a scene that needs more is too stiff
     constexpr double longest_step =
-        0.5;  // in radians of the spring and of the forcing: events are looked for in it
+        0.5;  // in radians of the spring and of the forcing, since events are searched within a step
     const double instant = 1e-14 * leg_->oscillator.period();  // too short for an integrator
     if (length <= instant) return {LegEnd::Kind::cycle, leg_->phase, extrapolated(*leg_, {.state = x}, length)};
     Integrals integrals;
@@ -121,8 +121,8 @@ void CycleIntegration<Stepper>::record_step(const LegPoint& end, Integrals& inte
     if (presses || recorder.records_energy()) events_.add_integrals(end, integrals);
 }
 
-// What the stop did follows from the balances of momentum and energy: as exact as the integration, and free of
-// the force itself, which is noise in a stiff contact.
+// The stop's impulse and work follow from the balances of momentum and energy: as accurate as the integration,
+// and independent of the force itself, which is noise in a stiff contact.
 template <class Stepper>
 void CycleIntegration<Stepper>::record_leg(const State<double>& start, const LegPoint& end,
                                            const Integrals& integrals, Recorder<double>& recorder) const {
@@ -152,7 +152,7 @@ void CycleIntegration<Stepper>::enter(Phase from, Phase next, double time, Cycle
             cycle.last_touch = time;
             if (recorder != nullptr) recorder->touch({oscillator.frequency * time, cycle.end[1]});
             cycle.end[0] = 0;
-            // saltation: the force jumps by this times the speed
+            // saltation matrix (Leine & Nijmeijer 2004): the force jumps by this times the speed
             cycle.jacobian.row(1) -=
                 contact_response(oscillator, cycle.end).by_velocity * cycle.jacobian.row(0);
         }
@@ -175,7 +175,7 @@ Cycle<double> CycleIntegration<Stepper>::cycle(const State<double>& x, double fr
 template <class Stepper>
 Cycle<double> CycleIntegration<Stepper>::pressing_cycle(const State<double>& x, double from, double to,
                                                         Recorder<double>* recorder) {
-    constexpr int most_legs = 5'000;  // a cycle with more contacts than this has left physics
+    constexpr int most_legs = 5'000;  // a cycle with more contacts is unphysical
     const auto& oscillator = leg_->oscillator;
     Cycle<double> cycle;
     cycle.end = x;
@@ -239,7 +239,7 @@ bool CycleIntegration<Stepper>::fly(Journey<double>& journey, double end_time, R
     cycle.end = end.point.state;
     cycle.jacobian = (end.point.flow * cycle.jacobian).eval();
     if (!cycle.end.allFinite() || !cycle.jacobian.allFinite()) return journey.stop(Outcome::not_finite);
-    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than the integration tells
+    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // within the error of the integration
     journey.time = hits ? journey.time + end.point.time : end_time;
     return true;
 }

@@ -23,7 +23,7 @@ using trajectory::lets_go_inside;
 using trajectory::linearized_contact;
 using trajectory::parabola_step;
 
-// Taylor's series of a step so short that nothing beyond it can be told from rounding.
+// Taylor expansion over a step so short that the remainder is below rounding.
 inline LegPoint extrapolated(const SundialsLeg& leg, const LegPoint& point, double step) {
     const auto a = leg.acceleration_at(point.state, point.time);
     const double velocity = point.state[1];
@@ -39,7 +39,7 @@ inline LegPoint extrapolated(const SundialsLeg& leg, const LegPoint& point, doub
     return end;
 }
 
-// Leg and stepper must outlive it.
+// Leg and stepper must outlive this object.
 template <class Stepper>
 class StepEvents {
   public:
@@ -50,15 +50,15 @@ class StepEvents {
         LegPoint point{};
     };
     [[nodiscard]] std::optional<Event> first_event();
-    // Up to this time of the leg no event is possible, whatever rounding says.
+    // No event is possible up to this time of the leg, whatever rounding suggests.
     void trust_after(double time) { quiet_ = time; }
 
-    // Over the step up to `end`; never less than what was the largest before.
+    // Over the step up to `end`; never less than `largest`.
     [[nodiscard]] double largest_force(const LegPoint& end, double largest);
     [[nodiscard]] double displacement_bound(const LegPoint& end, double largest) const;
     [[nodiscard]] double largest_displacement(const LegPoint& end, double largest);
 
-    // Over the step up to `end`, of what acts on the hammer besides the stop.
+    // Over the step up to `end`, of the forces on the hammer other than the stop's.
     struct Integrals {
         double push = 0;         // of its acceleration a without the stop
         double push_work = 0;    // of a delta'
@@ -67,10 +67,10 @@ class StepEvents {
     };
     void add_integrals(const LegPoint& end, Integrals& sum);
 
-    // Within the last step, at a time of the leg.
+    // At a time of the leg within the last step.
     [[nodiscard]] State<double> state_at(double time) { return look(time).state; }
 
-    // An integration to a point within the step failed: what was found is void.
+    // An integration to a point within the step failed: the results are void.
     [[nodiscard]] bool failed() const { return failed_; }
     void forget_failure() { failed_ = false; }
 
@@ -95,7 +95,7 @@ class StepEvents {
         return point;
     }
 
-    // Steps that pass over the fast decay of a contact: the motion follows the balance of forces.
+    // Whether the step passes over the fast decay of a contact: the motion then follows the balance of forces.
     [[nodiscard]] bool passes_over_transients() const {
         return leg_->phase == Phase::contact &&
                (stepper_->now().time - stepper_->before().time) * fastest(stepper_->before().state) > 3;
@@ -103,14 +103,14 @@ class StepEvents {
     [[nodiscard]] double fastest(const State<double>& x) const {
         return rates_of(linearized_contact(leg_->oscillator, x)).fast;
     }
-    // Slope of the force where it balances all others but inertia, which is small; what the state says of it is
-    // noise.
+    // Slope of the force where it balances all others except inertia, which is small; computed from the state
+    // it would be noise.
     [[nodiscard]] double balanced_slope(const LegPoint& point) const {
         const double angle = leg_->start_angle + leg_->oscillator.frequency * point.time;
         const auto free = acceleration(leg_->oscillator, Phase::flight, point.state, angle);
         return free.by_time + free.by_position * point.state[1];
     }
-    // Error of the grip at such a point: its terms cancel.
+    // Error of the grip at such a point, where its terms cancel.
     [[nodiscard]] double noise(const State<double>& x) const {
         const auto g = grip(leg_->oscillator, x);
         return leg_->local_tolerance * (std::abs(g.by_position * x[0]) + std::abs(g.by_velocity * x[1])) / 2;
@@ -175,8 +175,8 @@ auto StepEvents<Stepper>::watched() const -> std::span<const Watch> {
     return lets_go_at_surface(leg_->oscillator) ? both : both.first(1);
 }
 
-// Newton's method with curvature inside a bracket. The last correction is a Taylor step, so that the point is
-// as exact as the integration and not only as the time of the event.
+// Newton's method with curvature inside a bracket. The last correction is a Taylor step, so that not only the
+// time of the event but also the point is as accurate as the integration.
 template <class Stepper>
 LegPoint StepEvents<Stepper>::refine(Signal signal, Bracket bracket) {
     constexpr int most_looks = 50;
@@ -212,7 +212,7 @@ std::optional<LegPoint> StepEvents<Stepper>::locate(Signal signal, const LegPoin
     if (end.time <= quiet_) return std::nullopt;
     const LegPoint& before = stepper_->before();
     Sample start = sample(signal, before.time < quiet_ ? look(quiet_) : before);
-    start.value = std::min(start.value, 0.0);  // a leg starts on a surface, give or take rounding
+    start.value = std::min(start.value, 0.0);  // a leg starts on a surface, up to rounding
     const auto bracket =
         first_rise(start, sample(signal, end), [&](double time) { return sample(signal, look(time)); });
     if (!bracket) return std::nullopt;
@@ -270,7 +270,7 @@ double StepEvents<Stepper>::largest_displacement(const LegPoint& end, double lar
     return largest;
 }
 
-// By Gauss and Legendre's rule of 4 nodes: within a step the motion turns by about a radian.
+// Gauss-Legendre quadrature with 4 nodes: within a step the motion turns by about a radian.
 template <class Stepper>
 void StepEvents<Stepper>::add_integrals(const LegPoint& end, Integrals& sum) {
     constexpr std::array nodes{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,

@@ -13,18 +13,18 @@ namespace {
 using Cvode = CycleIntegration<CvodeStepper>;
 using Arkode = CycleIntegration<ArkodeStepper>;
 
-// Local errors add up over a cycle and grow towards the peak force. With these shares of the tolerance asked
-// for, the periodic orbits of the header come out as exact as that; smaller ones would only cost time.
+// Local errors accumulate over a cycle and grow towards the peak force. With these shares of the requested
+// tolerance the periodic orbits of the header meet it; smaller ones would only cost time.
 constexpr double adams_share = 0.0025;
 constexpr double bdf_share = 5e-4;
 constexpr double explicit_5_share = 0.4;
-constexpr double explicit_8_share = 5;  // its steps are short for other reasons: it is better than asked for
+constexpr double explicit_8_share = 5;  // its steps are short for other reasons: more accurate than requested
 constexpr double implicit_share = 0.004;
 
 constexpr double tight = 2e-8;  // below it the explicit method of order 8 is faster than the one of order 5
 
-// Fehlberg's error estimate of order 8 sees only the ends of a step: it is blind to what a force that is not
-// smooth does at first touch.
+// The error estimate of Fehlberg's order-8 method (NASA TR R-287, 1968) sees only the ends of a step: it misses
+// the effect of a nonsmooth force at first touch.
 bool suits_order_8(const Oscillator<double>& oscillator) {
     return scene::has_smooth_force(oscillator.contact);
 }

@@ -44,7 +44,7 @@ int leg_jacobian(double time, N_Vector unknowns, N_Vector /*slope*/, SUNMatrix j
                  N_Vector, N_Vector) {
     const double* y = N_VGetArrayPointer(unknowns);
     const auto a = static_cast<const SundialsLeg*>(leg)->acceleration_at({y[0], y[1]}, time);
-    // Hunt and Crossley's law may have no second derivative at first touch; an iteration gets on without it
+    // the Hunt-Crossley law may have no second derivative at first touch; the iteration converges without it
     const double bend = std::isfinite(a.by_position_twice) ? a.by_position_twice : 0;
     SUNMatZero(jacobian);
     for (int column = 0; column < leg_unknowns; column += 2) {
@@ -60,7 +60,7 @@ int leg_jacobian(double time, N_Vector unknowns, N_Vector /*slope*/, SUNMatrix j
 
 namespace {
 
-// What counts as small in a leg: below it errors are absolute.
+// Magnitudes in a leg below which errors are absolute.
 struct Smallness {
     double position;
     double velocity;
@@ -101,7 +101,7 @@ int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data) {
         const double velocity = std::abs(y[column + 1]);
         w[column] = 1 / (leg.local_tolerance * (position + velocity / rates.fast + smallest.position));
         w[column + 1] = 1 / (leg.local_tolerance * (velocity + rates.slow * position + smallest.velocity));
-        // the slope tells of a state that is not finite; a weight must be a number
+        // leg_slope reports a non-finite state; a weight must be a number
         if (!(w[column] > 0)) w[column] = 1;
         if (!(w[column + 1] > 0)) w[column + 1] = 1;
     }

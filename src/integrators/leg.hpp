@@ -1,8 +1,8 @@
 // One leg of a cycle as SUNDIALS sees it: right-hand side, its analytic Jacobian, and error weights.
 //
 // Six unknowns: the state (delta, delta') and, column by column, its derivatives by the state at the start of
-// the leg (the variational equations). Time is local, from 0 at the start of the leg; the forcing phase at
-// that start is kept apart, so that nothing loses digits late in a run.
+// the leg (the variational equations). Time is local, from 0 at the start of the leg; the forcing phase at that
+// start is stored separately, so that no digits are lost late in a run.
 #pragma once
 
 #include <nvector/nvector_serial.h>
@@ -22,7 +22,7 @@ using trajectory::Phase;
 struct LegPoint {
     double time = 0;  // from the start of the leg, in 1/omega
     State<double> state = State<double>::Zero();
-    Jacobian<double> flow = Jacobian<double>::Identity();  // of the state by the leg's first state
+    Jacobian<double> flow = Jacobian<double>::Identity();  // of the state by the leg's initial state
 };
 
 struct SundialsLeg {
@@ -41,15 +41,15 @@ constexpr int leg_unknowns = 6;
 void store(const LegPoint& point, N_Vector unknowns);
 LegPoint load(N_Vector unknowns, double time);
 
-// Callbacks; user data is a SundialsLeg. A state that is not finite stops the integration.
+// Callbacks; user data is a SundialsLeg. A non-finite state stops the integration.
 int leg_slope(double time, N_Vector unknowns, N_Vector slope, void* leg);
 int leg_jacobian(double time, N_Vector unknowns, N_Vector slope, SUNMatrix jacobian, void* leg, N_Vector,
                  N_Vector, N_Vector);
-// Times that a step may be shortened: Hunt and Crossley's force starts with a kink that hides from the first
+// How often a step may be shortened: the Hunt-Crossley force starts with a kink that hides from the first
 // guess.
 constexpr int most_retries = 50;
 // Errors are relative to the energy of the motion, position and velocity together: a position that passes
-// through zero is no more exact than its neighbours. Each column of the flow is judged in the same way.
+// through zero is no more accurate than its neighbours. Each column of the flow is treated in the same way.
 int leg_weights(N_Vector unknowns, N_Vector weights, void* leg_data);
 
 }  // namespace peterka::integrators

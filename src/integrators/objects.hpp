@@ -1,8 +1,8 @@
 // Thin move-only owners of SUNDIALS objects, and the check of every call.
 //
-// Three outcomes of a call are kept apart: success; an integration that failed (a step size that vanished, an
+// Three outcomes of a call are distinguished: success; a failed integration (a step size that vanished, an
 // iteration that diverged), which is data of a cell; and a broken call (bad arguments, no memory), which throws
-// peterka::Failure with the call's name and the library's own word for it.
+// peterka::Failure with the call's name and the library's own name of the flag.
 #pragma once
 
 #include <nvector/nvector_serial.h>
@@ -17,14 +17,13 @@
 
 namespace peterka::integrators::sundials_library {
 
-// Throws where a call failed. `word` is what the library calls the flag; the owner of the call knows how to
-// ask.
+// Throws if a call failed. `word` returns the library's name of the flag.
 void require(int flag, const char* call, char* (*word)(long int));
 
-// Throws where a constructor of the library returned nothing.
+// Throws if a constructor of the library returned nothing.
 void require_object(const void* object, const char* call);
 
-// Flags from -1 to -19 tell that the integration failed, those below that the call was wrong.
+// Flags from -1 to -19 mean that the integration failed, lower ones that the call was wrong.
 constexpr bool is_failed_integration(int flag) {
     return flag < 0 && flag > -20;
 }
@@ -47,7 +46,7 @@ struct FreeMemory {
 };
 using Memory = std::unique_ptr<void, FreeMemory>;
 
-// What all objects of one stepper share; they go before it.
+// Shared by all objects of one stepper, which are destroyed before it.
 struct FreeContext {
     void operator()(SUNContext context) const { SUNContext_Free(&context); }
 };

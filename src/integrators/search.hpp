@@ -1,9 +1,10 @@
 // Events within one step of an integrator: the first rise of a signal through zero, and its largest value.
 //
-// Between two looks at the trajectory the signal is the quintic through value, slope and curvature of both
-// ends. Its Bernstein coefficients bound it, a margin covers the quintic's own error, and what the bounds
-// cannot decide is halved and looked at again: hops and grazing maxima within a step cannot hide. Where the
-// curvature is noise (in a stiff contact), the cubic through values and slopes takes the quintic's place.
+// Between two samples of the trajectory the signal is the quintic Hermite interpolant of value, slope and
+// curvature at both ends. Its Bernstein coefficients bound it, a margin covers the interpolation error, and
+// intervals that the bounds cannot decide are halved and sampled again: hops and grazing maxima within a step
+// cannot hide. Where the curvature is noise (in a stiff contact), the cubic through values and slopes replaces
+// the quintic.
 #pragma once
 
 #include <algorithm>
@@ -41,8 +42,8 @@ struct SignalCurve {
               b.value - 2 * h * b.slope / 5 + h * h * cb / 20,
               b.value - h * b.slope / 5,
               b.value};
-        // The cubic's error is about h^2/32 of the mismatch of curvatures. The quintic's is smaller by
-        // (h w)^2/120 at the rate w of the signal; an integrator's steps keep h w below 1.5.
+        // The cubic's error is about h^2/32 times the mismatch of curvatures. The quintic's is smaller by a
+        // factor of (h w)^2/120 at the rate w of the signal; an integrator's steps keep h w below 1.5.
         margin = h * h / 32 * std::max(std::abs(ca - first), std::abs(cb - last)) / 50;
     }
 
@@ -76,10 +77,10 @@ struct SignalCurve {
     }
 };
 
-// Share of the interval at which a function that changes its sign once does so.
+// Share of the interval at which a function with one change of sign has it.
 template <class Function>
 double sign_change(Function&& function, bool rising) {
-    constexpr int halvings = 40;  // far below what the curve itself is worth
+    constexpr int halvings = 40;  // far below the accuracy of the curve itself
     double low = 0;
     double high = 1;
     for (int n = 0; n < halvings; ++n) {
@@ -121,7 +122,7 @@ double largest_between(const Sample& a, const Sample& b, SampleAt&& sample_at, d
         if (a.slope <= 0 || b.slope >= 0) return largest;
         const double share = sign_change([&](double s) { return -curve.slope(s); }, true);
         const Sample top = sample_at(a.time + share * (b.time - a.time));
-        // the curve's maximum is off by so little that the parabola's correction is exact
+        // the curve's maximum is so close that the parabola's correction is exact
         const double correction = top.curvature < 0 ? top.slope * top.slope / (-2 * top.curvature) : 0;
         return std::max(largest, top.value + correction);
     }

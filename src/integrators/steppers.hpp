@@ -1,8 +1,8 @@
-// CVODE and ARKODE behind one interface: a leg is started, goes on step by step, and can be looked at anywhere
-// within the step just made, at the integrator's own accuracy.
+// CVODE and ARKODE behind one interface: a leg is started, advances step by step, and can be evaluated anywhere
+// within the last step, at the integrator's own accuracy.
 //
-// Both are made once and re-initialized for each leg. The leg given to the constructor must outlive the
-// stepper and stay where it is. Errors: see integrators/objects.hpp.
+// Both are created once and re-initialized for each leg. The leg given to the constructor must outlive the
+// stepper and not move. Errors: see integrators/objects.hpp.
 #pragma once
 
 #include "integrators/leg.hpp"
@@ -10,10 +10,10 @@
 
 namespace peterka::integrators {
 
-// How far a leg has come.
+// The progress of a leg.
 class LegProgress {
   public:
-    [[nodiscard]] const LegPoint& before() const { return before_; }  // the last step
+    [[nodiscard]] const LegPoint& before() const { return before_; }  // start of the last step
     [[nodiscard]] const LegPoint& now() const { return now_; }
 
   protected:
@@ -32,11 +32,12 @@ class CvodeStepper : public LegProgress {
     enum class Method { adams, bdf };
     CvodeStepper(SundialsLeg& leg, Method method);
 
-    // Starts a leg of at most `length` with steps no longer than `longest_step`, from a flow of identity.
+    // Starts a leg of at most `length` with steps no longer than `longest_step`; the flow starts as the
+    // identity.
     void start(const State<double>& x, double length, double longest_step);
-    // One step. False where the integration failed.
+    // One step. False if the integration failed.
     [[nodiscard]] bool step();
-    // Within the last step, from the method's own polynomial. False where the integration failed.
+    // Within the last step, by the method's own polynomial. False if the integration failed.
     [[nodiscard]] bool look(double time, LegPoint& point);
 
   private:
@@ -68,7 +69,7 @@ class ArkodeStepper : public LegProgress {
     sundials_library::DenseSolver dense_;
     sundials_library::DenseSolver looking_dense_;
     sundials_library::Memory solver_;
-    sundials_library::Memory looking_;  // goes from the start of a step to a point within it
+    sundials_library::Memory looking_;  // integrates from the start of a step to a point within it
 };
 
 }  // namespace peterka::integrators

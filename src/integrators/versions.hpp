@@ -1,5 +1,5 @@
-// What releases of SUNDIALS have under different names, in the words of the newest: 6.4 to 6.7 (Debian 12),
-// 7.0, and from 7.1 on (Debian 13). Nothing else asks for a release.
+// Names that differ between releases of SUNDIALS, as in the newest: 6.4 to 6.7 (Debian 12), 7.0, and from 7.1
+// on (Debian 13). No other code depends on the release.
 #pragma once
 
 #include <arkode/arkode_arkstep.h>
@@ -14,7 +14,7 @@ namespace peterka::integrators::sundials_library {
 inline int create_context(SUNContext* context) {
     return SUNContext_Create(nullptr, context);
 }
-// The library prints no errors: they are told through flags. Each solver has a handler of its own.
+// The library prints no errors; flags report them. Each solver has a handler of its own.
 inline void print_nothing(int, const char*, const char*, char*, void*) {}
 inline int silence_cvode(void* solver) {
     return CVodeSetErrHandlerFn(solver, print_nothing, nullptr);
@@ -25,7 +25,7 @@ inline int silence_arkode(void* solver) {
 
 #else
 
-// The context has the handlers of errors, for all solvers made with it.
+// The context holds the error handlers of all solvers made with it.
 inline int create_context(SUNContext* context) {
     const int flag = SUNContext_Create(SUN_COMM_NULL, context);
     return flag < 0 ? flag : SUNContext_ClearErrHandlers(*context);

@@ -14,7 +14,7 @@
 namespace peterka::job {
 namespace {
 
-// In the way of other units: "Ns/m" reads "N s/m".
+// Spaced like other units: "Ns/m" becomes "N s/m".
 std::string spaced(std::string unit) {
     if (unit.starts_with("Ns")) unit.insert(1, " ");
     return unit;
@@ -35,7 +35,7 @@ AxisQuantity made(std::string key, std::string_view meaning, const Range<double>
     return quantity;
 }
 
-// Collects the numbers of a table, and the keys that are none.
+// Collects the numbers of a table, and its non-numeric keys.
 class Collector : public NumberWalker {
   public:
     Collector(std::string table, std::vector<AxisQuantity>& numbers, std::vector<std::string>& others)

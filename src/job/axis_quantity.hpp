@@ -1,7 +1,7 @@
-// What an axis may run over: any number of the job that a cell may have for itself.
+// The quantities that an axis may vary: any number of the job that may differ from cell to cell.
 //
-// It is named by its table and key, contact.damping_ns_per_m; frequency and gap, as ratios or in SI units, by
-// their key alone, and so are the starts of a basin. The lists follow from the schema of the job file.
+// Each is named by its table and key (contact.damping_ns_per_m); frequency and gap, as ratios or in SI units,
+// and the starts of a basin by their key alone. The lists follow from the schema of the job file.
 #pragma once
 
 #include <optional>
@@ -20,30 +20,30 @@ struct AxisQuantity {
     std::string key;         // "contact.damping_ns_per_m"
     std::string coordinate;  // its name in a file: "contact_damping_ns_per_m"
     std::string meaning;     // with its unit in brackets
-    std::string long_name;   // without
+    std::string long_name;   // without the unit
     std::string units;       // "N s/m"
     std::string from;        // examples
     std::string to;
     Range<double> range{};
-    std::optional<ContactLaw> law = {};  // of a stop that has it
+    std::optional<ContactLaw> law = {};  // only for stops with this law
 };
 
-// Of maps and sweeps with this law; those of other laws, and keys that are no numbers, for what to say of them.
+// The keys for maps and sweeps with this law, and whether a key is known but not numeric (for error messages).
 [[nodiscard]] std::vector<std::string_view> axis_keys(ContactLaw law);
 [[nodiscard]] bool is_no_number(std::string_view key);
 
-// All of them, with those of basins and of any law.
+// All quantities, including those of basins and of all laws.
 [[nodiscard]] const std::vector<AxisQuantity>& axis_quantities();
 
-// Any of them; nullptr where there is none with this key.
+// The quantity with this key, of any kind; nullptr if there is none.
 [[nodiscard]] const AxisQuantity* find_quantity(std::string_view key);
-[[nodiscard]] const AxisQuantity& quantity(std::string_view key);  // there is one
+[[nodiscard]] const AxisQuantity& quantity(std::string_view key);  // must exist
 
-// The table and key that have the value of such an axis in other jobs: "operating_point.gap_ratio" of
+// The table and key that hold the value of such an axis in other jobs: "operating_point.gap_ratio" for
 // "gap_ratio".
 [[nodiscard]] std::string key_in_tables(std::string_view key);
 
-// Names in the file: of the axes, or of a sweep's branches.
+// Names of the axes, or of a sweep's branches, in the file.
 [[nodiscard]] AxisNames axis_names(const Job& job);
 
 }  // namespace peterka::job

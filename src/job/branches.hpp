@@ -1,4 +1,4 @@
-// The branches of a sweep that have a gap in common: up and down, where it goes both ways.
+// The branches of a sweep with the same gap: up and down if it is swept in both directions.
 #pragma once
 
 #include <cstdint>

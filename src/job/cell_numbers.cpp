@@ -33,8 +33,8 @@ constexpr Settable named[] = {
 };
 // clang-format on
 
-// Sets one number of a table of the job, by the name that the schema has for it. A stop of another law has no
-// such number: axes over those are refused (table_reader_axes.cpp).
+// Sets one number in a table of the job by its schema name. A stop of another law has no such number: axes over
+// it are refused (table_reader_axes.cpp).
 class NumberSetter : public NumberWalker {
   public:
     NumberSetter(std::string_view name, double value) : name_(name), value_(value) {}
@@ -58,7 +58,7 @@ class NumberSetter : public NumberWalker {
     double value_;
 };
 
-// Whether the job has such a table.
+// Returns whether the job has such a table.
 bool set_in_table(CellNumbers& numbers, std::string_view table, NumberSetter setter) {
     if (table == "hammer") {
         describe(setter, numbers.hammer);
@@ -97,7 +97,7 @@ CellNumbers numbers_in(const Job& job) {
 }
 
 void set_number(CellNumbers& numbers, std::string_view key, double value) {
-    constexpr std::string_view of_start = "start.";  // an axis of a basin goes without
+    constexpr std::string_view of_start = "start.";  // an axis of a basin omits it
     const std::string_view name = key.starts_with(of_start) ? key.substr(of_start.size()) : key;
     const auto* found = std::ranges::find(named, name, &Settable::key);
     if (found != std::end(named)) return found->set(numbers, value);

@@ -1,5 +1,4 @@
-// The numbers of a job that a cell may have for itself, and setting one of them by the name that an axis gives
-// it.
+// The numbers of a job that may differ from cell to cell, and setting one of them by its axis name.
 #pragma once
 
 #include <cstdint>
@@ -25,21 +24,21 @@ struct CellNumbers {
     [[nodiscard]] double velocity_ratio() const;
 };
 
-// As the tables of the job have them.
+// As given in the job's tables.
 [[nodiscard]] CellNumbers numbers_in(const Job& job);
 
-// `key` as axis_quantity.hpp lists them, of the law that the stop has. It takes the place of a key of which
-// only one of both is given: a frequency in Hz that of a ratio.
+// `key`: one listed in axis_quantity.hpp, for the stop's own law. It replaces an alternative key of which only
+// one may be given: a frequency in Hz replaces a ratio.
 void set_number(CellNumbers& numbers, std::string_view key, double value);
 
-// As numbers_in, with the values of the job's axes, or its branch, at a place.
+// Like numbers_in, with the values of the job's axes, or of its branch, at this cell.
 [[nodiscard]] CellNumbers numbers_at(const Job& job, std::int64_t row, std::int64_t column);
 
-// Of the cells that a study of work and precision lists: at rest at phase 0.
+// For the cells listed in a work-precision study: at rest at phase 0.
 [[nodiscard]] std::vector<CellNumbers> numbers_of_cells(const Job& job);
 
-// Of the first and last cells of the first and last rows, or of all branches: each number is monotonic along an
-// axis, so that what holds for these holds for all cells. A job without axes has one.
+// For the first and last cells of the first and last rows, or of all branches: each number is monotonic along
+// an axis, so what holds for these holds for all cells. A job without axes has one cell.
 [[nodiscard]] std::vector<CellNumbers> numbers_at_corners(const Job& job);
 
 }  // namespace peterka::job

@@ -1,4 +1,4 @@
-// Words of a job that stand for a choice, and what to say of a word that stands for none.
+// Words of a job that name a choice, and the message for a word that names none.
 #pragma once
 
 #include <optional>

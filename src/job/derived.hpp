@@ -1,6 +1,6 @@
-// The nondimensional numbers of a rig: the one place where they follow from SI units.
+// The nondimensional numbers of a rig: the only place where they are derived from SI units.
 //
-// omega = sqrt(k/m), zeta = c/(2 m omega); of the stop kappa = ki/k, chi = ci/(m omega), or K A0^(n-1)/k, D A0
+// omega = sqrt(k/m), zeta = c/(2 m omega); for the stop kappa = ki/k, chi = ci/(m omega), or K A0^(n-1)/k, D A0
 // omega.
 #pragma once
 
@@ -28,7 +28,7 @@ struct HuntCrossleyNumbers {
 [[nodiscard]] KelvinVoigtNumbers derive(const KelvinVoigt& stop, const Hammer& hammer);
 [[nodiscard]] HuntCrossleyNumbers derive(const HuntCrossley& stop, const Hammer& hammer, const Cart& cart);
 
-// That a trace shows: forcing cycles, or those of the hammer's own swinging with a cart at rest.
+// Cycles that a trace shows: forcing cycles or, with a cart at rest, natural periods of the hammer.
 [[nodiscard]] double cycles_shown(const Job& job);
 
 }  // namespace peterka::job

@@ -16,7 +16,7 @@ std::string in_words(const KelvinVoigt& stop, const Job& job) {
     return fmt::format("kappa = ki/k = {:.6g}, chi = ci/(m omega) = {:.6g}", numbers.kappa, numbers.chi);
 }
 
-// Of a law whose numbers have no names of their own.
+// For a law whose numbers have no names of their own.
 template <class Law>
 std::string in_words(const Law& /*stop*/, const Job& /*job*/) {
     return Law::is_rigid ? "the stop is rigid" : fmt::format("the stop is \"{}\"", Law::name);

@@ -15,7 +15,7 @@
 namespace peterka::job {
 namespace {
 
-// Gives every value its place in the file, or the place of the override that all of them come from.
+// Gives every value its location in the file, or that of the override that all of them come from.
 class Converter {
   public:
     explicit Converter(std::uint32_t file) : file_(file) {}
@@ -26,7 +26,7 @@ class Converter {
   private:
     Location place(const toml::source_region& source) const {
         if (fixed_) return *fixed_;
-        // The root table of a file has no place of its own.
+        // The root table of a file has no location of its own.
         return {0, std::max(source.begin.line, 1U), std::max(source.begin.column, 1U), file_};
     }
 
@@ -75,7 +75,7 @@ std::string complaint(const toml::parse_error& error) {
 std::optional<Value> as_toml(const std::string& right_hand_side, const Location& where) {
     try {
         const toml::table table = toml::parse("value = " + right_hand_side + "\n");
-        if (table.size() != 1) return std::nullopt;  // a line break has let in a second key
+        if (table.size() != 1) return std::nullopt;  // a line break has introduced a second key
         return Converter(where).convert(*table.get("value"));
     } catch (const toml::parse_error&) {
         return std::nullopt;

@@ -1,5 +1,4 @@
-// A TOML text as plain values, each of which knows its place. The only file that knows the TOML library is its
-// .cpp.
+// A TOML text as plain values, each with its location. Only the .cpp file depends on the TOML library.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +17,14 @@ struct Entry;
 struct Table {
     std::vector<Entry> entries;
     [[nodiscard]] const Value* find(std::string_view name) const;
-    [[nodiscard]] Entry& entry(std::string_view name, const Location& where);  // the one there is, or a new one
+    [[nodiscard]] Entry& entry(std::string_view name, const Location& where);  // existing, or a new one
 };
 
 struct Array {
     std::vector<Value> values;
 };
 
-struct BareWord {  // of an override: no TOML value, taken as text where text is expected
+struct BareWord {  // in an override: not a TOML value, taken as text where text is expected
     std::string text;
 };
 
@@ -41,7 +40,7 @@ struct Value {
     [[nodiscard]] const Content* as() const {
         return std::get_if<Content>(&content);
     }
-    [[nodiscard]] std::string text() const;                // shortened, as it would stand in a file
+    [[nodiscard]] std::string text() const;                // shortened, as in a file
     [[nodiscard]] std::string_view type_in_words() const;  // "text", "an integer", ...
 };
 
@@ -51,15 +50,15 @@ struct Entry {
     Value value;
 };
 
-// Longer lines are no job, and deeply nested ones would exhaust the stack of a recursive parser.
+// No job has longer lines, and deeply nested ones would exhaust the stack of a recursive parser.
 inline constexpr std::size_t longest_line = 4096;
 
-// Throws JobFaults with the one fault of the syntax: nothing behind it can be read. `number` is the file's
+// Throws JobFaults with the first syntax error alone: nothing after it can be read. `number` is the file's
 // Location::file.
 [[nodiscard]] Value parse_document(std::string_view text, const std::string& file, std::uint32_t number = 0);
 
-// The right-hand side of an override; a text that is no TOML value becomes a BareWord. Throws
-// std::invalid_argument with the complaint where it is neither.
+// The right-hand side of an override; a text that is not a TOML value becomes a BareWord. Throws
+// std::invalid_argument with the complaint if it is neither.
 [[nodiscard]] Value parse_value(std::string_view text, const Location& where);
 
 }  // namespace peterka::job

@@ -1,6 +1,6 @@
-// Faults of a job: where each is, what is wrong, why, and what to do; all of them end the program together.
+// Faults of a job: where each is, what is wrong, why, and what to do; all end the program together.
 //
-// A fault of the file reads `file:line:column: what; why; what to do`, one of an override `--set 2: what; ...`.
+// A fault in the file reads `file:line:column: what; why; what to do`, one in an override `--set 2: what; ...`.
 #pragma once
 
 #include <compare>
@@ -14,13 +14,12 @@
 
 namespace peterka::job {
 
-// A place in the job file or a rig file of it, or the override that gave the value. Ordered as a reader meets
-// them.
+// A location in the job file or one of its rig files, or the override that gave the value. In reading order.
 struct Location {
     std::size_t override_number = 0;  // 0: a file
     std::uint32_t line = 1;           // from 1, of the file
     std::uint32_t column = 1;         // from 1, in characters
-    std::uint32_t file = 0;           // 0: the job itself; others by their place in a list of files
+    std::uint32_t file = 0;           // 0: the job itself; others by their index in the list of files
     friend bool operator==(const Location&, const Location&) = default;
     friend auto operator<=>(const Location& a, const Location& b) {
         return std::tie(a.override_number, a.file, a.line, a.column) <=>
@@ -35,9 +34,9 @@ struct Fault {
 
 class JobFaults : public Failure {
   public:
-    // `file` as the user named it. The message lists the faults one per line, in the order of their places.
+    // `file` as the user named it. The message lists the faults one per line, ordered by location.
     JobFaults(const std::string& file, const std::vector<Fault>& faults);
-    // The same of a job that is made of several files, counted by Location::file.
+    // The same for a job made of several files, indexed by Location::file.
     JobFaults(const std::vector<std::string>& files, const std::vector<Fault>& faults);
     // The file as a whole cannot be read as a job.
     JobFaults(const std::string& file, const std::string& text);

@@ -48,10 +48,10 @@ struct Cart {
     friend bool operator==(const Cart&, const Cart&) = default;
 };
 
-// Each law of the stop is a struct: its word in the file, what it is, and its keys.
-// - is_rigid: it turns the hammer round at once, by forces beyond any bound
+// Each contact law is a struct: its name in the file, its properties, and its keys.
+// - is_rigid: it reverses the hammer's velocity instantaneously, with unbounded force
 // - is_dashpot_alone: it has no spring, and never pushes the hammer back
-// - has_closed_form: between events the motion is linear, so that `exact` and `split` carry it
+// - has_closed_form: between events the motion is linear, so that the engines `exact` and `split` apply
 enum class ContactLaw { kelvin_voigt, restitution, hunt_crossley };
 
 // Spring-dashpot stop: F = ki delta + ci delta' while it presses, 0 otherwise (law = "kelvin_voigt").
@@ -66,7 +66,8 @@ struct KelvinVoigt {
     friend bool operator==(const KelvinVoigt&, const KelvinVoigt&) = default;
 };
 
-// Rigid stop: an impact turns the speed v into -r v (law = "restitution").
+// Rigid stop: an impact maps the velocity v to -r v, with r the coefficient of restitution (law =
+// "restitution").
 struct Restitution {
     static constexpr ContactLaw law = ContactLaw::restitution;
     static constexpr std::string_view name = "restitution";
@@ -104,13 +105,13 @@ struct Axis {
     std::int64_t points = 0;
     Spacing scale = Spacing::linear;
     std::string over =
-        {};  // what it runs over (axis_quantity.hpp); "": what jobs of its kind usually have there
+        {};  // the quantity it varies (axis_quantity.hpp); "": the usual one for jobs of this kind
     friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-// One (Omega/omega, gap/A0) pair: the place at which a basin is drawn, the cell that a trace follows, or what
-// the cells of a map or sweep share. Where a value is given in SI units, the ratio is the one that follows for
-// the job's own rig; a cell with a rig of its own has its own (cell_numbers.hpp).
+// One (Omega/omega, gap/A0) pair: where a basin is computed, the cell that a trace follows, or what the cells
+// of a map or sweep share. If a value is given in SI units, the ratio is that of the job's own rig; a cell with
+// its own rig has its own ratio (cell_numbers.hpp).
 struct OperatingPoint {
     double frequency_ratio = 0;
     double gap_ratio = 0;
@@ -119,8 +120,8 @@ struct OperatingPoint {
     friend bool operator==(const OperatingPoint&, const OperatingPoint&) = default;
 };
 
-// Hammer x(0)/A0 and x'(0)/(A0 omega), absolute (not relative to the cart). As with a place, values in SI units
-// go before ratios, which are those of the job's own rig then.
+// Hammer x(0)/A0 and x'(0)/(A0 omega), absolute (not relative to the cart). As for an operating point, values
+// in SI units take precedence; the ratios are then those of the job's own rig.
 struct Start {
     double displacement_ratio = 0;
     double velocity_ratio = 0;
@@ -134,10 +135,10 @@ struct Start {
 struct Starts {
     std::int64_t count = 0;                            // besides [start]; 0: none
     std::vector<double> displacement_ratio = {-4, 1};  // x(0)/A0, from and to; at most the gap
-    std::vector<double> displacement_m = {};           // in its place, which is empty then
+    std::vector<double> displacement_m = {};           // replaces it; the ratios are then empty
     std::vector<double> velocity_ratio = {-4, 4};      // x'(0)/(A0 omega), from and to
     std::vector<double> velocity_m_per_s = {};         // in its place
-    std::int64_t attractors = 8;                       // kept for each cell, those with the largest shares
+    std::int64_t attractors = 8;                       // number kept per cell, largest shares first
     friend bool operator==(const Starts&, const Starts&) = default;
 };
 
@@ -150,9 +151,9 @@ struct SteadyState {
 
 struct Solver {
     EngineChoice engine = EngineChoice::automatic;
-    double tolerance = 1e-9;  // relative error asked for in peak force
+    double tolerance = 1e-9;  // requested relative error of the peak force
     double omit_tolerance =
-        1e-3;  // what leaving a term out may change in peak force, relative; 0 keeps every term
+        1e-3;  // allowed relative change of the peak force on omitting a term; 0 keeps every term
     friend bool operator==(const Solver&, const Solver&) = default;
 };
 
@@ -160,25 +161,26 @@ using cell::OptionalField;
 
 struct Output {
     std::vector<OptionalField> fields;  // sorted, each at most once
-    bool anonymous = false;             // no names of hosts and of other files in the file
+    bool anonymous = false;             // no names of hosts or of other files in the file
     [[nodiscard]] bool has(OptionalField field) const;
     friend bool operator==(const Output&, const Output&) = default;
 };
 
 struct Audit {
-    std::int64_t cells = 0;  // sample of cells that an independent engine solves again
+    std::int64_t cells = 0;  // number of sampled cells that an independent engine solves again
     friend bool operator==(const Audit&, const Audit&) = default;
 };
 
 inline constexpr std::int64_t every_cell = std::numeric_limits<std::int64_t>::max();
 
-// What of a map, basin or sweep is proved in interval arithmetic.
+// How much of a map, basin or sweep is to be proved in interval arithmetic.
 struct Certificate {
-    std::int64_t cells = 0;  // tried, drawn from all; every_cell: all
+    std::int64_t cells = 0;  // number tried, sampled from all; every_cell: all
     friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 
-// Of a map: first every 2^levels-th cell, then, stride after stride, only cells that those around don't tell.
+// Refinement of a map: first every 2^levels-th cell, then, at each finer stride, only cells that their
+// surroundings do not determine.
 struct Refine {
     std::int64_t levels = 0;  // 0: every cell is computed
     friend bool operator==(const Refine&, const Refine&) = default;
@@ -186,17 +188,17 @@ struct Refine {
 
 // One line of a sweep: a gap, and the order in which the points are visited (never `both`).
 struct Branch {
-    std::optional<double> gap = {};  // as the sweep's list has it; none without a list
+    std::optional<double> gap = {};  // as in the sweep's list; none without a list
     Direction direction = Direction::up;
     friend bool operator==(const Branch&, const Branch&) = default;
 };
 
-// Of a sweep: each branch goes through all values of the axis, from state to state or from start to start.
+// A sweep: each branch visits all values of the axis, from the previous state or each from the start.
 struct Sweep {
     std::vector<double> gap_ratio;   // both empty: the gap is the axis, or that of the operating point
     std::vector<double> gap_m = {};  // in its place
     Direction direction = Direction::both;
-    std::int64_t samples = 64;  // of the steady motion stored for each point, at most
+    std::int64_t samples = 64;  // of the steady motion, at most, stored for each point
     [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
     [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
     [[nodiscard]] std::int64_t branches() const;
@@ -204,10 +206,10 @@ struct Sweep {
     friend bool operator==(const Sweep&, const Sweep&) = default;
 };
 
-// Where regimes end: the curves of a window.
+// The curves that bound regimes in a window.
 struct Curves {
     std::int64_t max_period = 4;     // of orbits [forcing cycles]
-    std::vector<double> gap_ratio;   // at which borders are told
+    std::vector<double> gap_ratio;   // at which borders are reported
     std::vector<double> gap_m = {};  // in its place
     bool edge_distance = false;      // of each cell of the coarse map
     [[nodiscard]] const std::vector<double>& gaps() const { return gap_m.empty() ? gap_ratio : gap_m; }
@@ -221,9 +223,9 @@ struct Study {
     // work_precision: cells (Omega/omega, gap/A0); by default regular ones of the paper's 170 mm rig
     std::vector<double> frequency_ratio = {2.0, 1.3, 1.1, 3.5, 2.75, 0.8, 3.1, 4.2};
     std::vector<double> gap_ratio = {0.0, 1.0, 4.0, 0.3, 0.0, 0.2, 0.0, 0.5};
-    std::vector<double> frequency_hz = {};  // in place of these
+    std::vector<double> frequency_hz = {};  // in place of the ratios
     std::vector<double> gap_m = {};
-    // As they were given, and their keys.
+    // The values as given, and their keys.
     [[nodiscard]] const std::vector<double>& frequencies() const {
         return frequency_hz.empty() ? frequency_ratio : frequency_hz;
     }
@@ -232,32 +234,32 @@ struct Study {
         return frequency_hz.empty() ? "frequency_ratio" : "frequency_hz";
     }
     [[nodiscard]] std::string_view gap_key() const { return gap_m.empty() ? "gap_ratio" : "gap_m"; }
-    // work_precision and labels: relative errors in peak force that are asked for
+    // work_precision and labels: requested relative errors of the peak force
     std::vector<double> tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
-    // work_precision: of the methods with a fixed step
+    // work_precision: for the fixed-step methods
     std::vector<std::int64_t> steps_per_cycle = {500, 1000, 2000, 4000, 8000, 16000};
-    std::int64_t cycles = 200;  // work_precision: followed and timed [forcing cycles]
-    std::int64_t repeats = 3;   // work_precision: the best of so many times counts
+    std::int64_t cycles = 200;  // work_precision: cycles followed and timed [forcing cycles]
+    std::int64_t repeats = 3;   // work_precision: the best of this many timings counts
     friend bool operator==(const Study&, const Study&) = default;
 };
 
-// The cell of a map or basin file that a trace follows, or whose rig and place a basin has.
+// The cell of a map or basin file that a trace follows, or whose rig and operating point a basin takes.
 struct CellOfMap {
     std::string map;        // the file; empty: the job's own rig
     std::int64_t row = -1;  // of the cell, from 0; -1: the cell nearest to `values`
     std::int64_t column = -1;
-    std::map<std::string, double> values = {};  // by the table and key that an axis of that file runs over
+    std::map<std::string, double> values = {};  // by the table and key of an axis of that file
     friend bool operator==(const CellOfMap&, const CellOfMap&) = default;
 };
 
-// One cell in time. A cart at rest (frequency_ratio = 0) has no cycles: time is counted in the hammer's own
-// period.
+// One cell in time. A cart at rest (frequency_ratio = 0) has no cycles: time is counted in natural periods of
+// the hammer.
 struct Trace {
     TraceBegin from = TraceBegin::steady_state;
     std::int64_t cycles = 4;  // forcing cycles shown
     double duration_s = 0;    // shown instead, with a cart at rest
     std::int64_t samples_per_cycle = 1000;
-    double impact_window_s = 0;  // shown closely around the hardest impact; 0: three times its contact
+    double impact_window_s = 0;  // window around the hardest impact; 0: three times its contact
     std::int64_t impact_samples = 2000;
     double spectrum_to_hz = 8000;
     friend bool operator==(const Trace&, const Trace&) = default;
@@ -276,7 +278,7 @@ struct Job {
     Contact contact;
     Axis columns;                    // usually frequency_ratio; basin: displacement_ratio
     Axis rows;                       // usually gap_ratio; basin: velocity_ratio; a sweep has branches instead
-    OperatingPoint operating_point;  // basin and trace; map and sweep: what is no axis
+    OperatingPoint operating_point;  // basin and trace; map and sweep: what is not an axis
     Start start;                     // map, sweep and trace
     SteadyState steady_state;
     Solver solver;
@@ -291,7 +293,7 @@ struct Job {
     CellOfMap cell;           // trace and basin
     Curves curves;            // curves, and the borders of a map
     Limits limits;
-    int layout = cell::newest_layout;  // of the file that it is read from, or goes into
+    int layout = cell::newest_layout;  // of the file that it is read from or written to
     [[nodiscard]] std::int64_t row_count() const {
         return kind == Kind::sweep ? sweep.branches() : rows.points;
     }

@@ -1,4 +1,4 @@
-// The text of a job file, refused early where it cannot be a job.
+// The text of a job file, rejected early if it cannot be a job.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace peterka::job {
 
-// Throws JobFaults for what is missing, no file, too large or not readable.
+// Throws JobFaults if the path is missing, not a file, too large or not readable.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-// Throws JobFaults for an empty text, NUL bytes and lines that no job has.
+// Throws JobFaults for an empty text, NUL bytes and overlong lines.
 void refuse_what_is_no_text(std::string_view text, const std::string& file);
 
 }  // namespace peterka::job

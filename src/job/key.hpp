@@ -1,4 +1,4 @@
-// What is said about a key or a table wherever it is read, asked for or written.
+// The description of a key or a table, used wherever it is read, requested or written.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,21 @@ namespace peterka::job {
 struct Key {
     std::string_view name;
     std::string_view meaning;       // with its unit in brackets
-    std::string_view example = {};  // a value, for a key that must be given; a key without one has a default
+    std::string_view example = {};  // an example value of a required key; a key without one has a default
     bool is_identity = true;        // whether two runs that differ here are different jobs
     bool is_written = true;         // false: it names what is written instead
 
     [[nodiscard]] bool is_required() const { return !example.empty(); }
 };
 
-// One of two keys of which exactly one is given, or none where the first has a default.
+// One of two keys of which exactly one is given, or neither if the first has a default.
 struct Alternative {
     Key key;
     std::optional<double>& value;
     Range<double> range;
 };
 
-// The same of lists. That of the key which isn't given is empty.
+// The same for lists. The list whose key is not given is empty.
 struct ListAlternative {
     Key key;
     std::vector<double>& values;

@@ -79,7 +79,7 @@ struct Names<Direction> {
                                     Named{Direction::independent, "independent"}};
 };
 
-// The names that the table of quantities has for them; of several rows with one field the first.
+// Their names in the table of quantities; if several rows share a field, that of the first.
 template <>
 struct Names<OptionalField> {
     static constexpr std::size_t count = [] {

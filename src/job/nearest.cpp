@@ -34,7 +34,7 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
     std::string_view best;
     std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
     for (const std::string_view candidate : known) {
-        // A part of a name counts as one mistake, so that it loses only to a single slip of the pen.
+        // A part of a name counts as one mistake, so that it loses only to a single typo.
         const std::size_t distance =
             one_contains_the_other(word, candidate) ? 1 : edit_distance(word, candidate);
         // A word all of whose letters must change is another word.

@@ -7,10 +7,10 @@
 
 namespace peterka::job {
 
-// Insertions, deletions and replacements that turn one word into the other (Levenshtein).
+// Insertions, deletions and replacements that turn one word into the other (Levenshtein 1966).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The known word nearest to `word`, or an empty one where none is near enough to be meant.
+// The known word nearest to `word`, or an empty one if none is near enough.
 [[nodiscard]] std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace peterka::job

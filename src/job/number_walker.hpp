@@ -1,5 +1,5 @@
-// What a walker of the schema does that looks for numbers alone: nothing with all else. Derived ones have
-// number() and either().
+// Base of schema walkers that visit only numbers: it ignores everything else. Derived classes define number()
+// and either().
 #pragma once
 
 #include <initializer_list>

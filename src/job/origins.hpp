@@ -10,8 +10,8 @@
 
 namespace peterka::job {
 
-// By the full name of a key, e.g. "hammer.mass_kg": "line 7", "rigs/170mm.toml:3", "--set 1". A key that is
-// missing has its default.
+// Keyed by the full name of a key, e.g. "hammer.mass_kg": "line 7", "rigs/170mm.toml:3", "--set 1". An absent
+// key has its default.
 using Origins = std::map<std::string, std::string, std::less<>>;
 
 [[nodiscard]] Origins origins_of(const Value& document, const std::vector<std::string>& files);

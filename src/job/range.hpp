@@ -1,4 +1,4 @@
-// The values a number may take, and the reason in the words of physics.
+// The values a number may take, and the physical reason.
 #pragma once
 
 #include <limits>

@@ -35,7 +35,7 @@ JobWithOrigins read(std::string_view text, const std::string& name, std::span<co
     const bool has_rig = rigs == RigFiles::followed ? bring_in_rigs(document, name, files, faults)
                                                     : has_no_rig_file(document, faults);
     Job job;
-    if (has_rig) {  // what else is missing would be told of numbers that the rig has
+    if (has_rig) {  // else numbers that the rig gives would be reported missing
         TableReader reader(document, "", faults);
         describe(reader, job);
         reader.finish();

@@ -1,4 +1,4 @@
-// Reads a job file, strictly: every fault is listed at once, and a job that comes back is sound.
+// Reads a job file, strictly: all faults are listed at once, and a returned job is valid.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace peterka::job {
 [[nodiscard]] Job read_job_text(std::string_view text, const std::string& name,
                                 std::span<const std::string> overrides = {});
 
-// A job with where each of its values was given.
+// A job with the origin of each of its values.
 struct JobWithOrigins {
     Job job;
     Origins origins;

@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_rigs = 16;  // that begin from one another
+constexpr std::size_t most_rigs = 16;  // that build on one another
 
 constexpr std::array<std::string_view, 3> rig_tables{"hammer", "cart", "contact"};
 
-// Of which a hammer has one.
+// Pairs of keys of which a hammer has one.
 constexpr std::pair<std::string_view, std::string_view> alternatives[] = {
     {"natural_frequency_hz", "stiffness_n_per_m"}, {"damping_ns_per_m", "damping_ratio"}};
 
@@ -41,7 +41,7 @@ std::optional<std::string> law_in(const Table& contact) {
     return law == nullptr ? std::nullopt : word_of(*law);
 }
 
-// What the rig's table has and the job's hasn't.
+// Adds what the rig's table has and the job's lacks.
 void complete(Table& own, const Table& rig, bool is_hammer) {
     const Table given = own;
     for (const Entry& entry : rig.entries) {
@@ -69,7 +69,7 @@ void complete(Table& document, const Table& rig) {
     }
 }
 
-// Names that begin like the one that was meant, from its folder.
+// Suggests a similar name from the same folder.
 std::string did_you_mean(const fs::path& file, const fs::path& as_named) {
     std::vector<std::string> names;
     std::error_code unreadable;
@@ -87,7 +87,7 @@ class Rigs {
   public:
     Rigs(std::vector<std::string>& files, std::vector<Fault>& faults) : files_(files), faults_(faults) {}
 
-    // What `document`, read from `file`, takes from the rig that it names.
+    // Adds to `document`, read from `file`, what it takes from the rig that it names.
     void bring_into(Value& document, const fs::path& file) {
         const Value* rig = std::get<Table>(document.content).find("rig");
         if (rig == nullptr) return;
@@ -186,7 +186,7 @@ class Rigs {
 
     std::vector<std::string>& files_;
     std::vector<Fault>& faults_;
-    std::vector<fs::path> chain_;  // from the job to the rig that is read
+    std::vector<fs::path> chain_;  // from the job to the rig being read
 };
 
 // A trace of a cell of a map has the rig of that map; its tables are refused, and so is this key.

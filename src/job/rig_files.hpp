@@ -1,8 +1,8 @@
 // `rig = "rigs/170mm.toml"` at the top of a job: the tables of the rig come from a file of their own.
 //
-// A rig file has [hammer], [cart] and [contact], each or any of them, and may itself begin from another rig.
-// Its name is relative to the file that names it. A key that the job gives wins, and so does one of two keys of
-// which only one may be given; a [contact] with another law replaces the whole table.
+// A rig file has any of [hammer], [cart] and [contact], and may itself build on another rig. Its name is
+// relative to the file that names it. A key that the job gives takes precedence, also over its alternative
+// where only one of two may be given; a [contact] with another law replaces the whole table.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace peterka::job {
 
-// Puts into the document of a job what its rig files have and it has not. `files` are the names that
-// Location::file counts, the job's own first: those of rig files are appended. False where one can't be used.
+// Adds to a job's document what only its rig files give. `files` are the names indexed by Location::file, the
+// job's own first; those of rig files are appended. False if one cannot be used.
 [[nodiscard]] bool bring_in_rigs(Value& document, const std::filesystem::path& job_file,
                                  std::vector<std::string>& files, std::vector<Fault>& faults);
 

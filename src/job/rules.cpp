@@ -82,11 +82,11 @@ std::string rule_of_gaps(const Sweep& sweep) {
                        sweep.gap_key(), toml_text(*twice));
 }
 
-// A rank keeps a branch until it is whole; with [starts], all branches of a gap and the motions on all
-// attractors of each point.
+// A rank keeps a branch in memory until it is complete; with [starts], all branches of a gap and the motions on
+// all attractors of each point.
 std::string rule_of_samples(const Job& job) {
-    constexpr std::int64_t most = 16'000'000;   // half a gigabyte a copy
-    constexpr std::int64_t least_samples = 16;  // what a point takes without any
+    constexpr std::int64_t most = 16'000'000;   // half a gigabyte per copy
+    constexpr std::int64_t least_samples = 16;  // what a point takes without samples
     const std::int64_t motions =
         job.starts.count == 0 ? 1 : branches_of_a_gap(job.sweep) + job.starts.attractors + 1;
     const std::int64_t samples = std::max(job.sweep.samples, least_samples) * motions;
@@ -169,7 +169,7 @@ std::string rule_of_trace(const Job& job) {
         return "frequency_ratio = 0 is not for a rigid stop; impacts without a force tell nothing of the stop; "
                "use contact.law = \"kelvin_voigt\" or \"hunt_crossley\"";
     }
-    if (eta == 0 && !has_rig(job)) return {};  // that is told already
+    if (eta == 0 && !has_rig(job)) return {};  // reported already
     const double samples = cycles_shown(job) * static_cast<double>(trace.samples_per_cycle);
     if (samples <= most_samples) return {};
     return fmt::format(

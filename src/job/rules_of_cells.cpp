@@ -1,5 +1,5 @@
-// Rules over what cells have for themselves. Each number is monotonic along an axis, and so the corners of the
-// plane tell of all cells.
+// Rules over numbers that differ from cell to cell. Each is monotonic along an axis, so it suffices to check
+// the corners of the plane.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -26,7 +26,7 @@ bool has_cells(const Job& job) {
     return !has_axes(job) || (job.columns.points > 0 && (job.kind == Kind::sweep || job.rows.points > 0));
 }
 
-// Where the job has gaps in this unit.
+// Names the key of the lowest gap in this unit.
 std::string lowest_gap_in_words(const Job& job, std::string_view key) {
     if (!has_axes(job)) return fmt::format("operating_point.{}", key);
     if (!job.sweep.gaps().empty() && job.sweep.gap_key() == key) return fmt::format("the lowest sweep.{}", key);
@@ -35,7 +35,7 @@ std::string lowest_gap_in_words(const Job& job, std::string_view key) {
     return fmt::format("the lowest {}{}", on_axis ? "axes." : "", key);
 }
 
-// Of a basin the starts at the ends of its axes.
+// For a basin, the starts at the ends of its axes.
 std::vector<CellNumbers> starts_at_corners(const Job& job) {
     if (job.kind != Kind::basin) return numbers_at_corners(job);
     std::vector<CellNumbers> numbers;
@@ -83,7 +83,7 @@ std::string rule_of_room(const Job& job) {
     const Starts& starts = job.starts;
     const bool in_m = !starts.displacement_m.empty();
     const std::vector<double>& interval = in_m ? starts.displacement_m : starts.displacement_ratio;
-    const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // else a fault already
+    const bool is_sound = interval.size() == 2 && interval[0] < interval[1];  // otherwise a fault already
     if (starts.count == 0 || !is_sound || !has_rig(job) || !has_cells(job)) return "";
     double lowest = std::numeric_limits<double>::infinity();
     for (const CellNumbers& cell : numbers_at_corners(job)) {

@@ -1,4 +1,4 @@
-// Rules over what curves are traced of: the plane, its rig, and the gaps at which borders are told.
+// Rules over the input of curves: the plane, its rig, and the gaps at which borders are reported.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -73,7 +73,8 @@ std::string rule_of_window(const Job& job) {
     return job.curves.gaps().empty() ? "" : rule_of_gaps_on_curves(job);
 }
 
-// Each rank keeps the whole coarse map, and all of it goes from rank to rank at once: in 32 bits [bytes].
+// Each rank keeps the whole coarse map, and ranks exchange all of it at once: its bytes must be counted in 32
+// bits.
 std::string rule_of_coarse_map(const Job& job) {
     constexpr std::int64_t most_cells = std::int64_t{2048} * 2048;
     if (job.rows.points <= most_cells / job.columns.points) return {};

@@ -1,5 +1,5 @@
-// The job file, once: every table, key, range, default and rule of it. The tables of each kind of job and those
-// that kinds share are described in files of their own (schema_*.hpp).
+// The single definition of the job file: its tables, keys, ranges, defaults and rules. The tables of each kind
+// of job, and those that kinds share, are described in schema_*.hpp.
 //
 // `describe` walks a job with a reader (table_reader.hpp), which fills it from a file, or with a writer
 // (table_writer.hpp), which prints it. Defaults are those of the structs in job.hpp.

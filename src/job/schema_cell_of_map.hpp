@@ -1,6 +1,6 @@
-// Which cell of a map file a trace follows, or has the rig and the place of a basin: by its indices, or by its
-// values on the axes of that file, which stand in the tables and keys that they have in any job. Which axes
-// these are is known once the file is read (run/traced_cell.hpp).
+// The cell of a map file that a trace follows, or that gives a basin its rig and operating point: selected by
+// its indices, or by its values on the axes of that file, under the same tables and keys as in any job. Which
+// axes these are is known once the file is read (run/traced_cell.hpp).
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ void describe_cell_of_map(Walker& table, CellOfMap& cell, const Key& map, std::s
     table.rule({"map", "row", "column"}, [&] { return rule_of_cell_of_map(cell, name); });
 }
 
-// In each of these tables, any number that an axis may run over.
+// In each of these tables, any number that an axis may vary.
 template <typename Walker>
 void describe_values_of_cell(Walker& file, CellOfMap& cell, std::initializer_list<std::string_view> tables) {
     for (const std::string_view name : tables) {
@@ -44,7 +44,7 @@ void describe_values_of_cell(Walker& file, CellOfMap& cell, std::initializer_lis
                 const std::string key = key_in_tables(each.key);
                 const bool is_again = key != each.key && name == "start";  // a basin's axis
                 if (is_again || !key.starts_with(fmt::format("{}.", name))) continue;
-                // the reader keeps it: a part of the list's own text
+                // the reader keeps this view: it points into the list's own text
                 const std::string_view last = std::string_view(each.key).substr(each.key.find('.') + 1);
                 double value = std::numeric_limits<double>::quiet_NaN();
                 table.number({last, each.meaning}, value, each.range);
@@ -54,7 +54,7 @@ void describe_values_of_cell(Walker& file, CellOfMap& cell, std::initializer_lis
     }
 }
 
-// A basin with the rig and the place of a cell of a map. Once that file is read, the basin has them in its own
+// A basin with the rig and operating point of a map's cell. Once that file is read, they are in the basin's own
 // tables.
 template <typename Walker>
 void describe_basin_of_map(Walker& file, Job& job) {

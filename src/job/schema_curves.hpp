@@ -1,4 +1,4 @@
-// The tables of a job of curves: those of a map, whose cells are where orbits are looked for, and [curves].
+// The tables of a curves job: those of a map, in whose cells orbits are searched for, and [curves].
 #pragma once
 
 #include "job/job.hpp"
@@ -26,7 +26,7 @@ void describe(Walker& table, Curves& curves) {
         "either of them sets the gaps");
 }
 
-// Of a map, whose cells they don't change.
+// For a map, whose cells they do not change.
 template <typename Walker>
 void describe_borders(Walker& file, Job& job) {
     file.table({.name = "curves",

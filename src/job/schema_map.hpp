@@ -1,4 +1,5 @@
-// The tables of a map: its axes over any two numbers that a cell may have for itself, and what all cells share.
+// The tables of a map: its axes over any two numbers that may differ from cell to cell, and what all cells
+// share.
 #pragma once
 
 #include "job/axis_quantity.hpp"
@@ -17,7 +18,7 @@ void describe(Walker& table, Refine& refine) {
         from_to<std::int64_t>(0, 6, "on a coarser grid than every 64th cell whole regions go unseen"));
 }
 
-// What of frequency and gap is no axis.
+// Frequency and gap, unless they are axes.
 template <typename Walker>
 void describe_shared_place(Walker& file, Job& job, bool frequency, bool gap, std::string_view why_none) {
     if (!frequency && !gap) return file.refuse("operating_point", why_none);

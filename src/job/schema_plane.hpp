@@ -1,4 +1,4 @@
-// What maps, basins and sweeps have in common that say which cells they have: axes, places and starts.
+// What defines the cells of maps, basins and sweeps: axes, operating points and starts.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@
 
 namespace peterka::job {
 
-// Quantities that stand on an axis, at an operating point or in a start.
+// A quantity of an axis, an operating point or a start.
 struct Quantity {
     std::string_view name;
     std::string_view meaning;
@@ -92,7 +92,7 @@ void describe_start(Walker& file, Job& job) {
     settle_start(job);
 }
 
-// Of one place in the plane: as a ratio or in SI units.
+// At one operating point: as a ratio or in SI units.
 template <typename Walker>
 void describe_frequency(Walker& table, OperatingPoint& place, const Quantity& ratios = frequency_ratio) {
     std::optional<double> ratio = place.frequency_hz ? std::nullopt : std::optional(place.frequency_ratio);
@@ -139,7 +139,7 @@ void describe_basin(Walker& file, Job& job) {
     file.refuse("start", "belongs to a map; a basin starts from every point of its axes; remove this table");
     file.refuse("refine",
                 "is for maps; the edges of basins are fractal, so every start is computed; remove this table");
-    if (!has_own_rig) return;  // these rules are asked once it is known
+    if (!has_own_rig) return;  // these rules are checked once the rig is known
     file.rule({"operating_point"}, [&] { return rule_of_place(job); });
     file.rule({"axes", "hammer", "cart"}, [&] { return rule_of_starts(job); });
     file.rule({"axes"}, [&] { return rule_of_rigid_stop(job); });

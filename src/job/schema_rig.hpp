@@ -70,7 +70,7 @@ void describe(Walker& table, HuntCrossley& stop) {
                  not_negative("a dissipation must not be negative: a stop takes energy and gives none"));
 }
 
-// The keys of all laws, for what to say of them under another one.
+// The keys of all laws, for messages about keys of another law.
 struct StopKey {
     std::string_view name;
     ContactLaw law;
@@ -94,7 +94,7 @@ void describe(Walker& table, Contact& contact) {
     auto law = law_of(contact);
     const bool known =
         table.choice({"law", "contact law of the stop, which pushes and never pulls", "\"kelvin_voigt\""}, law);
-    // The other keys are those of a law; without one they would only add faults that mean nothing.
+    // The other keys belong to a law; without one they would only add meaningless faults.
     if (!known) {
         for (const StopKey& key : stop_keys) table.skip({key.name});
         return;

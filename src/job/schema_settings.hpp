@@ -1,4 +1,4 @@
-// The tables of a job that say how its cells are computed and what of them is stored.
+// The tables of a job that define how its cells are computed and what is stored of them.
 #pragma once
 
 #include <limits>
@@ -26,7 +26,7 @@ void describe(Walker& table, SteadyState& steady_state) {
                   from_to<std::int64_t>(1, 1'000'000'000, "chaos shows only in a run of some length"));
 }
 
-// Of whatever may be asked of an integrator.
+// Errors that may be requested of an integrator.
 inline constexpr Range<double> errors_asked_for =
     from_to(1e-12, 0.1,
             "cvode and arkode, which auto and an audit may need, too, add up rounding errors, and must stay a "
@@ -72,7 +72,7 @@ void describe_anonymous(Walker& table, Output& output) {
                output.anonymous);
 }
 
-// Of a job whose file has fields of its own.
+// For a job whose file has its own fields.
 template <typename Walker>
 void describe_plain_output(Walker& file, Output& output, std::string_view why_no_fields) {
     file.table({"output", "what the file holds"}, [&](auto& table) {
@@ -95,7 +95,7 @@ inline std::string_view fields_on_request() {
     return text;
 }
 
-// Of a map, a basin or a sweep: how it is computed, and what is stored.
+// How a map, basin or sweep is computed, and what is stored.
 template <typename Walker>
 void describe_settings(Walker& file, Job& job) {
     describe_solver(file, job);

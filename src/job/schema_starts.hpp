@@ -1,4 +1,4 @@
-// The table of a map or sweep that gives each cell more starts than one.
+// The table of a map or sweep that gives each cell several starts.
 #pragma once
 
 #include <utility>

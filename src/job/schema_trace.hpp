@@ -1,7 +1,7 @@
 // The tables of a trace.
 //
-// A trace of its own brings its rig, its operating point and its start. A trace of a cell of a map file takes
-// all of them from the job in that file; which cell is told by its indices, or by the values nearest to it.
+// A stand-alone trace gives its rig, operating point and start. A trace of a map file's cell takes all of them
+// from the job in that file; the cell is selected by its indices, or as the one nearest to given values.
 #pragma once
 
 #include "job/job.hpp"
@@ -54,7 +54,7 @@ void describe_trace_of_map(Walker& file, Job& job) {
     }
     describe_values_of_cell(file, job.cell, {"operating_point", "start", "hammer", "cart", "contact"});
     file.rule({"trace"}, [&] {
-        Job driven = job;  // a map's cart vibrates; its place isn't known before the file is read
+        Job driven = job;  // a map's cart vibrates; its operating point is unknown until the file is read
         driven.operating_point = {1, 0};
         return rule_of_trace(driven);
     });

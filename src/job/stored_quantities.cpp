@@ -21,7 +21,7 @@ bool stores(const Job& job, const cell::Quantity& quantity) {
             break;
     }
     const OptionalField field = quantity.keeping.field.value();
-    if (field == OptionalField::critical_kick && job.starts.count > 0) return false;  // of each attractor
+    if (field == OptionalField::critical_kick && job.starts.count > 0) return false;  // per attractor instead
     return job.output.has(field) || (job.kind == Kind::basin && field == OptionalField::orbit);
 }
 

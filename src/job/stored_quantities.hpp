@@ -14,7 +14,7 @@ namespace peterka::job {
 // In the order of the table.
 [[nodiscard]] std::vector<const cell::Quantity*> stored_quantities(const Job& job);
 
-// Of each attractor of a cell; none without [starts].
+// For each attractor of a cell; none without [starts].
 [[nodiscard]] std::vector<const cell::AttractorQuantity*> stored_attractor_quantities(const Job& job);
 
 }  // namespace peterka::job

@@ -12,7 +12,7 @@
 namespace peterka::job {
 namespace {
 
-// Of "table.key" the value of that key in that table.
+// For "table.key", the value of that key in that table.
 const Value* find_inside(const Table& table, std::string_view name) {
     const std::size_t dot = name.find('.');
     const Value* value = table.find(name.substr(0, dot));
@@ -138,7 +138,7 @@ void TableReader::either_list(const ListAlternative& first, const ListAlternativ
                               std::string_view why) {
     const bool is_second = table_.find(second.key.name) != nullptr;
     const auto read = [&](const ListAlternative& list) {
-        const bool is_given = table_.find(list.key.name) != nullptr;  // none of the two is missing by itself
+        const bool is_given = table_.find(list.key.name) != nullptr;  // neither of the two is missing by itself
         numbers(is_given ? list.key : Key{list.key.name, list.key.meaning}, list.values, list.range);
     };
     read(first);

@@ -1,5 +1,5 @@
-// Reads one table of a job into its struct. It knows which keys it was asked for, so unknown keys fall out by
-// themselves; every fault is added to the list and reading goes on with the default.
+// Reads one table of a job into its struct. It records the keys it was asked for, which reveals unknown keys;
+// every fault is added to the list and reading goes on with the default.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,9 @@ class TableReader {
 
     void number(const Key& key, double& value, const Range<double>& range);
     void integer(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
-    // A number of things, or the word "all", which stands for the largest number there is.
+    // A count, or the word "all", which stands for the largest representable number.
     void count_or_all(const Key& key, std::int64_t& value, const Range<std::int64_t>& range);
-    // Lists of one number or more; one that is given replaces the default.
+    // Lists of at least one number; a given list replaces the default.
     void numbers(const Key& key, std::vector<double>& values, const Range<double>& range);
     void integers(const Key& key, std::vector<std::int64_t>& values, const Range<std::int64_t>& range);
     void text(const Key& key, std::string& value);
@@ -38,7 +38,7 @@ class TableReader {
     void either(const Alternative& first, const Alternative& second, std::string_view why);
     void either_list(const ListAlternative& first, const ListAlternative& second, std::string_view why);
 
-    // Whether the choice is known, so that what depends on it can be read.
+    // Returns whether the choice is known, so that what depends on it can be read.
     template <typename Choice>
     bool choice(const Key& key, Choice& value) {
         if (const auto i = choose(key, all_names<Choice>(), name(value))) {
@@ -54,7 +54,7 @@ class TableReader {
         }
     }
 
-    // An inner table; `read` is not called where the file has none, so that all its defaults hold.
+    // An inner table; `read` is not called if the file has none, so that all its defaults hold.
     template <typename Read>
     void table(const Key& key, Read read) {
         if (auto inner = open(key)) {
@@ -66,17 +66,17 @@ class TableReader {
     // Whether the file has a table or key.
     [[nodiscard]] bool has(std::string_view name) const { return table_.find(name) != nullptr; }
 
-    // From now on, keys over which an axis of this file runs are left to it: none of them is missing, and what
-    // the tables give for them does nothing.
+    // From now on, keys that an axis of this file varies are left to it: they count as given, and values for
+    // them in the tables have no effect.
     void leave_to_axes(const Job& job);
 
-    // Of the table [axes]: which two numbers of the job, or which one of a sweep, it runs over, in the order of
+    // For the table [axes]: which two numbers of the job, or which one of a sweep, it varies, in the order of
     // the file.
     ChosenAxes choose_axes(Job& job);
-    // Of a basin: the unit of each of its starts.
+    // For a basin: the unit of each of its starts.
     void choose_axes_of_basin(Job& job);
 
-    // A rule over several keys, asked only where each of them is sound. `complaint` returns what is wrong, or
+    // A rule over several keys, checked only if all of them are valid. `complaint` returns what is wrong, or
     // "".
     template <typename Complaint>
     void rule(std::initializer_list<std::string_view> keys, Complaint complaint) {
@@ -87,16 +87,16 @@ class TableReader {
     // A table or key that other jobs have and this one cannot; `text` says why and what to do.
     void refuse(std::string_view name, std::string_view text);
 
-    // Known, but read only where something else is settled first, and that was at fault.
+    // Known, but not read, because what they depend on is faulty.
     void skip(std::initializer_list<std::string_view> names);
 
     template <typename Note>
     void note(Note) {}  // for the writer
 
-    void finish();  // every key that nobody asked for is a fault
+    void finish();  // every key that was not requested is a fault
 
   private:
-    const Value* ask(const Key& key);  // nullptr where it is not given; a fault if it had to be
+    const Value* ask(const Key& key);  // nullptr if it is not given; a fault if it is required
     std::optional<TableReader> open(const Key& key);
     [[nodiscard]] bool has_key_left_to_an_axis(const std::string& table) const;
     [[nodiscard]] bool is_left_to_an_axis(std::string_view key) const;
@@ -106,7 +106,7 @@ class TableReader {
     template <typename Number, typename ReadElement>
     void read_list(const Key& key, std::vector<Number>& values, ReadElement read_element);
     void read_alternative(const Alternative& alternative);
-    // Faults where both are given, or none of what has no default.
+    // A fault if both are given, or neither and there is no default.
     void require_one_of(const Key& first, const Key& second, std::string_view why);
     std::optional<std::size_t> choose(const Key& key, const Words& names, std::string_view standard);
     std::vector<std::size_t> choose_several(const Key& key, const Words& names);

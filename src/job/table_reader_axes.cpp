@@ -1,4 +1,4 @@
-// Which numbers the axes of a file run over.
+// Which numbers the axes of a file vary.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -92,7 +92,7 @@ std::string complaint(const Given& axis, Kind kind, ContactLaw law) {
                                      : fmt::format("did you mean [axes.{}]?", meant));
 }
 
-// What the usual one in its usual place has not.
+// Empty for the usual quantity in its usual place.
 std::string name_of_its_own(std::string_view key, std::string_view usual) {
     return key == usual ? "" : std::string(key);
 }
@@ -153,7 +153,7 @@ ChosenAxes TableReader::choose_axes(Job& job) {
             has_faulty = true;
         }
     }
-    // one that is missing is no fault where a faulty one may be meant for it
+    // a missing axis is no fault if a faulty one may be meant for it
     const bool are_known = !has_faulty || axes.size() == wanted;
     const ChosenAxes usual{.count = axes.empty() && has_faulty ? 0 : 2, .are_known = are_known};
     if (axes.empty()) return usual;
@@ -173,7 +173,7 @@ ChosenAxes TableReader::choose_axes(Job& job) {
     }
     if (!are_known) return {.count = 1, .are_known = false};
     if (is_on_the_plane(axes[0].key)) {
-        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";  // which is missing, and told so
+        job.rows.over = is_gap(axes[0].key) ? frequency_ratio.name : "";  // which is missing, and reported
         return {};
     }
     fault("axes", where_,

@@ -1,4 +1,4 @@
-// What a table reader has to say about keys that are unknown, misplaced or of a wrong type.
+// A table reader's messages about keys that are unknown, misplaced or of a wrong type.
 #include <algorithm>
 #include <utility>
 
@@ -69,8 +69,8 @@ void TableReader::fault(std::string_view key, const Location& where, std::string
 }
 
 void TableReader::fault_of_rule(std::initializer_list<std::string_view> keys, const std::string& text) {
-    // Of those that are given the last one; what comes from a rig, which other jobs share, before what the job
-    // itself gives.
+    // The last of the given keys; those from a rig, which other jobs share, come before those of the job
+    // itself.
     const auto order = [](const Value* given) { return std::pair(given->where.file == 0, given->where); };
     const Value* last = nullptr;
     for (const auto key : keys) {

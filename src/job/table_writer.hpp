@@ -1,5 +1,5 @@
 // Writes a job as TOML, table by table, for a person (every key with its meaning and unit) or for comparison
-// (none).
+// (without them).
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Style { for_people, for_identity };
 
 class TableWriter {
   public:
-    // With origins each value tells, for people, where it came from.
+    // With origins, each value is annotated, for people, with where it came from.
     TableWriter(std::string& text, Style style, const Origins* origins = nullptr)
         : TableWriter(text, style, origins, "", "") {}
 
@@ -71,7 +71,7 @@ class TableWriter {
         write(inner);
     }
 
-    // Keys over which an axis runs are not written: their tables have its first value (settle.hpp).
+    // Keys that an axis varies are not written: their tables have its first value (settle.hpp).
     void leave_to_axes(const Job& job);
 
     template <typename Note>
@@ -79,7 +79,7 @@ class TableWriter {
         if (style_ == Style::for_people) text_ += note();
     }
 
-    // What concerns reading alone.
+    // Relevant only to reading.
     template <typename Complaint>
     void rule(std::initializer_list<std::string_view>, Complaint) {}
     void refuse(std::string_view, std::string_view) {}
@@ -103,7 +103,7 @@ class TableWriter {
     }
     template <typename Number>
     void list(const Key& key, const std::vector<Number>& values) {
-        if (values.empty()) return;  // a list that the job has not
+        if (values.empty()) return;  // a list that the job does not have
         std::string text;
         for (const Number value : values) text += (text.empty() ? "" : ", ") + toml_text(value);
         line(key, "[" + text + "]");

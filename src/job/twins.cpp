@@ -13,7 +13,7 @@ namespace {
 struct Pair {
     std::string_view ratio;
     std::string_view si;
-    double (*unit)(const CellNumbers&);  // of a ratio of 1, in SI units
+    double (*unit)(const CellNumbers&);  // value of a ratio of 1 in SI units
 };
 
 double hertz(const CellNumbers& rig) {
@@ -39,7 +39,7 @@ const Pair* find(std::string_view key) {
     return found == std::end(pairs) ? nullptr : found;
 }
 
-// Each number is monotonic along an axis, so that its ends tell of all cells.
+// Each number is monotonic along an axis, so it suffices to check its ends.
 std::optional<Twin> twin(const Job& job, std::string_view key) {
     const Pair* pair = find(key);
     if (pair == nullptr) return std::nullopt;

@@ -26,8 +26,8 @@ constexpr const char* processor =
     "other";
 #endif
 
-// Of each function that a cell may ask the library for, at as many arguments, spread over the range where it
-// is asked for. A function that is new to the core belongs here.
+// Results of each library function that a cell may call, at equally many arguments, spread over the range in
+// which it is called. A function that is new to the core belongs here.
 class LibraryResults {
   public:
     LibraryResults() {
@@ -56,8 +56,8 @@ class LibraryResults {
     template <typename Function>
     void take(Function function) {
         constexpr int arguments = 16384;
-        // Its multiples are spread evenly between 0 and 1. Volatile, as a compiler computes values of functions
-        // that it knows beforehand by itself, and otherwise than the library.
+        // Its multiples modulo 1 are spread evenly (a Weyl sequence). Volatile, as a compiler evaluates
+        // functions that it knows at compile time, and with other results than the library.
         const volatile double golden = 0.6180339887498949;
         for (int i = 1; i <= arguments; ++i) {
             const double multiple = i * golden;

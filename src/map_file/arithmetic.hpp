@@ -1,12 +1,12 @@
-// What the last bits of a cell depend on beside its job: instructions and the C library's functions.
+// What the last bits of a cell depend on besides its job: the instruction set and the C library's functions.
 #pragma once
 
 #include <string>
 
 namespace peterka::map_file {
 
-// That of this process, e.g. "x86-64, libm 3f09c2a1, vectors fma". The number is a hash of what the C library's
-// functions return for many arguments: releases and processors that compute the same have the same one.
+// The arithmetic of this process, e.g. "x86-64, libm 3f09c2a1, vectors fma". The number is a hash of what the C
+// library's functions return for many arguments: releases and processors with equal results share it.
 [[nodiscard]] std::string arithmetic();
 
 }  // namespace peterka::map_file

@@ -12,7 +12,7 @@ namespace {
 using attractors::PointAttractors;
 using regime::SteadyMotion;
 
-// A kind of samples of all points: of which attractor each is, and its two numbers.
+// Samples of one kind for all points: the attractor of each, and its two numbers.
 struct Columns {
     explicit Columns(std::size_t size)
         : attractor(size, -1), displacement(size, regime::unknown), velocity(size, regime::unknown) {}

@@ -1,8 +1,8 @@
-// Samples of the motions on all attractors at each point of a sweep with [starts], for bifurcation diagrams of
-// the whole: as those of its branches (samples.hpp), each with the attractor that it is of.
+// Samples of the motions on all attractors at each point of a sweep with [starts], for complete bifurcation
+// diagrams: like those of its branches (samples.hpp), each with its attractor.
 //
-// All attractors of a point share its room, so many samples of a kind: each one, those with the largest shares
-// first, has as many as are left for it and each after it.
+// All attractors of a point share its room for `samples` samples of a kind: in order of decreasing share, each
+// takes at most an equal part of what is left.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline constexpr std::array<hdf5::Variable, 6> attractor_sample_variables{
 };
 // clang-format on
 
-// Variable after variable, each [row][point][sample]: so many rows, which are alike.
+// Variable after variable, each [row][point][sample]; all `rows` rows are identical.
 [[nodiscard]] std::vector<std::byte> attractor_sample_bytes(std::span<const attractors::PointAttractors> points,
                                                             std::int64_t rows, std::int64_t samples);
 

@@ -1,7 +1,7 @@
 // Group /audit of a map file: a sample of cells, each solved again by an independent engine with every term.
 //
-// The sample is chosen and judged by the caller; a row's `agrees` is written last, so that a row that has one
-// is whole.
+// The sample is chosen and judged by the caller; a row's `agrees` is written last, so that a row that has it is
+// complete.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace peterka::map_file {
 
-// Of a cell with [starts]: of its starts that were solved again, how many end on another attractor, and of
-// these in how many a perturbation grew so much that rounding decides.
+// For a cell with [starts]: how many starts were solved again, how many of these end on another attractor, and
+// for how many of the latter a perturbation grew so much that rounding decides.
 struct AuditedStarts {
     std::int32_t solved = 0;
     std::int32_t elsewhere = 0;
@@ -27,9 +27,8 @@ struct AuditRow {
     std::int64_t cell = 0;  // row by row from 0
     std::int64_t row = 0;
     std::int64_t column = 0;
-    quantities::StoredCell again;  // the independent result
-    double force_error =
-        regime::unknown;  // of the map against it, relative; NaN where there is nothing to compare
+    quantities::StoredCell again;          // the independent result
+    double force_error = regime::unknown;  // of the map relative to it; NaN if there is nothing to compare
     double sensitivity = regime::unknown;  // where labels differ: ln of the largest growth of a perturbation
                                            // in either run
     bool agrees = false;                   // same regime, and the same p/q where it is periodic
@@ -37,13 +36,13 @@ struct AuditRow {
     double seconds = 0;  // spent on solving it again
 };
 
-// What the sample says of the whole map.
+// What the sample implies for the whole map.
 struct AuditReport {
     std::int64_t cells = 0;
     std::int64_t agreeing = 0;
-    std::int64_t decided_by_rounding = 0;         // of those that don't
+    std::int64_t decided_by_rounding = 0;         // of those that do not agree
     std::int64_t compared = 0;                    // cells with a force_error
-    double median_force_error = regime::unknown;  // of these, relative; so the next two
+    double median_force_error = regime::unknown;  // of these, relative, as are the next two
     double force_error_99_percent = regime::unknown;
     double largest_force_error = regime::unknown;
     double seconds_per_cell = 0;  // of the independent engine
@@ -56,14 +55,14 @@ struct AuditReport {
 // Rows of the table: audit.cells of the job, or all cells of a smaller map.
 [[nodiscard]] std::int64_t audit_rows(const job::Job& job);
 
-// Its datasets, for the layout; none where the job wants no audit.
+// Its datasets, for the layout; none if the job requests no audit.
 [[nodiscard]] std::vector<DatasetPlan> audit_plans(const job::Job& job);
 [[nodiscard]] std::vector<DatasetPlan> audit_run_plans(const job::Job& job);  // those in group /run
 
-// The table in an open file. Every call is this rank's own.
+// The table in an open file. No call is collective.
 class AuditTable {
   public:
-    // has_starts: whether the job has [starts], and the table columns of them.
+    // has_starts: whether the job has [starts], and the table columns for them.
     AuditTable(const hdf5::OpenMap& map, bool has_starts) : map_(map), has_starts_(has_starts) {}
 
     [[nodiscard]] bool has(std::int64_t index) const;

@@ -1,5 +1,5 @@
-// The attractors of each cell of a map with [starts], as the file holds them: all of the first slot, cell after
-// cell, then those of the second, ... so each field lies on [attractor][gap_ratio][frequency_ratio].
+// The attractors of each cell of a map with [starts], as stored in the file: the first slot of all cells, then
+// the second, ..., so that each field has the dimensions [attractor][gap_ratio][frequency_ratio].
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace peterka::map_file {
 
-// So many of each cell are kept; empty slots have fill values. `scales` has those of each cell.
+// `kept` slots are stored per cell; empty ones have fill values. `scales` has those of each cell.
 [[nodiscard]] std::vector<quantities::StoredAttractor> stored_attractors(
     std::span<const attractors::SolvedCell> cells, std::int64_t kept, std::span<const scene::Scales> scales);
 

@@ -41,7 +41,7 @@ constexpr const char* start_over = "Start over with --fresh, or choose another n
     throw Failure(ExitCode::output, fmt::format("{}: {}. {}", path.string(), why, what_to_do));
 }
 
-// Whether anything is there; only a regular file passes.
+// Whether anything exists there; only a regular file is accepted.
 bool holds_file(const std::filesystem::path& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
@@ -105,7 +105,7 @@ void require_datasets(const hdf5::Checked& check, const hdf5::FileId& file, cons
     }
 }
 
-// That of the tiles is looked at by all ranks together (MapFile::remaining_tiles).
+// The tiles' checksums are verified by all ranks together (MapFile::remaining_tiles).
 void require_seal(const hdf5::Checked& check, const hdf5::FileId& file, Sealed part) {
     if (is_sealed(check, file.id(), part)) return;
     refuse(check.path(),
@@ -128,8 +128,8 @@ bool all_tiles_done(const hdf5::Checked& check, const hdf5::FileId& file, const 
     return true;
 }
 
-// The file says which cells SUNDIALS carried from [start]. From other starts it may have carried any of them,
-// and an audit, which follows the last tile, is its work.
+// The file records which cells SUNDIALS integrated from [start]. From other starts it may have integrated any
+// cell, and it does the audit, which follows the last tile.
 bool holds_what_sundials_carried(const hdf5::Checked& check, const hdf5::FileId& file, const job::Job& job) {
     if (job.starts.count > 0 || (job.audit.cells > 0 && all_tiles_done(check, file, job))) return true;
     const hdf5::DiskFile disk(check.path());
@@ -178,7 +178,7 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
     require_job(path, file, job);
     const bool is_whole =
         job.kind == job::Kind::study || job.kind == job::Kind::trace || job.kind == job::Kind::curves;
-    if (is_whole) {  // it was written whole, and no number of it is looked at
+    if (is_whole) {  // it was written at once, and none of its numbers is examined
         require_seal(check, file, Sealed::whole);
         return Existing::complete;
     }
@@ -199,7 +199,7 @@ Existing inspect(const std::filesystem::path& path, const job::Job& job) {
 
 bool holds_complete_map(const std::filesystem::path& path) {
     if (!holds_file(path)) return false;
-    if (are_broken(path)) return false;  // of this program, and nothing to be kept
+    if (are_broken(path)) return false;  // of this program, and not worth keeping
     const hdf5::Checked check(path);
     const hdf5::FileId file = open_map(check);
     return says_finished(check, file.id());

@@ -1,4 +1,4 @@
-// In what two jobs differ, for people: from their identity texts.
+// How two jobs differ, for people, from their identity texts.
 #pragma once
 
 #include <string>

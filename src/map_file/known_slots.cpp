@@ -21,7 +21,7 @@ bool start_is_alone(const quantities::StoredCell& cell, const Slots& slots) {
 
 }  // namespace
 
-// It is the first one without a share.
+// If the slot of [start] has no share, it is the first one without.
 Slots own_slots(const quantities::StoredCell& cell, Slots slots) {
     const std::int64_t own = with_share(slots) + (start_is_alone(cell, slots) ? 1 : 0);
     slots.resize(static_cast<std::size_t>(own));

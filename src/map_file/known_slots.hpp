@@ -1,9 +1,8 @@
-// The slots of a cell once what is known beside its starts (attractors/known_motions.hpp) has come to them:
-// first what starts found, with a share, then what none of them did, with a share of 0. The largest shares and
-// what is known are kept.
+// The slots of a cell after adding attractors known independently of its starts (attractors/known_motions.hpp):
+// first those that starts found, with a share, then those that no start found, with a share of 0. The largest
+// shares and the known attractors are kept.
 //
-// A run may be killed between two tiles that get theirs, so what starts found has to be told again from the
-// file.
+// A run may be killed between two tiles, so what starts found must be recoverable from the file.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +15,12 @@ namespace peterka::map_file {
 
 using Slots = std::vector<quantities::StoredAttractor>;  // of a cell, those in use
 
-// As the cell's own search left them: with a share, or that on which [start] ends.
+// The slots that the cell's own search found: those with a share, and that on which [start] ends.
 [[nodiscard]] Slots own_slots(const quantities::StoredCell& cell, Slots slots);
-// Whether one of these gave way to what is known.
+// Whether a known attractor displaced one of these.
 [[nodiscard]] bool lost_slots(const quantities::StoredCell& cell, const Slots& slots, std::int64_t kept);
 
-// `slots`: its own; as many as are kept come out of it, with what is known behind them. start_attractor
-// follows.
+// `slots`: the cell's own; reduced to at most `kept`, with known attractors last. Updates start_attractor.
 void add_known(quantities::StoredCell& cell, Slots& slots, std::span<const quantities::StoredAttractor> known,
                std::int64_t kept);
 

@@ -70,7 +70,7 @@ parallel::Extent largest_tile(const job::Job& job) {
     return {job.starts.count > 0 ? job::branches_of_a_gap(job.sweep) : 1, job.columns.points};
 }
 
-// On the plane of cells, and of so many samples in each.
+// On the plane of cells, with the samples of each as an optional third dimension.
 DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::vector<Dimension> dimensions) {
     const parallel::Extent largest = largest_tile(job);
     std::vector<std::int64_t> chunk{std::min(largest.rows, dimensions[0].size),
@@ -79,7 +79,7 @@ DatasetPlan on_cells(const job::Job& job, const hdf5::Variable& variable, std::v
     return {"/", variable, std::move(dimensions), std::move(chunk)};
 }
 
-// Several values of each cell: planes, one after the other, cut into the same tiles.
+// Several values per cell: consecutive planes, cut into the same tiles.
 void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& rows,
                          const Dimension& columns) {
     const std::vector<quantities::AttractorField> fields = quantities::stored_attractor_fields(job);
@@ -93,7 +93,7 @@ void add_cell_attractors(std::vector<DatasetPlan>& plans, const job::Job& job, c
     }
 }
 
-// Beside the coordinate itself.
+// The coordinate in the other unit, beside the coordinate itself.
 void add_twin(std::vector<DatasetPlan>& plans, const job::Job& job, const Dimension& along,
               const std::optional<job::Twin>& twin) {
     if (twin && job.layout > 2) plans.push_back({"/", coordinate_of(twin->key), {along}});
@@ -185,7 +185,7 @@ bool DatasetPlan::is_scale() const {
 std::int64_t DatasetPlan::bytes() const {
     auto size = static_cast<std::int64_t>(hdf5::bytes_of(variable.number));
     for (std::size_t i = 0; i < dimensions.size(); ++i) {
-        // tiles at the edge take the room of a whole one
+        // tiles at the edge take the space of a whole one
         const std::int64_t side = is_tiled() ? chunk[i] : 1;
         size = capped_product(size, (dimensions[i].size + side - 1) / side * side);
     }

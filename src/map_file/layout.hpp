@@ -1,7 +1,7 @@
 // Every dataset of a map file: where it lies, what it holds and how large it is.
 //
 // Creating, sizing and inspecting a file all follow this one list. Dimensions are HDF5 dimension scales in the
-// group of the datasets they belong to, as netCDF-4 readers want them. "same bytes" holds for all groups but
+// group of the datasets they belong to, as netCDF-4 readers expect. "same bytes" holds for all groups except
 // /run.
 #pragma once
 
@@ -40,15 +40,15 @@ struct DatasetPlan {
     hdf5::Variable variable;
     std::vector<Dimension> dimensions;  // none for a scalar
     std::vector<std::int64_t> chunk =
-        {};  // on the plane of cells: what one tile has, or the whole of a smaller plane
+        {};  // on the plane of cells: the extent of one tile, or of a smaller plane
 
     [[nodiscard]] std::string path() const;
     [[nodiscard]] bool is_scale() const;  // a dimension's own dataset: its coordinates
     [[nodiscard]] bool is_tiled() const { return !chunk.empty(); }
-    [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest number there is where it does not fit
+    [[nodiscard]] std::int64_t bytes() const;  // in the file; the largest std::int64_t on overflow
 };
 
-// What an axis runs over, as a coordinate. Its texts live as long as the program.
+// The quantity that an axis varies, as a coordinate. Its strings live as long as the program.
 [[nodiscard]] hdf5::Variable coordinate_of(std::string_view key);
 
 // Scales come before the datasets that they belong to.

@@ -34,9 +34,9 @@ std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix
     return path += suffix;
 }
 
-// Gives the file all the room it will need, so that a full disk, a quota or a limit says so here and by the
-// system's own words. HDF5 1.10 cannot close a file that it had no room to write: the program would crash at
-// its end.
+// Allocates all the space the file will need, so that a full disk, a quota or a limit is reported here, with
+// the system's own message. HDF5 1.10 cannot close a file that it had no space to write: the program would
+// crash at its end.
 void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     const int error = descriptor < 0 ? errno : ::posix_fallocate(descriptor, 0, bytes);
@@ -51,8 +51,8 @@ void reserve_room(const std::filesystem::path& path, std::int64_t bytes) {
                     path.string(), readable_bytes(bytes), bytes, std::generic_category().message(error)));
 }
 
-// What was reserved behind the last dataset, should another release of HDF5 take less than was predicted: the
-// record is the file's end.
+// Releases what was reserved after the last dataset, should another release of HDF5 take less than predicted:
+// the record is the file's end.
 void give_back_room(const std::filesystem::path& path, const std::vector<ByteRange>& numbers) {
     const std::uint64_t end = std::ranges::max(numbers, {}, &ByteRange::end).end;
     std::error_code error;
@@ -81,7 +81,7 @@ void write_whole(const std::filesystem::path& path, const job::Job& job, const P
     write_record(path, std::move(numbers));
 }
 
-// Not through a link.
+// Does not follow links.
 bool is_plain_file(const std::filesystem::path& path) {
     struct stat status {};
     return ::lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1;
@@ -116,10 +116,10 @@ void require_room_for_previous(const std::filesystem::path& path) {
                               previous.string()));
 }
 
-// Names are the folder's, and live through a loss of power once that is on the disk.
+// Names belong to the folder, and survive a power failure once the folder is on the disk.
 void settle_folder_of(const std::filesystem::path& path) {
     const int descriptor = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;  // one may be written into and not be read
+    if (descriptor < 0) return;  // a folder may be writable but not readable
     int error = 0;
     while (::fsync(descriptor) != 0 && (error = errno) == EINTR) error = 0;
     ::close(descriptor);

@@ -22,7 +22,7 @@ namespace peterka::map_file {
 
 namespace {
 
-// Keeps the memory small at any number of points.
+// Bounds the memory for any number of points.
 constexpr std::int64_t values_at_once = 65536;
 
 // Without times, two files of one map have the same bytes in their headers too.
@@ -69,7 +69,7 @@ void describe(const hdf5::Checked& check, hid_t dataset, const hdf5::Variable& v
     for (const char* name : variable.flags) meanings += (meanings.empty() ? "" : " ") + std::string(name);
     if (variable.number == hdf5::Number::int32) {
         hdf5::write_attribute(check, dataset, "flag_values", std::span<const std::int32_t>(values));
-    } else {  // CF wants them in the variable's own type
+    } else {  // CF requires them in the variable's own type
         const std::vector<std::int8_t> small(values.begin(), values.end());
         hdf5::write_attribute(check, dataset, "flag_values", std::span<const std::int8_t>(small));
     }
@@ -93,14 +93,14 @@ void make_group(const hdf5::Checked& check, hid_t file, const std::string& path)
         check(H5Gcreate2(file, path.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), "H5Gcreate2"));
 }
 
-// Known beforehand: scales, and what the branches of a sweep are.
+// Known beforehand: scales, and the definition of a sweep's branches.
 bool is_coordinate(const DatasetPlan& plan) {
     return plan.is_scale() || (plan.group == "/" && plan.dimensions.size() == 1);
 }
 
 using ValueAt = std::function<double(std::int64_t i)>;
 
-// Of an axis or a branch, in either unit.
+// Values of an axis or of the branches, in either unit.
 ValueAt value_of(std::string_view name, const job::Job& job) {
     const auto is = [&](std::string_view key) { return job::quantity(key).coordinate == name; };
     const auto in_either = [&](std::string_view key, const std::optional<job::Twin>& twin,
@@ -118,7 +118,7 @@ ValueAt value_of(std::string_view name, const job::Job& job) {
                      [&job](std::int64_t i) { return job.sweep.branch(i).gap.value(); });
 }
 
-// Of an axis or a branch, or the number of a tile, a sample or a row in a table.
+// Values of an axis or of the branches, or the number of a tile, a sample or a table row.
 ValueAt value_of(const DatasetPlan& plan, const job::Job& job) {
     if (plan.group == "/") {
         if (auto found = value_of(plan.variable.name, job)) return found;
@@ -128,7 +128,7 @@ ValueAt value_of(const DatasetPlan& plan, const job::Job& job) {
     return [](std::int64_t i) { return static_cast<double>(i); };
 }
 
-// Hands on the coordinates of a dataset in parts, with the block that each belongs to.
+// Passes on the coordinates of a dataset in parts, each with its block.
 template <class Use>
 void each_part(const DatasetPlan& plan, const job::Job& job, Use&& use) {
     const std::int64_t size = plan.dimensions[0].size;
@@ -147,14 +147,13 @@ void each_part(const DatasetPlan& plan, const job::Job& job, Use&& use) {
 
 hdf5::PropertiesId file_access(const hdf5::Checked& check) {
     hdf5::PropertiesId access = new_properties(check, H5P_FILE_ACCESS);
-    // The format of HDF5 1.10 keeps no index of chunks that are all allocated: nothing to update, nothing to
-    // lose.
+    // The format of HDF5 1.10 keeps no index if all chunks are allocated: nothing to update, nothing to lose.
     check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
     // Objects one after the other instead of in blocks, of which some would stay half empty: sizes add up
     // exactly.
     check(H5Pset_meta_block_size(access.id(), 0), "H5Pset_meta_block_size");
     check(H5Pset_small_data_block_size(access.id(), 0), "H5Pset_small_data_block_size");
-    // What is written lies in the file at once, and what is read comes from it.
+    // Writes reach the file at once, and reads come from it.
     check(H5Pset_cache(access.id(), 0, 0, 0, 0), "H5Pset_cache");
     check(H5Pset_sieve_buf_size(access.id(), 0), "H5Pset_sieve_buf_size");
     // Not every file system can lock, and a reader that holds a lock must not stop a run.
@@ -188,8 +187,8 @@ void make_datasets(const hdf5::Checked& check, hid_t file, std::span<const Datas
                   "H5DSattach_scale");
         }
     }
-    check(H5Fflush(file, H5F_SCOPE_LOCAL), "H5Fflush");  // heaps of attributes take their room
-    hdf5::write_text(check, file, path::bytes, "");      // and this one its own, behind all else
+    check(H5Fflush(file, H5F_SCOPE_LOCAL), "H5Fflush");  // attribute heaps take their space
+    hdf5::write_text(check, file, path::bytes, "");      // and this dataset its own, after all else
 }
 
 void write_coordinates(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans,

@@ -14,16 +14,15 @@
 
 namespace peterka::map_file {
 
-// Properties of files of this layout: how objects are encoded, so that readers of HDF5 1.10 and newer open
-// them.
+// Properties of files of this layout: how objects are encoded, so that HDF5 1.10 and newer can open them.
 [[nodiscard]] hdf5::PropertiesId file_access(const hdf5::Checked& check);
 [[nodiscard]] hdf5::PropertiesId file_creation(const hdf5::Checked& check);
 
-// Among the plans is that of the record of bytes, which becomes the end of the file.
+// The plans include that of the record of bytes, which becomes the end of the file.
 void make_datasets(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans);
 void write_coordinates(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans,
                        const job::Job& job);
-// Whether a dataset that has coordinates has the job's; it must be of the plan's type and size.
+// Whether a coordinate dataset holds the job's coordinates; it must have the plan's type and size.
 [[nodiscard]] bool holds_coordinates(const hdf5::Checked& check, hid_t file, const DatasetPlan& plan,
                                      const job::Job& job);
 

@@ -44,12 +44,12 @@ hdf5::FileId open_to_read(const hdf5::Checked& check, const std::string& key) {
     return file;
 }
 
-// Its rig and axes are believed as its own run would believe them. Cells have checksums of their own.
+// Rig and axes are trusted if the file's own run would trust them. Cells have checksums of their own.
 void require_trust(const hdf5::Checked& check, const hdf5::FileId& file, const std::string& key) {
     try {
         if (is_sealed(check, file.id(), says_finished(check, file.id()) ? Sealed::whole : Sealed::frame))
             return;
-    } catch (const Failure&) {  // a seal is made of what the file says, and this one says what can't be
+    } catch (const Failure&) {  // the seal covers the contents, and these are impossible
     }
     refuse(check.path(), "is damaged: something outside its cells is not what was written (wrong checksum)",
            key);

@@ -1,7 +1,8 @@
 // One cell of a finished or unfinished map or basin file, as the file stores it, with the job that made it.
 //
-// Serial. Nothing is believed that doesn't fit the layout of the job in the file, and the cell's tile must have
-// its checksum. Throws Failure(ExitCode::bad_job) that names the file, what is wrong with it, and what to do.
+// Serial. Nothing is trusted that does not match the layout of the job in the file, and the cell's tile must
+// match its checksum. Throws Failure(ExitCode::bad_job) that names the file, what is wrong with it, and what to
+// do.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +21,10 @@ struct MapCell {
     std::int64_t column = 0;
     job::Job job;                     // of the map
     quantities::StoredCell stored{};  // in the units of the file
-    std::string asked_beside{};       // how far from it the place lies that was asked for; "" where it doesn't
+    std::string asked_beside{};       // the distance of the requested place from it; "" if there is none
 };
 
-// The job that a map or basin file stores. `key` is that of the job that names the file.
+// The job that a map or basin file stores. `key`: the key of the requesting job that names the file.
 [[nodiscard]] job::Job read_map_job(const std::filesystem::path& path, const std::string& key);
 
 // A cell of that job's plane.

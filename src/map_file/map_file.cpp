@@ -197,7 +197,7 @@ void MapFile::finish(const findings::Statistics& statistics, std::span<const std
     parallel::on_first_rank(communicator_, [&] { remove_previous(check_.path()); });
 }
 
-// Looked at once more, from the disk: a seal that was made of something misread must not stay.
+// Verified once more from the disk: a seal computed from misread data must not remain.
 void MapFile::seal() {
     const auto look = [&](const auto& use) {
         const hdf5::PropertiesId access = file_access(check_);
@@ -215,7 +215,7 @@ void MapFile::seal() {
 }
 
 void MapFile::close() {
-    { const TileStore closing = std::move(tiles_); }  // while there is a file to close them in
+    { const TileStore closing = std::move(tiles_); }  // while their file is still open
     file_.close();
     parallel::on_first_rank(communicator_, [&] { remove_files_of_mpi(check_.path()); });
 }

@@ -3,8 +3,8 @@
 // Rank 0 makes the file, with all its space and all its metadata, before any rank opens it (make_file.hpp).
 // After that only plain numbers are written, so a kill at any moment leaves a readable file in which each tile
 // marked done is whole. "Collective" functions are called by all ranks of the communicator in the same order,
-// and a problem that one rank meets is thrown on all. All throw Failure(ExitCode::output). The communicator
-// must outlive the MapFile.
+// and an error on one rank is thrown on all. All throw Failure(ExitCode::output). The communicator must outlive
+// the MapFile.
 #pragma once
 
 #include <mpi.h>
@@ -50,12 +50,12 @@ using ScalesOfCell = std::function<scene::Scales(std::int64_t row, std::int64_t 
 
 class MapFile {
   public:
-    MapFile(MapFile&&) = delete;  // what is open inside knows where it lies
+    MapFile(MapFile&&) = delete;  // members refer to its address
     MapFile& operator=(MapFile&&) = delete;
     ~MapFile() = default;
 
-    // Collective. Makes the file anew, as make_file() does: a complete map of that name is kept as
-    // previous_name(path) until finish(). `scales` of a cell take its CellResult to the units of the file.
+    // Collective. Creates the file, as make_file() does: a complete map of that name is kept as
+    // previous_name(path) until finish(). `scales` of a cell convert its CellResult to the units of the file.
     [[nodiscard]] static MapFile create(const std::filesystem::path& path, const job::Job& job,
                                         const Provenance& provenance, const ScalesOfCell& scales,
                                         MPI_Comm communicator);
@@ -69,11 +69,12 @@ class MapFile {
 
     // Independent: any rank, any tile, any order. `cells` row by row inside the tile; `seconds` spent on them.
     void write_tile(const parallel::Tile& tile, std::span<const attractors::SolvedCell> cells, double seconds);
-    // The same for branches of a sweep, and with [starts] for the attractors of each point, which these share.
+    // The same for branches of a sweep, and with [starts] for the attractors of each point, which the branches
+    // share.
     void write_branches(const parallel::Tile& tile, std::span<const regime::BranchPoint> points,
                         std::span<const attractors::PointAttractors> attractors, double seconds);
 
-    // A tile of a map that is done, with other attractors: slot after slot, cell by cell.
+    // Rewrites a finished tile of a map with other attractors: slot after slot, cell by cell.
     void write_attractors(std::int64_t index, std::span<const quantities::StoredCell> cells,
                           std::span<const quantities::StoredAttractor> attractors);
 
@@ -86,15 +87,15 @@ class MapFile {
     // Collective. After it each rank may read what the others wrote.
     void settle();
 
-    // Independent, for cells that are there; those of other ranks after settle().
+    // Independent, for cells already written; those of other ranks only after settle().
     [[nodiscard]] quantities::StoredCell read_cell(std::int64_t row, std::int64_t column) const;
     [[nodiscard]] std::vector<quantities::StoredCell> read_tile(std::int64_t index) const;
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(std::int64_t index) const;
-    // Of a finished basin.
+    // For a finished basin.
     [[nodiscard]] std::vector<findings::Attractor> basin_attractors() const;
     [[nodiscard]] AuditTable audit() const { return {open_map(), job_.starts.count > 0}; }
 
-    // Collective. What the audit says, on every rank; nothing where the job wants none.
+    // Collective. The result of the audit, on every rank; nothing if the job requests none.
     [[nodiscard]] std::optional<AuditReport> audit_report();
 
     // Collective. Counts and extremes of what the file holds, the same at any number of ranks.
@@ -109,7 +110,7 @@ class MapFile {
     void finish(const findings::Statistics& statistics, std::span<const std::string> omitted,
                 const RunFacts& facts);
 
-    // Collective. Closes the file and reports what only closing can find; the destructor closes silently.
+    // Collective. Closes the file and reports errors that only closing reveals; the destructor closes silently.
     void close();
 
   private:

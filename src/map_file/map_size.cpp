@@ -29,15 +29,15 @@ std::int64_t data_bytes(std::span<const DatasetPlan> plans) {
     return sum;
 }
 
-// The smallest number of as many bytes as this one, of three at most.
+// The smallest number that takes as many bytes as this one, at most three.
 std::int64_t smallest_of_its_bytes(std::int64_t number) {
     std::int64_t smallest = 1;
     while (smallest < 65536 && number / 256 >= smallest) smallest *= 256;
     return smallest;
 }
 
-// Metadata do not depend on the number of cells, but that HDF5 stores the sides of chunks in as many bytes as
-// the largest needs, and a branch of a sweep is one chunk.
+// Metadata do not depend on the number of cells, except that HDF5 stores chunk sides in as many bytes as the
+// largest needs, and a branch of a sweep is one chunk.
 void leave_few_cells(job::Job& job) {
     job.rows.points = 1;
     if (job.kind != job::Kind::sweep) {
@@ -51,7 +51,7 @@ void leave_few_cells(job::Job& job) {
     job.sweep.samples = smallest_of_its_bytes(job.sweep.samples);
 }
 
-// The file of the same job with few cells, made in memory, tells how much room they take.
+// Measured on the file of the same job with few cells, made in memory.
 std::int64_t metadata_bytes(job::Job job, const Provenance& provenance) {
     const hdf5::Checked check("(file in memory)");
     const hdf5::PropertiesId access = file_access(check);

@@ -9,7 +9,7 @@
 
 namespace peterka::map_file {
 
-// Size of the job's file [bytes], exact; the largest number there is where the size does not fit.
+// Size of the job's file [bytes], exact; the largest std::int64_t on overflow.
 [[nodiscard]] std::int64_t predicted_bytes(const job::Job& job);
 [[nodiscard]] std::int64_t predicted_bytes(const job::Job& job, const Provenance& provenance);
 

@@ -49,7 +49,7 @@ hdf5::ObjectIdentity identity_of(const hdf5::Checked& check, hid_t object) {
     return hdf5::identity_of(info);
 }
 
-// What a file's objects and their numbers take, to tell that no two share anything.
+// The objects and storage seen so far, to verify that no two share anything.
 class Taken {
   public:
     [[nodiscard]] bool take_object(const hdf5::ObjectIdentity& object) {
@@ -58,7 +58,7 @@ class Taken {
     void take_storage(const std::string& path, const hdf5::Storage& storage) {
         ranges_.push_back({storage.begin(), storage.end(), path});
     }
-    // Whether all storage lies apart, inside a file of this size.
+    // What is wrong unless all storage is disjoint and inside a file of this size.
     [[nodiscard]] std::optional<std::string> fault(std::uint64_t file_size) {
         std::ranges::sort(ranges_, {}, &ByteSpan::begin);
         std::uint64_t free_from = 1;  // the file begins with its superblock

@@ -10,7 +10,7 @@ namespace peterka::map_file {
 
 namespace {
 
-// What HDF5 keeps the file in. It frees that when it closes the file, and only then all of it is there:
+// The memory in which HDF5 keeps the file. HDF5 frees it on closing the file, and only then is it complete:
 // H5Fget_file_image gives a superblock whose checksum is wrong.
 struct Image {
     std::size_t size = 0;

@@ -1,7 +1,7 @@
-// An HDF5 file that lives in memory until it is closed, and then is its bytes.
+// An HDF5 file that is built in memory and yields its bytes on closing.
 //
-// HDF5 meets no disk that could fail it: 1.10 can't close a file that it couldn't write, and takes the program
-// down with it.
+// This keeps disk errors away from HDF5: version 1.10 cannot close a file that it could not write, and crashes
+// the program.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace peterka::map_file {
 
-// The bytes of the file that `fill` fills, to the end that it tells: the memory grows in steps.
+// The bytes of the file that `fill` fills, up to the end that it returns: the memory grows in steps.
 [[nodiscard]] std::vector<std::byte> bytes_of_file(const hdf5::Checked& check,
                                                    const std::function<std::uint64_t(hid_t)>& fill);
 

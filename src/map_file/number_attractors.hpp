@@ -1,8 +1,9 @@
 // Finds the attractors of a finished basin and numbers every cell's. Collective.
 //
-// From the stored cells alone, so that a resumed run needs nothing more, and tile by tile, so that the memory
-// stays small. The lowest cell of the whole basin that no known attractor explains becomes the next attractor,
-// until none is left or the table is full: the result does not depend on who looked at which tile.
+// Uses the stored cells alone, so that a resumed run needs nothing else, and works tile by tile, so that the
+// memory stays small. The first cell of the whole basin that no known attractor explains becomes the next
+// attractor, until none is left or the table is full: the result does not depend on which rank reads which
+// tile.
 #pragma once
 
 #include <mpi.h>

@@ -29,7 +29,7 @@ bool is_still_there(int descriptor, const std::filesystem::path& name) {
            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-// How a lock begins, so that nothing else is taken for one.
+// How a lock file begins, so that nothing else is mistaken for one.
 constexpr std::string_view mark = "peterka runs as ";
 
 std::string holder(int descriptor) {
@@ -39,7 +39,7 @@ std::string holder(int descriptor) {
     return all.starts_with(mark) ? escape_untrusted(all.substr(mark.size())) : "another process";
 }
 
-// Whether what is open can be a lock that a run has made: a file without other names, empty or marked.
+// Whether the open file can be a lock that a run has made: a file without other names, empty or marked.
 bool is_lock(int descriptor) {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink > 1) return false;
@@ -53,7 +53,7 @@ void sign(int descriptor) {
     std::array<char, 128> host{};
     static_cast<void>(::gethostname(host.data(), host.size() - 1));
     const std::string text = fmt::format("{}process {} on {}", mark, ::getpid(), host.data());
-    // only a convenience for who reads it
+    // only a convenience for readers
     if (::ftruncate(descriptor, 0) == 0) static_cast<void>(!::pwrite(descriptor, text.data(), text.size(), 0));
 }
 
@@ -71,7 +71,7 @@ std::string no_lock(const std::filesystem::path& path, int error) {
 
 constexpr std::chrono::milliseconds between_looks{50};
 
-// Whether it is worth looking again.
+// Waits for the next attempt; false once patience is exhausted.
 bool waits(std::chrono::milliseconds& patience) {
     if (patience.count() <= 0) return false;
     patience -= between_looks;

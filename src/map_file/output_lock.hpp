@@ -1,9 +1,9 @@
-// Keeps a second run out of an output file while a first one writes it, whatever name it comes by.
+// Keeps a second run out of an output file while a first one writes it, whatever name it uses.
 //
-// FILE.peterka-lock beside the file is locked for as long as the run lives and removed at its end. The system
-// takes the lock from a process that dies, so that one left behind by a kill stops nobody. The file itself is
-// locked, too, so that a link to it is no way in: at a byte that no file reaches, and by a kind of lock that
-// neither HDF5 nor MPI-IO uses, so that whoever only reads it may. For one rank alone. Constructors throw
+// FILE.peterka-lock beside the file is locked while the run lives and removed at its end. The system releases
+// the lock of a process that dies, so a lock file left behind by a kill blocks nobody. The file itself is
+// locked, too, against access through a link: at an offset that no file reaches, and by a kind of lock that
+// neither HDF5 nor MPI-IO uses, so that reading stays possible. For one rank alone. Constructors throw
 // Failure(ExitCode::output).
 #pragma once
 
@@ -16,7 +16,7 @@ namespace peterka::map_file {
 
 [[nodiscard]] std::filesystem::path lock_name(const std::filesystem::path& path);
 
-// An open file, closed at the end.
+// A file descriptor, closed on destruction.
 class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -37,16 +37,15 @@ class OutputLock {
   public:
     static constexpr std::chrono::seconds default_patience{6};
 
-    // Throws where another run holds it, naming that process, and stays: the ranks of a run that was killed
-    // live on for two or three seconds. What lies under the lock's name and was not put there by a run is
-    // refused.
+    // Throws, naming the process, if another run holds it for longer than `patience`: the ranks of a killed run
+    // live on for two or three seconds. A file of the lock's name that no run has created is refused.
     explicit OutputLock(const std::filesystem::path& path,
                         std::chrono::milliseconds patience = default_patience);
     OutputLock(OutputLock&& other) noexcept = default;
     OutputLock& operator=(OutputLock&& other) noexcept = default;
     ~OutputLock();
 
-    // Why there is no lock, where a folder can't be written or a file system knows none; else empty.
+    // Why there is no lock, if the folder cannot be written or the file system supports none; else empty.
     [[nodiscard]] const std::string& lacking() const { return lacking_; }
 
   private:
@@ -55,7 +54,7 @@ class OutputLock {
     std::string lacking_;
 };
 
-// The lock on the file itself. None where there is no such file, or it can't be written.
+// The lock on the file itself. None if there is no such file, or it cannot be written.
 class FileLock {
   public:
     explicit FileLock(const std::filesystem::path& path,

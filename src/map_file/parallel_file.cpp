@@ -28,8 +28,8 @@ void ParallelFile::settle() {
     parallel::together(communicator_, [&] { check_(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "H5Fflush"); });
 }
 
-// H5Fclose would write the superblock as it is there already. Where that fails, the rank that does so goes on
-// to MPI_File_close, and the others wait for it before that, for ever (H5AC__run_sync_point of HDF5 1.10).
+// H5Fclose would rewrite the superblock unchanged. If that fails, the rank that does so goes on to
+// MPI_File_close, while the others wait for it before that, forever (H5AC__run_sync_point of HDF5 1.10).
 void ParallelFile::close() {
     parallel::together(communicator_, [&] {
         void* mpi_file = nullptr;

@@ -1,7 +1,7 @@
 // An HDF5 file that all ranks of a communicator hold open through MPI-IO.
 //
-// Closing waits for all ranks, so a rank that is on its way out because of a failure does not close.
-// Nothing is lost by that, since data are written when they are given.
+// Closing waits for all ranks, so a rank that exits because of a failure does not close. Nothing is lost, since
+// data are written immediately.
 #pragma once
 
 #include <mpi.h>

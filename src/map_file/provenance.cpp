@@ -33,7 +33,7 @@ std::string hdf5_version() {
     return fmt::format("{}.{}.{}", major, minor, release);
 }
 
-// Implementations answer with a page; its first line up to the first comma names them.
+// Implementations return a page of text; its first line up to the first comma names them.
 std::string mpi_version() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
     int length = 0;

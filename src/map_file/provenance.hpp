@@ -1,4 +1,4 @@
-// What made a map: program, libraries and arithmetic, found out at run time and stored in the file's root
+// What made a map: program, libraries and arithmetic, determined at run time and stored in the file's root
 // attributes.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Provenance {
 
 [[nodiscard]] Provenance collect_provenance();
 
-// Of the library that is loaded, e.g. "7.1.1".
+// Version of the library that is loaded, e.g. "7.1.1".
 [[nodiscard]] std::string sundials_version();
 
 }  // namespace peterka::map_file

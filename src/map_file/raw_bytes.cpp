@@ -46,7 +46,7 @@ std::string in_lines(const std::vector<ByteRange>& ranges) {
     return text;
 }
 
-// The lines behind the first, to the end of the record.
+// `lines`: the record after its first line, to its end.
 std::uint64_t sum_of(std::string_view lines, const std::vector<ByteRange>& ranges, const ReadBytes& read) {
     Sum sum;
     sum.add(std::as_bytes(std::span(lines)));
@@ -65,7 +65,7 @@ std::uint64_t sum_of(std::string_view lines, const std::vector<ByteRange>& range
     return sum.value();
 }
 
-// Nothing for what no record says.
+// Nothing for what no record contains.
 std::optional<std::uint64_t> number(std::string_view& text, char behind) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -75,7 +75,7 @@ std::optional<std::uint64_t> number(std::string_view& text, char behind) {
     return value;
 }
 
-// In order, apart, and with the record itself as the last; empty where they aren't.
+// Ranges in order, disjoint, and with the record itself as the last; empty otherwise.
 std::vector<ByteRange> ranges_in(std::string_view lines, std::uint64_t file_size) {
     std::vector<ByteRange> ranges;
     while (!lines.empty() && lines.front() != '\0') {

@@ -17,7 +17,7 @@ namespace {
 
 using job::CellNumbers;
 
-// What all cells share, for drawing in SI units: a number that varies from cell to cell follows from the axes.
+// What all cells share, for plots in SI units; a number that varies from cell to cell follows from the axes.
 class SharedNumbers {
   public:
     SharedNumbers(const hdf5::Checked& check, hid_t file, const job::Job& job)

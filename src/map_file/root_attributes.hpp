@@ -1,4 +1,4 @@
-// What a map file says of itself at its root: format, job, scales for drawing in SI units, and what made it.
+// The attributes at a map file's root: format, job, scales for plots in SI units, and provenance.
 #pragma once
 
 #include <hdf5.h>

@@ -1,8 +1,8 @@
 // Samples of the steady motion at each point of a sweep, for bifurcation diagrams: where the hammer is at
 // forcing phase 0, and where an impact begins.
 //
-// At phase 0 the cart passes its middle, so that x there is x - y, too. At first touch x - y is the gap and
-// tells nothing, but x tells at which position of the cart it happens.
+// At phase 0 the cart passes its middle position, so that x = x - y. At first touch x - y is the gap and
+// carries no information, whereas x gives the position of the cart.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ inline constexpr std::array<hdf5::Variable, 4> sample_variables{
 };
 // clang-format on
 
-// Those of a job, with those of its attractors (attractor_samples.hpp) where it has [starts].
+// Those of a job, with those of its attractors (attractor_samples.hpp) if it has [starts].
 [[nodiscard]] std::vector<hdf5::Variable> stored_sample_variables(const job::Job& job);
 
-// Variable after variable, each [point][sample], so many of them per point.
+// Variable after variable, each [point][sample], `samples` of them per point.
 [[nodiscard]] std::vector<double> sample_values(std::span<const regime::BranchPoint> points,
                                                 std::int64_t samples);
 

@@ -128,7 +128,7 @@ class Sealing {
         return fmt::format("{}{}", H5Tget_sign(type) == H5T_SGN_NONE ? 'u' : 'i', size);
     }
 
-    // Gives the number of values.
+    // Returns the number of values.
     std::uint64_t add_shape(hid_t space, const std::string& path) {
         if (H5Sget_simple_extent_type(space) == H5S_NULL) refuse_part(path, "holds nothing");
         const int rank = check_(H5Sget_simple_extent_ndims(space), "H5Sget_simple_extent_ndims");

@@ -1,4 +1,4 @@
-// XXH3 (64 bits) of what is added, piece by piece.
+// XXH3 (64 bits; Y. Collet, xxHash) of data added piece by piece.
 #pragma once
 
 #include <xxhash.h>

@@ -1,4 +1,4 @@
-// The bytes of one tile: what is written to the file, read back and summed up in the tile's checksum.
+// The bytes of one tile: what is written to the file, read back and covered by the tile's checksum.
 //
 // Field after field in the order of the job's fields, each row by row inside the tile, in the number type of
 // the file.
@@ -19,7 +19,7 @@ namespace peterka::map_file {
 [[nodiscard]] std::vector<std::byte> encode(std::span<const quantities::AttractorField> fields,
                                             std::span<const quantities::StoredAttractor> attractors);
 
-// The inverse, for `count` cells or attractors: members of no stored field keep their defaults.
+// The inverse, for `count` cells or attractors: members without a stored field keep their defaults.
 [[nodiscard]] std::vector<quantities::StoredCell> decode(std::span<const quantities::Field> fields,
                                                          std::span<const std::byte> bytes, std::size_t count);
 [[nodiscard]] std::vector<quantities::StoredAttractor> decode(

@@ -1,5 +1,4 @@
-// The tiles inside an open map file: writing, reading back and vouching for them. Every call is this rank's
-// own.
+// The tiles inside an open map file: writing, reading back and verifying them. No call is collective.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +21,7 @@ enum class TileState {
     damaged,  // marked done, but the checksum differs
 };
 
-// Who computed a tile, in what time.
+// Which rank computed a tile, and in what time.
 struct TileOrigin {
     double seconds = 0;
     std::int32_t rank = 0;
@@ -32,21 +31,20 @@ class TileStore {
   public:
     TileStore(const hdf5::OpenMap& map, const job::Job& job);
 
-    // With [starts] with its attractors (cell_attractors.hpp), of a sweep with its samples (samples.hpp), in
-    // this order: the bytes of what each cell has several of. First the cells, then their checksum, then the
-    // done mark: a kill in between leaves no mark that lies.
+    // `several`: the bytes of what each cell has several of: with [starts] its attractors
+    // (cell_attractors.hpp), then, in a sweep, its samples (samples.hpp). First the cells are written, then
+    // their checksum, then the done mark: a kill in between leaves no false mark.
     void write(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                const TileOrigin& origin, std::span<const std::byte> several = {});
-    // A tile that is done once more, by whom and in what time it was: its mark is taken away until it is whole
-    // again.
+    // Rewrites a finished tile, keeping its origin: its done mark is cleared until it is complete again.
     void write_again(const parallel::Tile& tile, std::span<const quantities::StoredCell> cells,
                      std::span<const std::byte> several);
-    // A tile marked done is given with its checksum or not at all: throws Failure(ExitCode::output). Others as
-    // they are.
+    // Throws Failure(ExitCode::output) if a tile marked done does not match its checksum. Others are returned
+    // as they are.
     [[nodiscard]] std::vector<quantities::StoredCell> read(const parallel::Tile& tile) const;
     // Slot after slot, cell by cell; none without [starts].
     [[nodiscard]] std::vector<quantities::StoredAttractor> read_attractors(const parallel::Tile& tile) const;
-    // One cell, with its whole tile's checksum.
+    // One cell, after verifying its whole tile's checksum.
     [[nodiscard]] quantities::StoredCell read_cell(const parallel::CellIndex& cell) const;
     [[nodiscard]] TileState state(const parallel::Tile& tile) const;
     [[nodiscard]] double seconds(const parallel::Tile& tile) const;  // NaN for a tile that was never written
@@ -65,7 +63,7 @@ class TileStore {
     [[nodiscard]] std::vector<std::byte> read_whole(const parallel::Tile& tile) const;
     [[nodiscard]] std::vector<std::byte> read_bytes(const parallel::Tile& tile) const;
     [[nodiscard]] bool is_done(const parallel::Tile& tile) const;
-    // Whether a tile's bytes have the checksum stored with it.
+    // Whether a tile's bytes match the checksum stored with it.
     [[nodiscard]] bool fits(const parallel::Tile& tile, std::span<const std::byte> bytes) const;
 
     hdf5::OpenMap map_;

@@ -27,8 +27,8 @@ namespace peterka::map_file {
 
 namespace {
 
-constexpr rlim_t most_seconds = 5;        // of the processor; all headers and texts take milliseconds
-constexpr rlim_t spare_memory = 1 << 28;  // besides what there is [bytes]
+constexpr rlim_t most_seconds = 5;        // of CPU time; all headers and texts take milliseconds
+constexpr rlim_t spare_memory = 1 << 28;  // beyond what is in use [bytes]
 constexpr int lost_record = 1;
 
 rlim_t address_space() {
@@ -44,7 +44,7 @@ void limit(__rlimit_resource_t resource, rlim_t amount) {
     static_cast<void>(!::setrlimit(resource, &limits));
 }
 
-// Nobody wants its core, its words or MPI's account of how it ended.
+// Suppresses its core dump, its messages and MPI's report of its end, and limits its time and memory.
 void be_quiet_and_small(rlim_t memory) {
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -54,7 +54,7 @@ void be_quiet_and_small(rlim_t memory) {
     limit(RLIMIT_AS, memory);
 }
 
-// A record at the end that doesn't begin as one is damaged; another program would have put it elsewhere.
+// A record at the end that does not begin as one is damaged; another program would have moved it.
 bool has_lost_record(const hdf5::Checked& check, hid_t file, const hdf5::DiskFile& disk) {
     if (!is_own_link(file, path::bytes)) return false;
     const hdf5::DatasetId dataset(H5Dopen2(file, path::bytes, H5P_DEFAULT));
@@ -63,16 +63,16 @@ bool has_lost_record(const hdf5::Checked& check, hid_t file, const hdf5::DiskFil
     return storage && storage->end() == disk.size();
 }
 
-// Has HDF5 read all that it will read of the file: headers, attributes, scales.
+// Makes HDF5 read all that it will read of the file: headers, attributes, scales.
 int try_to_read(const hdf5::Checked& check) {
     try {
         const hdf5::DiskFile disk(check.path());
         const hdf5::PropertiesId access = file_access(check);
         const hdf5::FileId file(H5Fopen(check.path().c_str(), H5F_ACC_RDONLY, access.id()));
-        if (file.id() < 0) return 0;  // it will say why once more
+        if (file.id() < 0) return 0;  // the actual opening reports why
         if (has_lost_record(check, file.id(), disk)) return lost_record;
         static_cast<void>(seal_of(check, file.id(), &disk, Sealed::frame));
-    } catch (const std::exception&) {  // told where the file is read in earnest
+    } catch (const std::exception&) {  // reported when the file is actually read
     }
     return 0;
 }

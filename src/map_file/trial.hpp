@@ -1,5 +1,4 @@
-// Opens a file that has no checksum over its raw bytes in a process of its own first, which HDF5 may crash or
-// keep for ever.
+// Opens a file without a checksum over its raw bytes first in a separate process, which HDF5 may crash or hang.
 #pragma once
 
 #include <string>
@@ -8,7 +7,7 @@
 
 namespace peterka::map_file {
 
-// Why this process must not open the file, as in "FILE: is damaged: ..."; empty where it may.
+// Why this process must not open the file, as in "FILE: is damaged: ..."; empty if it may.
 [[nodiscard]] std::string fault_in_trial(const hdf5::Checked& check);
 
 }  // namespace peterka::map_file

@@ -56,7 +56,7 @@ void write_values(const hdf5::Checked& check, hid_t file, const Table& table) {
     hdf5::write_block(check, dataset.id(), hdf5::Number::float64, whole(table.plan), table.values.data());
 }
 
-// What differs from run to run, and the record behind it.
+// Where the file differs from run to run, and the record after that.
 std::vector<ByteRange> unsummed(const hdf5::Checked& check, hid_t file, std::span<const DatasetPlan> plans) {
     std::vector<DatasetPlan> left_out;
     std::ranges::copy_if(plans, std::back_inserter(left_out), [](const DatasetPlan& plan) {
@@ -65,7 +65,7 @@ std::vector<ByteRange> unsummed(const hdf5::Checked& check, hid_t file, std::spa
     return ranges_of(check, file, left_out);
 }
 
-// Gives what its record doesn't sum.
+// Returns the ranges that its record does not cover.
 std::vector<ByteRange> fill_file(const hdf5::Checked& check, hid_t file, const job::Job& job,
                                  const Provenance& provenance, const Contents& contents,
                                  const RunFacts& facts) {
@@ -90,7 +90,7 @@ std::vector<ByteRange> fill_file(const hdf5::Checked& check, hid_t file, const j
                                                 call, std::generic_category().message(error)));
 }
 
-// A file that wasn't there before.
+// Writes a file that must not exist yet.
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0) fail_to_write(path, "open", errno);
@@ -116,7 +116,7 @@ void write_bytes(const std::filesystem::path& path, std::span<const std::byte> b
 }
 
 void put_record(std::span<std::byte> bytes, std::vector<ByteRange> unsummed) {
-    unsummed.pop_back();  // its own
+    unsummed.pop_back();  // that of the record itself
     const ReadBytes read = [&](std::uint64_t offset, std::span<std::byte> to) {
         std::ranges::copy(bytes.subspan(offset, to.size()), to.begin());
     };
@@ -127,7 +127,7 @@ void put_record(std::span<std::byte> bytes, std::vector<ByteRange> unsummed) {
 }  // namespace
 
 void require_place(const std::filesystem::path& path, std::int64_t largest_bytes) {
-    static_cast<void>(holds_complete_map(path));  // refuses what is no file of this program
+    static_cast<void>(holds_complete_map(path));  // refuses files not made by this program
     require_space(path, largest_bytes);
     const std::filesystem::path temporary = temporary_name(path);
     clear_temporary(temporary);

@@ -1,5 +1,4 @@
-// A file that is small and written once, whole: that of a study or a trace, HDF5 in the conventions of map
-// files.
+// A small file that is written once, as a whole, by a study or a trace: HDF5 in the conventions of map files.
 //
 // It is written under a temporary name in the same folder and then renamed, so under its own name there is a
 // complete file or none. All functions throw Failure(ExitCode::output).
@@ -17,17 +16,17 @@
 
 namespace peterka::map_file {
 
-// Before anything is computed: whether a file of so many bytes can be made there, and what lies there may be
-// replaced.
+// Checks, before anything is computed, that a file of this size can be made there, and that an existing file
+// may be replaced.
 void require_place(const std::filesystem::path& path, std::int64_t largest_bytes);
 
-// A text of its own at the root of the file.
+// An additional text at the root of the file.
 struct RootText {
     const char* name;
     std::string text;
 };
 
-// What one run gives: its datasets, in the order of the file (a scale before what has it as a dimension).
+// The results of one run: its datasets, in the order of the file (a scale before the datasets that use it).
 struct Contents {
     std::vector<RootText> texts;
     std::vector<Table> tables;

@@ -2,11 +2,11 @@
 //
 //     x'' + 2 b x' + w2 x = s + A sin(theta),   theta = theta0 + eta t,   w2 > 0, b >= 0
 //
-// The solution is split into the steady harmonic response, the static offset s/w2, and a homogeneous rest that
-// the fundamental matrix carries. Under-, critically and overdamped phases have one fundamental solution each,
-// written without cancellation. Close to resonance the harmonic response is huge and nearly cancels against the
-// rest; there the forced part is taken as the response from rest, whose only difficult factor is (exp(z) - 1)/z
-// at small z.
+// The solution is split into the steady harmonic response, the static offset s/w2, and a homogeneous remainder
+// propagated by the fundamental matrix. Under-, critically and overdamped phases have one fundamental solution
+// each, written without cancellation. Close to resonance the harmonic response is huge and nearly cancels
+// against the remainder; there the forced part is the response from rest, whose only difficult factor is
+// (exp(z) - 1)/z at small z.
 #pragma once
 
 #include <algorithm>
@@ -42,18 +42,18 @@ LinearEquation<Real> contact_equation(const scene::Oscillator<Real>& oscillator)
             1 + oscillator.kelvin_voigt().stiffness, -oscillator.gap, oscillator.drive(), oscillator.frequency};
 }
 
-// A point of a motion: where it is, which part of that is homogeneous, and the forcing's phase.
+// A point of a motion: its state, the homogeneous part of it, and the forcing phase.
 template <class Real>
 struct Moment {
     Real time = 0;  // since the leg began
     State<Real> state = State<Real>::Zero();
     State<Real> homogeneous = State<Real>::Zero();
-    Real sine = 0;  // of the forcing's phase
+    Real sine = 0;  // of the forcing phase
     Real cosine = 1;
     Jacobian<Real> flow =
         Jacobian<Real>::Identity();  // derivative of the state by the state at the beginning of the leg
     State<Real> terms =
-        State<Real>::Zero();  // sum of the magnitudes that make up the state: its rounding error over epsilon
+        State<Real>::Zero();  // sum of the magnitudes of the state's terms: its rounding error over epsilon
     bool split = true;        // whether the state is the sum of its parts to full accuracy
 };
 
@@ -73,7 +73,7 @@ class LinearMotion {
         fast_ = oscillates_ ? -b : -(b + rate_);
         const Complex impedance((natural_frequency_ - eta) * (natural_frequency_ + eta), 2 * b * eta);
         response_ = drive / impedance;
-        // Three digits lost to the split are the price at which the response from rest takes over.
+        // The response from rest takes over where the split would lose three digits.
         resonant_ = oscillates_ && std::abs(impedance) < Real(1e-3) * (w2 + eta * eta);
     }
 
@@ -84,7 +84,7 @@ class LinearMotion {
     [[nodiscard]] bool resonant() const { return resonant_; }
     [[nodiscard]] Real rate() const {
         return rate_;
-    }  // damped frequency, or half the distance of the two real rates
+    }  // damped frequency, or half the distance between the two real rates
     [[nodiscard]] Real slow() const { return slow_; }  // real parts of the two exponents, slow() >= fast()
     [[nodiscard]] Real fast() const { return fast_; }
     [[nodiscard]] Real rest() const { return equation_.offset / equation_.stiffness; }  // static position
@@ -135,17 +135,17 @@ class LinearMotion {
         return {x, mode.real() - equation_.damping * x};
     }
 
-    // Within this time of its start a motion is summed as a series.
+    // Within this time after its start a motion is summed as a power series.
     [[nodiscard]] Real short_time() const {
         return 1 / (8 * std::max(natural_frequency_ + 2 * equation_.damping, equation_.frequency));
     }
 
-    // State after a short time t, by the series whose coefficients the equation itself gives.
+    // State after a short time t, by the power series whose coefficients follow from the equation.
     [[nodiscard]] State<Real> series(Real t, const State<Real>& start, Real sine0, Real cosine0) const {
         const auto& [b, w2, s, drive, eta] = equation_;
         Real term = start[0];       // coefficient of t^n times t^n
-        Real next = start[1] * t;   // the same of t^(n+1)
-        Real wave = drive * sine0;  // of the forcing's wave
+        Real next = start[1] * t;   // the same for t^(n+1)
+        Real wave = drive * sine0;  // the same for the forcing
         Real next_wave = drive * eta * t * cosine0;
         Real force = (wave + s) * t * t;
         State<Real> sum(start[0] + next, start[1]);

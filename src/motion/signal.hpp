@@ -1,7 +1,7 @@
 // Signals: affine functions of state and forcing whose zeros are the events of a trajectory.
 //
 // Along a linear phase the derivative of a signal is a signal again, and a bound on it over all later times
-// follows from the homogeneous rest (which only decays) and the steady response. Both together make event
+// follows from the homogeneous part (which only decays) and the steady response. Together they make the event
 // search safe: see trajectory/first_crossing.hpp.
 #pragma once
 
@@ -75,7 +75,7 @@ class Probe {
     [[nodiscard]] Real curvature(const Moment<Real>& m) const { return evaluate(2, m); }
     [[nodiscard]] const Signal<Real>& slope_signal() const { return derivative_[1]; }
 
-    // Rounding error of value(): less than this above or below zero can't be told from zero.
+    // Rounding error of value(): smaller values cannot be distinguished from zero.
     [[nodiscard]] Real resolution(const Moment<Real>& m) const {
         return 4 * std::numeric_limits<Real>::epsilon() *
                (std::abs(derivative_[0].position) * m.terms[0] +
@@ -92,8 +92,8 @@ class Probe {
         return {steady_size_[2] + reach(rest, 2), steady_size_[3] + reach(rest, 3)};
     }
 
-    // The steady signal swings between rest() - swing() and rest() + swing(); what decays stays within
-    // transient() of a state's homogeneous part.
+    // The steady signal oscillates between rest() - swing() and rest() + swing(); the decaying part of a state
+    // stays within transient() of its homogeneous part.
     [[nodiscard]] Real rest() const { return rest_; }
     [[nodiscard]] Real swing() const { return swing_; }  // infinite at undamped resonance
     [[nodiscard]] Real transient(const State<Real>& homogeneous) const {
@@ -112,9 +112,8 @@ class Probe {
         Real fast;
     };
 
-    // From the split into a decaying rest and a steady part: in a stiff contact the terms of the plain
-    // expression nearly cancel. Where the split itself would cancel, the phase is not stiff or the time is
-    // short.
+    // By the split into a decaying and a steady part: in a stiff contact the terms of the plain expression
+    // nearly cancel. Where the split itself would cancel, the phase is not stiff or the time is short.
     [[nodiscard]] Real evaluate(std::size_t order, const Moment<Real>& m) const {
         if (!m.split) return derivative_[order](m);
         return derivative_[order].of_homogeneous(m.homogeneous) + steady_[order].real() * m.sine +
@@ -171,7 +170,7 @@ class Probe {
 
     std::array<Signal<Real>, orders> derivative_;
     std::array<Complex, orders>
-        steady_;  // the steady signal is rest + Im(steady exp(i theta)), and so its derivatives
+        steady_;  // the steady signal is rest + Im(steady exp(i theta)), and likewise its derivatives
     std::array<Real, orders> steady_size_{};
     std::array<Real, orders> slow_weight_{};
     std::array<Real, orders> fast_weight_{};

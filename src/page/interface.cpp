@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_points = 4096;       // of a steady motion
 constexpr std::int64_t whole_search = 1 << 30;  // more cycles than any search takes
-constexpr double window_share = 0.02;           // of a period, where an impact has no width of its own
+constexpr double window_share = 0.02;           // of a period, if an impact has no width of its own
 
 std::array<double, cell_numbers> cell;
 std::array<double, answer_numbers> answer;

@@ -1,16 +1,16 @@
-// The engine as a page in a browser calls it: plain functions and arrays of numbers.
+// The engine as called by a web page: plain functions and arrays of numbers.
 //
 // A caller writes the numbers of a cell into peterka_cell(), in the order of CellNumber, begins, and advances
-// until it is solved; then peterka_answer() holds the numbers of AnswerNumber. JavaScript that knows these
-// orders: postprocess/peterka/page/engine.js.
+// until the cell is solved; then peterka_answer() holds the numbers of AnswerNumber. JavaScript that relies on
+// these orders: postprocess/peterka/page/engine.js.
 #pragma once
 
 #include <cstdint>
 
 namespace peterka::page {
 
-// As the job file gives them; NaN for what it doesn't give. The stop's three numbers, law by law: stiffness,
-// damping (Kelvin-Voigt); coefficient (restitution); K, n, D (Hunt-Crossley).
+// As in the job file; NaN for what is not given. The stop's three numbers, law by law: stiffness, damping
+// (Kelvin-Voigt); coefficient (restitution); K, n, D (Hunt-Crossley).
 enum CellNumber : std::uint8_t {
     mass_kg,
     natural_frequency_hz,
@@ -70,7 +70,7 @@ extern "C" {
 
 double* peterka_cell();
 
-// measures: 0 for what every map stores; 1 with impact speed and the like, and the stroboscopic points.
+// measures: 0 for what every map stores; 1 also for impact speed and similar, and the stroboscopic points.
 void peterka_begin(int measures);
 // Returns 1 once the cell is solved.
 int peterka_advance(int cycles);
@@ -80,8 +80,8 @@ const double* peterka_answer();
 int peterka_count_points();
 const double* peterka_points();
 
-// Follows the motion of a solved cell from its start (steady: 0) or in its steady state (1); returns the
-// cycles followed. What it saw:
+// Follows the motion of a solved cell from its start (steady: 0) or in its steady state (1); returns the cycles
+// followed. Its results:
 int peterka_follow(int steady, int cycles, int samples_per_cycle);
 // - samples of five numbers: tau, cart y, x - y, its rate, force, in A0, A0 omega and k A0
 int peterka_count_samples();
@@ -90,9 +90,9 @@ const double* peterka_samples();
 int peterka_count_impacts();
 const double* peterka_impacts();
 // - the points at the end of each cycle replace those of the steady motion
-// - eigenvalues of the cycles' Jacobian: real and imaginary part of both
+// - eigenvalues of the cycles' Jacobian (Floquet multipliers of an orbit): real and imaginary part of both
 const double* peterka_multipliers();
 
-// The samples become those of one impact seen closely.
+// Replaces the samples by those of one impact at close range.
 void peterka_look_closely(int impact, int count);
 }

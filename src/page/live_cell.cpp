@@ -14,7 +14,7 @@ namespace {
 
 using trajectory::Cycle;
 
-// Tells a watcher of so many cycles, or of those before one that can't be followed.
+// Reports this many cycles to a watcher, or those before one that cannot be followed.
 template <class AfterCycle>
 void pass(const trace::Carrier& carrier, const scene::State<double>& start, std::int64_t cycles,
           trace::Watcher& watcher, const AfterCycle& after_cycle) {

@@ -1,4 +1,4 @@
-// One cell, solved a few forcing cycles at a time so that whoever waits can change their mind, and its motion.
+// One cell, solved a few forcing cycles at a time so that the search can be cancelled, and its motion.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 
 namespace peterka::page {
 
-// Forcing cycles in a row, as far as the engine follows them.
+// Consecutive forcing cycles, as far as the engine follows them.
 struct Motion {
     std::int64_t cycles = 0;
     std::vector<trace::Instant> instants;      // evenly spaced, both ends included
     std::vector<trace::Impact> impacts;        // that begin within these cycles
     std::vector<scene::State<double>> points;  // (delta, delta') at the end of each cycle
-    scene::Jacobian<double> jacobian = scene::Jacobian<double>::Identity();  // of the end by the start
+    scene::Jacobian<double> jacobian = scene::Jacobian<double>::Identity();  // d(end)/d(start)
 };
 
 Motion follow(const trace::Carrier& carrier, const scene::State<double>& start, std::int64_t cycles,
               std::int64_t samples_per_cycle);
 
-// The impact with this index of the motion followed: a third of the samples before its first touch. As wide as
-// three times its contact; `width` tau where it takes no time or never ends.
+// Samples of the impact with this index, a third of them before its first touch. The window is three times its
+// contact, or `width` tau if that takes no time or never ends.
 std::vector<trace::Instant> look_closely(const trace::Carrier& carrier, const scene::State<double>& start,
                                          const Motion& motion, std::size_t impact, std::int64_t samples,
                                          double width);
@@ -36,10 +36,10 @@ class LiveCell {
     // job: of kind trace. points: how many stroboscopic points of the steady motion are kept.
     LiveCell(const job::Job& job, std::size_t points);
 
-    // Goes on by so many forcing cycles, or a few more; true once the cell is solved.
+    // Advances by this many forcing cycles, or a few more; true once the cell is solved.
     bool advance(std::int64_t cycles);
 
-    // Of a solved cell.
+    // For a solved cell.
     [[nodiscard]] regime::CellResult result() const { return result_; }
     [[nodiscard]] trace::Carrier carrier() const { return trace::carrier_of(broker_, result_); }
     [[nodiscard]] const regime::SteadyMotion& steady_motion() const { return motion_; }

@@ -1,5 +1,5 @@
-// Where SUNDIALS is out of reach, its engines are, too: each cycle that a search orders of them fails, so that
-// the cell is `failed` and its `engine` tells why.
+// Without SUNDIALS its engines are unavailable: each cycle that a search requests of them fails, so that the
+// cell is `failed` and its `engine` shows why.
 #include "integrators/integrated_cycle_map.hpp"
 
 namespace peterka::integrators {

@@ -1,4 +1,4 @@
-// A page has no signals and no --max-wall: who waits gives up between two turns (page/live_cell.hpp).
+// A page has no signals and no --max-wall: the caller stops between two calls (page/live_cell.hpp).
 #include "support/stop_if_asked.hpp"
 
 namespace peterka {

@@ -1,4 +1,4 @@
-// Rank 0's values for every rank. Collective.
+// Sends rank 0's values to every rank. Collective.
 #pragma once
 
 #include <cstdint>

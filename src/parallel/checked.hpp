@@ -1,5 +1,5 @@
-// MPI calls that cannot fail silently: a code other than MPI_SUCCESS becomes a Failure with the call's name and
-// MPI's own text. Needs MPI_ERRORS_RETURN on the communicator, which Session sets.
+// MPI calls that cannot fail silently: any code other than MPI_SUCCESS becomes a Failure with the call's name
+// and MPI's own text. Requires MPI_ERRORS_RETURN on the communicator, which Session sets.
 #pragma once
 
 #include <mpi.h>

@@ -1,4 +1,4 @@
-// What all ranks of a communicator do together while they look after one file.
+// Operations of all ranks of a communicator on one file.
 #pragma once
 
 #include <mpi.h>
@@ -17,23 +17,23 @@ namespace peterka::parallel {
 
 [[nodiscard]] int rank_in(MPI_Comm communicator);
 
-// Neighbouring tiles, so that all ranks together have each tile once: this rank's share of a pass over the
-// file.
+// A contiguous range of tiles, this rank's share of a pass over the file; the shares of all ranks cover each
+// tile once.
 struct Share {
     std::int64_t first = 0;
     std::int64_t end = 0;
 };
 [[nodiscard]] Share share_of(std::int64_t tiles, MPI_Comm communicator);
 
-// Collective. Runs `task` on every rank; if it throws on any, all ranks throw the failure of the lowest of
-// them, so that none waits for ever; Stopped, too. A task that is itself collective must fail on all ranks or
+// Collective. Runs `task` on every rank; if it throws on any (Stopped included), all ranks throw the failure of
+// the lowest such rank, so that none waits forever. A task that is itself collective must fail on all ranks or
 // before its first exchange.
 void together(MPI_Comm communicator, const std::function<void()>& task);
 
-// Collective. The same with a task for rank 0 alone; the others wait for its end.
+// Collective. The same with a task for rank 0 alone; the others wait until it ends.
 void on_first_rank(MPI_Comm communicator, const std::function<void()>& task);
 
-// Collective. Every rank gets what is in any rank's set; all are of as many tiles.
+// Collective. Every rank gets the union of all ranks' sets, which have equal numbers of tiles.
 void unite(parallel::TileSet& tiles, MPI_Comm communicator);
 
 [[nodiscard]] std::vector<std::byte> gather_bytes(std::span<const std::byte> mine, MPI_Comm communicator);

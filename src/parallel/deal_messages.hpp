@@ -1,9 +1,9 @@
-// What rank 0 and the other ranks say to each other while tiles are dealt. Not for use outside the dealing.
+// The messages between rank 0 and the other ranks while tiles are dealt. Not for use outside the dealing.
 //
-// A worker reports when it wants a run, when it has nothing left to do, and now and then in between. Rank 0
-// answers a request with an order once it looks and has a run, and ends with one order without tiles; the
-// worker's last report says it has left. A worker always has a receive posted for the next order, so a send of
-// rank 0 never waits for a worker's computing.
+// A worker reports when it wants a run, when it has nothing left to do, and from time to time in between. Rank
+// 0 answers a request with an order the next time it checks and has a run, and ends with one order without
+// tiles; the worker's last report says that it has left. A worker always has a receive posted for the next
+// order, so a send by rank 0 never waits for a worker's computation.
 #pragma once
 
 #include <mpi.h>
@@ -40,14 +40,14 @@ inline constexpr int words = [] {
     return static_cast<int>(sizeof(Message) / sizeof(std::int64_t));
 }();
 
-// A rank that waits in MPI_Recv keeps its core busy. One that looks and sleeps leaves it to a computing rank;
-// 200 us are short against a tile.
+// A rank that waits in MPI_Recv keeps its core busy. One that polls and sleeps leaves the core to a computing
+// rank; 200 us are short compared with a tile.
 inline void rest() {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
-// When a rank that computes looks for messages. Not at every occasion: where ranks outnumber cores, MPI gives
-// the core away at each look, and the rank finds its caches empty afterwards.
+// When a computing rank polls for messages. Not at every opportunity: where ranks outnumber cores, MPI yields
+// the core at each poll, and the rank finds its caches cold afterwards.
 class LookOut {
   public:
     explicit LookOut(double interval_seconds) : interval_seconds_(interval_seconds) {}

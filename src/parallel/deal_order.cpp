@@ -12,12 +12,13 @@ std::int64_t part_of(std::int64_t count, double share) {
     return std::lround(share * static_cast<double>(count));
 }
 
-// The plane without edges, its sides 1 long.
+// On the torus with sides of length 1.
 double distance(std::int64_t tiles, std::int64_t side) {
     return static_cast<double>(std::min(tiles, side - tiles)) / static_cast<double>(side);
 }
 
-// How far turns lie apart: the least squared distance of two tiles times the turns between them, up to 256.
+// How far apart consecutive turns lie: the least squared distance of two tiles times the turns between them, up
+// to 256 turns.
 double spread(std::int64_t stride, const Extent& grid) {
     const std::int64_t tiles = grid.rows * grid.columns;
     double least = 1;
@@ -30,16 +31,16 @@ double spread(std::int64_t stride, const Extent& grid) {
     return least;
 }
 
-// By 0.755 of the rows and 0.570 of the columns: the additive recurrence of low discrepancy in the plane by the
-// powers of 1/g, g^3 = g + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018). The
-// stride must have no factor in common with the number of all, and rounding can lead back next door after a few
-// turns, so the best of the first 16 strides from there on is taken.
+// Steps by 0.755 of the rows and 0.570 of the columns: the low-discrepancy additive recurrence in the plane
+// with the powers of 1/g, g^3 = g + 1 (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
+// The stride must be coprime to the number of tiles, and rounding can lead back to a neighbour after a few
+// turns, so the best of the first 16 admissible strides is taken.
 std::int64_t stride_in(const Extent& grid) {
     const std::int64_t all = grid.rows * grid.columns;
     if (all < 2) return 1;
     const std::int64_t wanted =
         part_of(grid.rows, 0.7548776662466927) * grid.columns + part_of(grid.columns, 0.5698402909980532);
-    // products must not overflow: beyond 3e9, files of 20 TB and more, the order is less even
+    // products must not overflow: beyond 3e9 tiles, files of 20 TB and more, the order is less even
     const std::int64_t largest = std::numeric_limits<std::int64_t>::max() / all / 2;
     std::int64_t best = 1;
     double widest = 0;
@@ -55,8 +56,8 @@ std::int64_t stride_in(const Extent& grid) {
     return best;
 }
 
-// Tiles of chaos take some 50 times the mean. From 3500 tiles a rank on, the last quarter takes longer than a
-// square of such tiles, so nobody waits for one.
+// Chaotic tiles take some 50 times the mean. From 3500 tiles per rank on, the last quarter takes longer than a
+// square of such tiles, so no rank waits for one.
 std::int64_t side_for(std::int64_t tiles, int ranks) {
     constexpr std::int64_t many = 3500;
     return tiles / ranks >= many ? 4 : 1;

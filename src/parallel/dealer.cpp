@@ -56,7 +56,7 @@ void Dealer::dismiss_all() {
     }
 }
 
-// Takes all reports that have arrived, then sends every run that is wanted.
+// Takes all reports that have arrived, then sends every requested run.
 void Dealer::serve() {
     while (take_report()) {
     }
@@ -70,7 +70,7 @@ void Dealer::serve() {
 }
 
 bool Dealer::take_report() {
-    if (session_.size() == 1) return false;  // and a look would give the core to whoever else wants it
+    if (session_.size() == 1) return false;  // besides, polling would yield the core to other processes
     int arrived = 0;
     MPI_Status status{};
     MPI_Comm communicator = session_.communicator();

@@ -22,12 +22,12 @@ class Dealer : private TileSource {
   private:
     struct Remote {
         std::int64_t orders_wanted = 0;
-        std::int64_t tiles_owed = 0;  // sent, and not yet solved
+        std::int64_t tiles_owed = 0;  // sent, but not yet solved
         bool has_left = false;
     };
 
-    // Rank 0's own share: one tile at a time. A run would cost it nothing less, and could leave it busy after
-    // all others.
+    // Rank 0's own share: one tile at a time. A run would save it nothing, and could keep it busy after all
+    // others.
     std::optional<Tile> next() override;
     [[nodiscard]] bool ended() const override { return pool_.remaining() == 0; }
     void solved(const Tile& tile) override;
@@ -53,7 +53,7 @@ class Dealer : private TileSource {
     std::int64_t tiles_missing_;
     bool stopping_ = false;
     std::int64_t tiles_in_hand_ = 0;
-    LookOut look_out_{0.5e-3};  // others may wait
+    LookOut look_out_{0.5e-3};  // short, since others may be waiting
 };
 
 }  // namespace peterka::parallel

@@ -7,11 +7,11 @@
 
 namespace peterka::parallel {
 
-// Collective. On rank 0 the names of all machines, each once, in the order of their first ranks: "node1,
-// node2"; on the others "".
+// Collective. On rank 0, the names of all machines, each once, in the order of their first ranks: "node1,
+// node2"; on the other ranks "".
 [[nodiscard]] std::string host_names(const Session& session);
 
-// Collective. How many ranks run on this one's machine.
+// Collective. The number of ranks that run on this rank's machine.
 [[nodiscard]] int ranks_of_host(MPI_Comm communicator);
 
 }  // namespace peterka::parallel

@@ -18,7 +18,7 @@
 namespace peterka::parallel {
 namespace {
 
-// A failure that every rank knows of; the message is rank 0's, the others carry only the code.
+// A failure known to every rank; rank 0 has the message, the others carry only the code.
 class AgreedFailure : public Failure {
   public:
     using Failure::Failure;
@@ -30,10 +30,10 @@ void say(const std::string& message) {
     std::fflush(stderr);
 }
 
-// Open MPI guards a file pointer that all ranks share, which no run needs, by a semaphore that has the name of
-// the file without its folder: runs into files of one name wait for each other, and one killed in between
-// leaves all later ones waiting for ever. Its next choice, a file beside ours, waits for ever on a full disk.
-// What is left has files only where it is used. A choice of the user's own is kept.
+// Open MPI guards a file pointer shared by all ranks, which no run needs, with a semaphore named after the file
+// without its folder: runs into files of the same name wait for each other, and a run killed in between leaves
+// all later ones waiting forever. Its next choice, a file beside ours, waits forever on a full disk. The
+// remaining components create files only when used. A choice made by the user is kept.
 void do_without_shared_file_pointers() {
     ::setenv("OMPI_MCA_sharedfp", "^sm,lockedfile", 0);
 }
@@ -41,7 +41,7 @@ void do_without_shared_file_pointers() {
 constexpr int speaking_tag = 3;
 constexpr int most_ranks_told = 100;
 
-// Sent without waiting for anybody, and received only by ranks that fail, too.
+// Sent without waiting for anyone, and received only by ranks that also fail.
 void tell_ranks_after(const Session& session) {
     for (int rank = session.rank() + 1; rank < session.size() && rank <= session.rank() + most_ranks_told;
          ++rank) {
@@ -51,8 +51,8 @@ void tell_ranks_after(const Session& session) {
     }
 }
 
-// Waits whether a rank before this one speaks. Where several ranks fail for the same reason, one should say so:
-// rank 0 at once, the others after giving those before them the time, and MPI some looks to bring their word.
+// Waits to see whether a lower rank reports. Where several ranks fail for the same reason, one should report
+// it: rank 0 at once, the others after giving lower ranks time, and MPI some polls to deliver their message.
 bool somebody_speaks(const Session& session) {
     constexpr int fewest_looks = 20;
     if (session.is_root()) return false;
@@ -70,11 +70,12 @@ bool somebody_speaks(const Session& session) {
 [[noreturn]] void end_all(const Session& session, ExitCode code, const std::string& message) {
     if (somebody_speaks(session)) {
         std::this_thread::sleep_for(
-            std::chrono::seconds(5));  // that rank ends all, and its message comes first
+            std::chrono::seconds(5));  // that rank ends all ranks, and its message comes first
     } else {
         tell_ranks_after(session);
         say(message);
-        // Open MPI 5 hands on what ranks write until one of them aborts, and not what it has not read yet.
+        // Open MPI 5 forwards output of ranks only until one of them aborts, and drops what it has not read by
+        // then.
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
     }
     LastWords::are_said();
@@ -82,7 +83,7 @@ bool somebody_speaks(const Session& session) {
     std::_Exit(static_cast<int>(code));
 }
 
-// Runs `task`; gives what it threw to `handle`, with the exit code and message that belong to it.
+// Runs `task`; passes what it threw to `handle`, with the corresponding exit code and message.
 void catching(const std::function<void()>& task,
               const std::function<void(ExitCode, const std::string&)>& handle) {
     try {
@@ -100,8 +101,8 @@ void catching(const std::function<void()>& task,
 Session::Session(int& argc, char**& argv) {
     int provided = MPI_THREAD_SINGLE;
     occupy_closed_streams();
-    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a limit of file sizes (ulimit -f) fails, and is told
-    std::signal(SIGPIPE, SIG_IGN);  // so does one to a pipe that nobody reads
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond a file size limit (ulimit -f) fails, and is reported
+    std::signal(SIGPIPE, SIG_IGN);  // so does a write to a pipe without a reader
     do_without_shared_file_pointers();
     checked("MPI_Init_thread", MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided));
     checked("MPI_Comm_set_errhandler", MPI_Comm_set_errhandler(communicator(), MPI_ERRORS_RETURN));

@@ -1,8 +1,8 @@
-// The life of MPI in this program, and how its ranks end together.
+// The lifetime of MPI in this program, and how its ranks end together.
 //
-// A rank that works alone when it fails cannot wait for the others, and they would wait for it for ever. So
-// there are two ways to end: all ranks know of the failure (on_root) and leave in good order, or the one that
-// failed says why and ends all the others at once (MPI_Abort).
+// A rank that works alone when it fails cannot wait for the others, and they would wait for it forever. So
+// there are two ways to end: all ranks know of the failure (on_root) and leave in an orderly way, or the failed
+// rank reports the reason and ends all the others at once (MPI_Abort).
 #pragma once
 
 #include <mpi.h>
@@ -16,7 +16,7 @@ namespace peterka::parallel {
 
 class Session {
   public:
-    Session(int& argc, char**& argv);  // MPI_Init_thread; works without mpirun too, as the only rank
+    Session(int& argc, char**& argv);  // MPI_Init_thread; also works without mpirun, as the only rank
     ~Session();                        // MPI_Finalize: waits for all ranks
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -31,12 +31,13 @@ class Session {
     int size_ = 1;
 };
 
-// Collective. Runs `task` on rank 0 alone; if it throws, all ranks leave together, and rank 0 says why.
+// Collective. Runs `task` on rank 0 alone; if it throws, all ranks leave together, and rank 0 reports the
+// reason.
 void on_root(const Session& session, const std::function<void()>& task);
 
-// Runs `task`, in which ranks may do different things; if it throws, this rank says why and ends all ranks at
-// once. The failure is dealt with before anything outside `task` is destroyed, whose end might wait for other
-// ranks.
+// Runs `task`, in which ranks may do different things; if it throws, this rank reports the reason and ends all
+// ranks at once. The failure is handled before anything outside `task` is destroyed, since destructors might
+// wait for other ranks.
 void failing_ends_all(const Session& session, const std::function<void()>& task);
 
 // The whole program: starts MPI, runs `program` on every rank and returns the exit code. Failures become a

@@ -8,8 +8,8 @@
 namespace peterka::parallel {
 
 std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks) {
-    // 16 runs per rank leave rank 0 time for many ranks, and the longest ones are short against the whole. Half
-    // of what remains goes out in one round of equal runs.
+    // 16 runs per rank leave rank 0 time to serve many ranks, and the longest runs are short compared with the
+    // whole. Half of what remains goes out in one round of equal runs.
     PETERKA_EXPECT(0 <= remaining_tiles && remaining_tiles <= all_tiles && ranks > 0);
     const std::int64_t longest = std::max<std::int64_t>(all_tiles / (16 * std::int64_t{ranks}), 1);
     const std::int64_t shares = 2 * std::int64_t{ranks};

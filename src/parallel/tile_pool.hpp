@@ -1,4 +1,4 @@
-// Whose turn it is to be dealt, and how many tiles at a time: pure arithmetic, no MPI.
+// Which turn is dealt next, and how many tiles at a time: pure arithmetic, no MPI.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,19 @@
 
 namespace peterka::parallel {
 
-// How many tiles a deal hands out. Two bounds: a share of all tiles, so that no rank has much work ahead of it,
-// and a share of what remains (factoring), so that runs shrink towards the end and all ranks finish together.
+// The number of tiles per deal. Two bounds: a share of all tiles, so that no rank has much work ahead of it,
+// and a share of the remaining tiles (factoring; Hummel, Schonberg & Flynn 1992), so that runs shrink towards
+// the end and all ranks finish together.
 [[nodiscard]] std::int64_t deal_size(std::int64_t remaining_tiles, std::int64_t all_tiles, int ranks);
 
 class TilePool {
   public:
-    // The order of the set's tiles.
+    // Deals the set's tiles in this order.
     TilePool(const DealOrder& order, TileSet tiles);
 
     [[nodiscard]] const DealOrder& order() const { return order_; }
     [[nodiscard]] std::int64_t remaining() const { return remaining_; }
-    [[nodiscard]] std::int64_t all() const { return all_; }  // remaining() when the pool was made
+    [[nodiscard]] std::int64_t all() const { return all_; }  // remaining() at construction
     // The next turns in a row, at most `limit` of them; none if nothing is left.
     [[nodiscard]] TurnRange take(std::int64_t limit);
 

@@ -1,4 +1,4 @@
-// Cutting a grid of cells into tiles: pure arithmetic that follows from the grid alone.
+// Division of a grid of cells into tiles: pure arithmetic that depends on the grid alone.
 //
 // Cells are numbered row by row (row = gap_ratio or velocity_ratio, column = frequency_ratio or
 // displacement_ratio), tiles likewise. A tile is the unit of storing, checking and resuming; tiles at the right
@@ -56,7 +56,7 @@ class Tiling {
                  std::min(largest_tile_.columns, grid_.columns - column)}};
     }
 
-    // The tile that a cell lies in.
+    // The tile that contains a cell.
     [[nodiscard]] std::int64_t index_at(const CellIndex& cell) const {
         return cell.row / largest_tile_.rows * tiles_.columns + cell.column / largest_tile_.columns;
     }

@@ -32,7 +32,7 @@ void Worker::run() {
     report();
 }
 
-// Rank 0 ends the work, after a request to stop too.
+// Rank 0 ends the work, also after a request to stop.
 void Worker::await_dismissal() {
     while (!dismissed_) {
         carry_on();
@@ -46,7 +46,7 @@ std::optional<Tile> Worker::next() {
     const Tile tile = tiling_.tile(order_.tile(run.first++).value());
     if (run.size() == 0) runs_.pop_front();
     ++tiles_in_hand_;
-    // Early, so that the next run is here when this one is done; not earlier, so that no rank hoards tiles.
+    // Early enough that the next run is here when this one is done; no earlier, so that no rank hoards tiles.
     if (runs_.empty()) want_next_run();
     return tile;
 }
@@ -64,7 +64,7 @@ void Worker::want_next_run() {
     report();
 }
 
-// Goes on taking orders while the report is under way: rank 0 may be sending one just now.
+// Keeps taking orders while the report is in transit: rank 0 may be sending one at the same time.
 void Worker::report() {
     MPI_Request send = MPI_REQUEST_NULL;
     checked("MPI_Isend",

@@ -1,4 +1,4 @@
-// The part of every rank but 0 in the dealing. Not for use outside it.
+// The part of all ranks other than 0 in the dealing. Not for use outside it.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace peterka::parallel {
 class Worker : private TileSource {
   public:
     Worker(const Session& session, const Tiling& tiling, const DealtWork& work);
-    // After a failure an order may still arrive; by then its place must not be gone.
+    // After a failure an order may still arrive; its receive is cancelled before the buffer goes.
     ~Worker() override;
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
     Worker(Worker&&) = delete;
     Worker& operator=(Worker&&) = delete;
 
-    // Solves what rank 0 deals until it says that there is no more, or to stop.
+    // Solves the tiles that rank 0 deals until it says that there are no more, or to stop.
     void run();
 
   private:
@@ -42,9 +42,9 @@ class Worker : private TileSource {
     DealOrder order_;
     const DealtWork& work_;
 
-    Order arriving_;                          // where MPI writes the next order
+    Order arriving_;                          // receive buffer of the next order
     MPI_Request receive_ = MPI_REQUEST_NULL;  // null once dismissed
-    std::deque<TurnRange> runs_;              // what is left of them
+    std::deque<TurnRange> runs_;              // the remaining runs
     std::int64_t tiles_in_hand_ = 0;
     bool dismissed_ = false;
     LookOut look_out_{2e-3};

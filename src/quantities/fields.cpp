@@ -36,7 +36,7 @@ double fill_of(const cell::Quantity& quantity) {
     return cell::unknown;
 }
 
-// Where a cell has fewer attractors than are kept.
+// For slots beyond a cell's number of attractors.
 double fill_of(const cell::AttractorQuantity& quantity) {
     return quantity.load(StoredAttractor{});
 }
@@ -53,7 +53,7 @@ FieldOf<Numbers> field_of(const cell::QuantityOf<Numbers>& quantity) {
             &quantity};
 }
 
-// A row of the table as a constant: so its members and its dimension are known where this is compiled.
+// A row of the table as a constant: its members and its dimension are known at compile time.
 template <const auto& rows, std::size_t n, template <cell::Units> class Numbers>
 void put_in_unit_of_file(Numbers<cell::Units::of_file>& stored,
                          const Numbers<cell::Units::nondimensional>& numbers, const scene::Scales& scales) {

@@ -30,7 +30,7 @@ std::size_t size_of(const Surroundings& around) {
     return around.rows().size * around.columns().size;
 }
 
-// On the finest lattice; so chosen that of 4097 x 4097 cells of the paper's plane 99.9 % have the right label.
+// On the finest lattice; chosen so that 99.9 % of 4097 x 4097 cells of the paper's plane have the right label.
 constexpr double others_in_chaos = 0.3;
 
 bool lies_inside_chaos(const Surroundings& around) {
@@ -45,7 +45,7 @@ bool lies_inside_chaos(const Surroundings& around) {
            others_in_chaos * static_cast<double>(size_of(around));
 }
 
-// How far the middle one of three values lies off the line of the others.
+// Deviation of the middle one of three values from the line through the others.
 double bend(const Stencil& line, std::size_t first, double a, double b, double c) {
     const auto length = static_cast<double>(line.positions[first + 2] - line.positions[first]);
     const double share = static_cast<double>(line.positions[first + 1] - line.positions[first]) / length;

@@ -1,16 +1,15 @@
-// Whether a cell can be filled from the cells around it instead of being computed, and with what.
+// Whether a cell can be filled from the cells around it instead of being computed, and with which values.
 //
-// Around it are the cells of its stencils' rows and columns on the coarser lattice, 16 inside a block. It takes
-// - their regime and z where all have the same, and every number it is to be filled with is smooth: of three
-//   neighbours in a row or column, the one in the middle differs from the mean of the others (or from the line
-//   through them) by at most `smoothness` of the largest number. It takes the bicubically interpolated one.
-// - chaos where the cells next to it are chaotic, and all but a share of 0.3/stride, where the cells being
-// filled
-//   lie `stride` apart. Chaos has no smooth numbers: it takes none. Inside chaos lie many narrow periodic
-//   windows. A cell that is filled on a coarse lattice decides about its whole block, so the rule is stricter
-//   there.
-// Where cells have attractors (attractors/), all around must have the same, told apart by their labels, with
-// forces and shares that are smooth, too; a share comes in steps of one start.
+// Around it are the cells in its stencils' rows and columns on the coarser lattice, 16 inside a block. It takes
+// - their regime and z if all have the same, and every number it is to be filled with is smooth: of three
+//   neighbours in a row or column, the middle one differs from the mean of the others (or from the line through
+//   them) by at most `smoothness` of the largest number. These numbers are interpolated bicubically.
+// - chaos if the cells next to it are chaotic, and all but a share of 0.3/stride of those around, where the
+//   cells being filled lie `stride` apart. Chaos has no smooth numbers: none are filled in. Inside chaos lie
+//   many narrow periodic windows. A cell that is filled on a coarse lattice decides about its whole block, so
+//   the rule is stricter there.
+// If cells have attractors (attractors/), all around must have the same ones, distinguished by their labels,
+// with smooth forces and shares; a share comes in steps of one start.
 #pragma once
 
 #include <array>
@@ -28,14 +27,14 @@
 
 namespace peterka::refine {
 
-// Linear interpolation between such neighbours is off by a quarter of this share, bicubic by far less.
+// The error of linear interpolation between such neighbours is a quarter of this share, of bicubic far less.
 inline constexpr double smoothness = 0.01;
 
-// Those that the job stores and that belong to the steady state, not to the run towards it: a filled cell has
-// none.
+// Those that the job stores and that belong to the steady state, not to the transient, which a filled cell
+// lacks.
 [[nodiscard]] std::vector<const cell::Quantity*> interpolated_quantities(const job::Job& job);
 
-// The cells at a stencil's rows and columns, which must all be set, and outlive this.
+// The cells at a stencil's rows and columns, which must all be set and outlive this object.
 class Surroundings {
   public:
     // stride: of the lattice that the cell in question lies on.
@@ -64,8 +63,8 @@ class Surroundings {
     std::array<std::array<const attractors::SolvedCell*, 4>, 4> cells_{};
 };
 
-// Nothing where a number has none between cells that have it, or isn't smooth: where it bends by more than
-// `rough` from its neighbours, or by `smoothness` of the largest, if that is more. NaN where no cell has one.
+// Nothing if some cells have a value and others none, or if the values are not smooth: if one deviates from its
+// neighbours by more than `rough` or, if larger, `smoothness` of the largest. NaN if no cell has a value.
 using Values = std::array<std::array<double, 4>, 4>;
 [[nodiscard]] std::optional<double> interpolated(const Surroundings& around, const Values& values,
                                                  double rough = 0);
@@ -78,7 +77,7 @@ template <class ValueAt>
     return values;
 }
 
-// The cell, or nothing where it must be computed. starts: of each cell, besides [start].
+// The cell, or nothing if it must be computed. starts: of each cell, besides [start].
 [[nodiscard]] std::optional<attractors::SolvedCell> filled(
     const Surroundings& around, std::span<const cell::Quantity* const> interpolated_ones,
     std::int64_t starts = 0);

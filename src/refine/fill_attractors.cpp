@@ -13,7 +13,7 @@ namespace {
 using attractors::CellAttractor;
 using regime::Regime;
 
-constexpr double steps_between_neighbours = 2;  // of a share, in starts, that count as smooth
+constexpr double steps_between_neighbours = 2;  // steps of a share, in starts, that count as smooth
 
 auto label_of(const CellAttractor& attractor) {
     return std::tuple(attractor.regime, attractor.period, attractor.impacts);
@@ -27,8 +27,8 @@ bool is_like(const CellAttractor& a, const CellAttractor& b) {
     return label_of(a) == label_of(b);
 }
 
-// The attractors of each cell around that go by one label; nothing where any has none or two, or others
-// besides.
+// The attractors with one label of all cells around; nothing if a cell has none or two, or another number in
+// all.
 class SameLabel {
   public:
     static std::optional<SameLabel> find(const Surroundings& around, const CellAttractor& like,

@@ -1,4 +1,4 @@
-// With which attractors a cell is filled that lies between cells with several starts.
+// The attractors with which a cell is filled that lies between cells with several starts.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace peterka::refine {
 
-// Nothing where those around don't have the same attractors, told apart by their labels, or a force or share
-// isn't smooth. starts: of each cell.
+// Nothing if the cells around do not have the same attractors, distinguished by their labels, or a force or
+// share is not smooth. starts: of each cell.
 [[nodiscard]] std::optional<std::vector<attractors::CellAttractor>> filled_attractors(
     const Surroundings& around, std::int64_t starts);
 

@@ -15,7 +15,7 @@ Stencil on_line(const Lattice& lattice, std::int64_t line) {
     return stencil;
 }
 
-// Of Lagrange's polynomial.
+// Weight in Lagrange interpolation.
 double weight(const Stencil& stencil, std::size_t own, std::int64_t at) {
     double product = 1;
     for (std::size_t i = 0; i < stencil.size; ++i) {

@@ -30,14 +30,14 @@ class Lattice {
 
 struct Stencil {
     std::array<std::int64_t, 4> positions{};  // ascending
-    std::array<double, 4> weights{};          // of interpolation by the polynomial through all lines
+    std::array<double, 4> weights{};          // of polynomial interpolation through all lines
     std::size_t size = 0;
     std::size_t before = 0;  // the lines next to the position; both are its own if it lies on one
     std::size_t after = 0;
 };
 
-// On a line: it and its neighbours, the weight all its own. Between two lines: four, at an edge of the grid all
-// on one side, and fewer only where the lattice has fewer.
+// On a line: that line, with weight 1, and its neighbours. Between two lines: four lines, shifted inwards at an
+// edge of the grid, and fewer only if the lattice has fewer.
 [[nodiscard]] Stencil stencil_of(const Lattice& lattice, std::int64_t position);
 
 // Positions first ... last.

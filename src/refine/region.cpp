@@ -107,8 +107,7 @@ void Region::take_all(std::size_t level) {
     }
 }
 
-// Fills what can be filled of a lattice's cells that the next coarser one hasn't; the others are to be
-// computed.
+// Fills what can be filled of a lattice's cells that the next coarser one lacks; the others must be computed.
 void Region::refine(std::size_t level) {
     const std::int64_t stride = std::int64_t{1} << level;
     const std::vector<Line> columns = lines_in(grid_.columns, level, needed_[level].columns);

@@ -19,19 +19,19 @@
 
 namespace peterka::refine {
 
-// A rank has so many regions in hand at most: while slow cells of one are awaited others keep the pool full,
-// but each takes memory.
+// Most regions in progress on a rank: while slow cells of one are awaited, others keep the pool full, but each
+// takes memory.
 inline constexpr std::size_t most_in_hand = 16;
 
 class Region {
   public:
     Region(const job::Job& job, const parallel::Tile& rectangle);
 
-    // What the cells of a region take [bytes].
+    // Memory of the cells of a region [bytes].
     [[nodiscard]] static std::int64_t bytes(const job::Job& job, const parallel::Tile& rectangle);
 
-    // Goes on to the next lattice with cells that must be computed, and gives them; none once every cell of the
-    // rectangle has its value.
+    // Advances to the next lattice with cells that must be computed, and returns these; none once every cell of
+    // the rectangle has its value.
     [[nodiscard]] std::vector<parallel::CellIndex> next();
     // The results of these, in their order.
     void put(std::span<const attractors::SolvedCell> results);

@@ -1,7 +1,7 @@
-// Cutting a map into regions, the units in which a refined one is dealt: pure arithmetic.
+// Division of a map into regions, the units in which a refined map is distributed: pure arithmetic.
 //
-// Regions consist of whole tiles. They follow from the grid and the number of ranks, and so does what is
-// computed twice at their edges, but no value.
+// Regions consist of whole tiles. They depend on the grid and the number of ranks, and so does what is computed
+// twice at their edges, but no value.
 #pragma once
 
 #include <vector>

@@ -4,7 +4,8 @@
 
 namespace peterka::regime {
 
-// The metric P = sum of (J/mu)^kT (J/mu)^k solves P - (J/mu)^T P (J/mu) = I, and in it ||J x|| <= mu ||x||.
+// The metric P = sum over k of ((J/mu)^k)^T (J/mu)^k solves P - (J/mu)^T P (J/mu) = I (Stein equation), so that
+// ||J x|| <= mu ||x||.
 AdaptedNorm::AdaptedNorm(const Eigen::Matrix2d& jacobian, double multiplier)
     : contraction_((1 + multiplier) / 2) {
     const Eigen::Matrix2d j = jacobian / contraction_;

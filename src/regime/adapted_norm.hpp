@@ -1,5 +1,5 @@
-// A norm in which a stable linear map of the plane contracts at once, however much it stretches vectors on the
-// way to 0.
+// A norm in which a stable linear map of the plane contracts at every step, however much it stretches vectors
+// transiently.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,9 +15,9 @@ class AdaptedNorm {
     AdaptedNorm(const Eigen::Matrix2d& jacobian, double multiplier);
 
     [[nodiscard]] double operator()(const Point& x) const { return std::sqrt(x.dot(metric_ * x)); }
-    // P of ||x||^2 = x^T P x; ||x|| is never less than the Euclidean norm.
+    // P in ||x||^2 = x^T P x; ||x|| is never less than the Euclidean norm.
     [[nodiscard]] const Eigen::Matrix2d& metric() const { return metric_; }
-    // mu: the Jacobian shrinks every vector to mu of its norm or less; half way from the multiplier to 1.
+    // mu: the Jacobian maps every vector to at most mu times its norm; halfway from the multiplier to 1.
     [[nodiscard]] double contraction() const { return contraction_; }
 
   private:

@@ -11,13 +11,13 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr std::size_t most_attractors = 64;  // that are told apart; few scenes have ten
-constexpr std::int64_t most_places = 8;      // of one orbit
-constexpr double saved_cycles = 2;           // by a start that ends in a neighbourhood, at the very least
+constexpr std::size_t most_attractors = 64;  // distinguished; few scenes have ten
+constexpr std::int64_t most_places = 8;      // per orbit
+constexpr double saved_cycles = 2;           // lower bound, by a start that ends in a neighbourhood
 
 struct Candidate {
     FoundAttractor found;
-    std::int64_t times = 0;  // found
+    std::int64_t times = 0;  // how often it was found
 };
 
 bool has_orbit(const CellResult& result) {
@@ -31,7 +31,7 @@ scene::Oscillator<double> with_cubic(scene::Oscillator<double> oscillator, doubl
     return oscillator;
 }
 
-// The different ones, in the order in which they were found first.
+// The distinct attractors, in the order in which they were first found.
 std::vector<Candidate> distinct(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> all) {
     std::vector<Candidate> candidates;
     for (const FoundAttractor& found : all) {

@@ -1,8 +1,8 @@
-// The attractors that are known before a basin is computed, or before a start of a map's cell: any start that
-// falls into the neighbourhood of one of them, or is seen to converge to its orbit, takes its values.
+// The attractors known before a basin, or a start in a map's cell, is computed: a start that enters the
+// neighbourhood of one of them, or is seen to converge to its orbit, takes its values.
 //
-// They are what some starts, run in full, ended on. Which of them a table keeps, and how far their
-// neighbourhoods reach, follows from these alone and their order.
+// They are the attractors on which some starts, run in full, ended. Which of them a table keeps, and how far
+// their neighbourhoods reach, depends on these results and their order alone.
 #pragma once
 
 #include <cstdint>
@@ -19,34 +19,33 @@
 
 namespace peterka::regime {
 
-// What a search found, and on which map: with or without the cubic spring, by which engine.
+// The result of a search, and the map it belongs to: with or without the cubic spring, and the engine.
 struct FoundAttractor {
     double cubic;
     EngineSettings settings;
     CellResult result;
-    std::optional<CubicShift> by_cubic = {};  // of an orbit without the cubic spring, once it was looked at
+    std::optional<CubicShift> by_cubic = {};  // for an orbit without the cubic spring, once computed
 };
 
 class AttractorTable {
   public:
-    // Those of one map.
+    // The attractors of one map.
     class AttractorsOfMap {
       public:
-        // The attractor to which a state at forcing phase 0 surely leads; nullptr where none is known.
+        // The attractor to which a state at forcing phase 0 certainly leads; nullptr if none is known.
         [[nodiscard]] const CellResult* reached_from(const Point& state) const {
             for (const Place& place : places_) {
                 if (place.neighbourhood.contains(state)) return &place.attractor;
             }
             return nullptr;
         }
-        // An orbit with a period that divides q near a state at forcing phase 0, seen from there.
+        // A known orbit near a state at forcing phase 0 with a period that divides q, its nearest point first.
         struct Near {
             PeriodicOrbit orbit;
             const CellResult* attractor;
         };
         [[nodiscard]] std::optional<Near> orbit_near(const Point& state, std::int64_t q) const;
-        // What the cubic spring does to the attractor whose values a search took; nothing where that isn't
-        // known.
+        // The effect of the cubic spring on the attractor whose values a search took; nothing if unknown.
         [[nodiscard]] std::optional<CubicShift> shift_of(const CellResult& taken) const;
 
       private:
@@ -70,22 +69,22 @@ class AttractorTable {
         std::vector<Orbit> orbits_;
     };
 
-    // None is known.
+    // No attractor is known.
     AttractorTable() = default;
 
-    // rig: the oscillator of all starts. cells_each: for how many starts one of `found` stands; where few take
-    // an attractor's values, proving a neighbourhood would cost more than it saves.
+    // rig: the oscillator of all starts. cells_each: number of starts that each of `found` represents; if few
+    // take an attractor's values, proving a neighbourhood costs more than it saves.
     AttractorTable(const scene::Oscillator<double>& rig, std::span<const FoundAttractor> found,
                    double cells_each);
 
-    // One more, on the oscillator of its map, with neighbourhoods that find_places proved.
+    // Adds an attractor with the neighbourhoods that find_places proved. oscillator: that of its map.
     void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found,
              std::span<const Neighbourhood> places);
 
-    // The same with the orbit itself.
+    // Adds an attractor with its orbit.
     void add(const scene::Oscillator<double>& oscillator, const FoundAttractor& found, KnownOrbit orbit);
 
-    // nullptr where none of this map is known.
+    // The attractors of one map; nullptr if none is known.
     [[nodiscard]] const AttractorsOfMap* of(const scene::Oscillator<double>& oscillator,
                                             const EngineSettings& settings) const;
 
@@ -95,7 +94,7 @@ class AttractorTable {
     std::vector<AttractorsOfMap> maps_;
 };
 
-// Whether both settings make the same map of an oscillator.
+// Whether both settings give the same map for an oscillator.
 [[nodiscard]] bool same_map(const scene::Oscillator<double>& oscillator, const EngineSettings& a,
                             const EngineSettings& b);
 
@@ -104,8 +103,8 @@ struct Places {
     std::int64_t cycles = 0;  // spent on them
 };
 
-// Of so many points of an attractor that has an orbit. oscillator: of its map, with or without the cubic
-// spring.
+// Neighbourhoods of `count` points of an attractor that has an orbit. oscillator: that of its map, with or
+// without the cubic spring.
 [[nodiscard]] Task<Places> find_places(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                        FoundAttractor found, std::int64_t count);
 
@@ -114,12 +113,12 @@ struct Places {
                                                                scene::Oscillator<double> oscillator,
                                                                FoundAttractor found, std::int64_t* spent);
 
-// For a search: which attractors it knows beforehand, and where it leaves what it finds.
+// The attractors that a search knows beforehand, and where it stores those it finds.
 struct SearchContext {
     const AttractorTable* known = nullptr;         // nullptr: none
-    std::vector<FoundAttractor>* found = nullptr;  // nullptr: nobody asks
-    // Chaos is known, too: a motion that has forgotten its start, and isn't settled after so many cycles, is
-    // on it.
+    std::vector<FoundAttractor>* found = nullptr;  // nullptr: not requested
+    // Chaos is known, too: a motion that has forgotten its start and has not settled after cycles_to_settle
+    // cycles is chaotic.
     bool chaos = false;
     static constexpr std::int64_t cycles_to_settle = 75;
 };

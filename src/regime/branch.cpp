@@ -51,13 +51,13 @@ class JumpSearch {
         const double change = std::abs(cell(column + 1).peak_force - cell(column).peak_force);
         return std::isnan(change) ? 0 : change;
     }
-    // The same among motions with a period alone: how steep the force is.
+    // The same, but only between motions with a period: the slope of the force.
     [[nodiscard]] double slope_after(std::int64_t column) const {
         const bool steady = has(column) && has(column + 1) && has_period(cell(column).regime) &&
                             has_period(cell(column + 1).regime);
         return steady ? change_after(column) : 0;
     }
-    // Whether a motion with a period holds from a column on, in a direction.
+    // Whether a motion with a period persists from a column on, in the direction of `step`.
     [[nodiscard]] bool lasts(std::int64_t column, std::int64_t step) const {
         constexpr int points = 4;
         if (!has_period(cell(column).regime)) return false;
@@ -71,7 +71,7 @@ class JumpSearch {
     double least_change_ = 0;
 };
 
-// Where a motion ended, at forcing phase 0 of a cell.
+// The end of a motion, at forcing phase 0 of its cell.
 struct Ended {
     scene::State<double> state;  // (delta, x'/(A0 omega))
     double gap = 0;              // [A0]
@@ -82,7 +82,7 @@ Ended ended(const scene::Cell& cell, const scene::State<double>& end) {
     return {{end[0], end[1] + cell.oscillator.frequency}, cell.oscillator.gap, cell.scales};
 }
 
-// From there in the coordinates of another cell.
+// The end state in the coordinates of another cell.
 scene::State<double> start_from(const Ended& last, const scene::Cell& cell) {
     const double cart_speed = cell.oscillator.frequency;  // y'/(A0 omega) at phase 0
     const double gap = cell.oscillator.gap;

@@ -1,16 +1,16 @@
-// One branch of a sweep: the steady states along its axis, each reached from the one before.
+// One branch of a sweep: the steady states along its axis, each reached from the previous one.
 //
-// Up and down, a point starts from the motion on which the last one ended: the hammer keeps its absolute
-// position x and velocity x' [m, m/s] at forcing phase 0, where the cart passes its middle, and the cart goes
-// on with another speed or amplitude from there. So would a motor leave it that is set to a new speed after the
-// motion has settled. In cart coordinates delta' = x'/(A0 omega) - eta changes with eta, delta with the gap,
-// and both with the units A0 and omega. A stop that comes closer takes the hammer along: the hammer never lies
-// deeper in it than before. From a motion without a proof the next point starts where its run ended, and from a
-// failed one where that started. The first point, and each one of a branch with independent starts, starts from
-// [start].
+// In directions up and down, a point starts from the motion on which the previous one ended: at forcing phase
+// 0, where the cart passes its middle, the hammer keeps its absolute position x and velocity x' [m, m/s], and
+// the cart continues with the new speed or amplitude. A motor set to a new speed once the motion has settled
+// does the same. In cart coordinates delta' = x'/(A0 omega) - eta changes with eta, delta with the gap, and
+// both with the units A0 and omega. A stop that moves closer pushes the hammer along: the hammer never lies
+// deeper in it than before. After a motion without a proof the next point starts where that run ended, and
+// after a failed one where that run started. The first point, and every point of a branch with independent
+// starts, starts from [start].
 //
-// The steps are finite, so a jump may come up to a step early where the basin of an attractor is as narrow as
-// the step is long.
+// The steps are finite, so a jump may occur up to one step early where the basin of an attractor is as narrow
+// as a step.
 #pragma once
 
 #include <cstdint>
@@ -30,14 +30,14 @@ struct BranchPoint {
     double gap = 0;  // [A0]
 };
 
-// The points in the order of the axis, whatever the direction. `look`, called every now and then, may throw.
+// The points in the order of the axis, whatever the direction. `look`, called periodically, may throw.
 [[nodiscard]] std::vector<BranchPoint> follow_branch(const scene::Scene& scene, std::int64_t row,
                                                      const std::function<void()>& look);
 
-// Marks where peak force jumps from one point to the next in the branch's direction. It changes by more than a
-// twentieth of the branch's largest one; by more than twice as much as in the steps before and after between
-// motions with a period, as a steep slope is no jump; and one of these begins or ends there that holds for four
-// points or up to the end of the branch, since forces scatter between windows in chaos.
+// Marks where the peak force jumps from one point to the next in the branch's direction: the change exceeds a
+// twentieth of the branch's largest peak force; it exceeds twice the change in the steps before and after
+// between motions with a period, as a steep slope is no jump; and a motion with a period begins or ends there
+// that persists for four points or up to the end of the branch, since forces scatter between windows in chaos.
 void mark_jumps(std::vector<BranchPoint>& points, job::Direction direction);
 
 }  // namespace peterka::regime

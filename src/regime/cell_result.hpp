@@ -1,4 +1,4 @@
-// The result of a cell, which this folder computes, under its own name: see cell/result.hpp.
+// The result of a cell, which this folder computes, named in its own namespace: see cell/result.hpp.
 #pragma once
 
 #include "cell/result.hpp"
@@ -15,7 +15,7 @@ using cell::same_label;
 using cell::Status;
 using cell::unknown;
 
-// Above this sensitivity errors of rounding, some 1e-16, have grown so much that they may decide a label.
+// Above this sensitivity rounding errors, about 1e-16, have grown so much that they may decide a label.
 inline constexpr double rounding_decides = 20;
 
 }  // namespace peterka::regime

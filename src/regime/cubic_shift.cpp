@@ -11,7 +11,7 @@ namespace peterka::regime {
 
 Task<CubicShift> shift_by_cubic(CycleBroker& broker, scene::Oscillator<double> oscillator,
                                 EngineSettings engine, CellResult without) {
-    constexpr double converging = 0.1;  // of the first step: the second one is smaller
+    constexpr double converging = 0.1;  // largest second step, relative to the first
     StroboscopicMap map(oscillator, engine, broker);
     const auto q = static_cast<std::size_t>(without.period);
     PeriodicOrbit orbit;

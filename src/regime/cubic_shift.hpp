@@ -1,7 +1,6 @@
-// What the cubic part of the springs does to a periodic orbit that was found without it: two steps of Newton's
-// method lead from that orbit to the one of the whole springs, at the price of two of its periods. No bound
-// says as much: where an orbit's impacts are weak a small shift changes their force a lot, whatever its
-// multipliers.
+// The effect of the springs' cubic term on a periodic orbit found without it: two Newton steps lead from that
+// orbit to the one of the full springs, at the cost of two of its periods. No bound gives as much: where an
+// orbit's impacts are weak, a small shift changes their force a lot, whatever its multipliers.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +15,9 @@
 namespace peterka::regime {
 
 struct CubicShift {
-    // Relative change of the peak force, or of the orbit itself on a rigid stop, whose forces have no bound;
-    // with what a third step might add. None where the whole springs have no stable orbit next to it with the
-    // same contacts, or where it goes further than the engine was chosen for.
+    // Relative change of the peak force or, on a rigid stop, whose forces have no bound, of the orbit itself;
+    // includes what a third step might add. None if the full springs have no stable orbit nearby with the same
+    // contacts, or if it goes further than the engine was chosen for.
     std::optional<double> change;
     std::int64_t cycles = 0;  // spent
 };

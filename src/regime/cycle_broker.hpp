@@ -1,7 +1,7 @@
-// Where a search leaves its orders of forcing cycles, and whoever has an engine serves them.
+// Where a search places its orders of forcing cycles, and an engine serves them.
 //
-// A search is written as if it integrated by itself, but pauses at every order: so one engine can carry a
-// thousand searches at once (regime/search_pool.hpp), and another one alone (regime/scalar_engine.hpp).
+// A search is written as if it integrated by itself, but is suspended at every order: so one engine can carry a
+// thousand searches at once (regime/search_pool.hpp), and another a single one (regime/scalar_engine.hpp).
 #pragma once
 
 #include <coroutine>
@@ -17,8 +17,8 @@
 
 namespace peterka::regime {
 
-// Forcing cycles in a row, from a state (delta, delta') at forcing phase 0; a recorder gathers what happens on
-// the way. After a cycle that fails there are no more.
+// Consecutive forcing cycles from a state (delta, delta') at forcing phase 0; a recorder collects the events on
+// the way. A failed cycle is the last.
 struct CycleRequest {
     scene::State<double> from;
     trajectory::Recorder<double>* recorder = nullptr;
@@ -36,14 +36,14 @@ class CycleBroker {
         }
     };
 
-    // Which engine carries the cycles ordered from now on, and on which scene.
+    // Sets the engine and the oscillator for the cycles ordered from now on.
     void use(const scene::Oscillator<double>& oscillator, const EngineSettings& settings) {
         oscillator_ = oscillator;
         settings_ = settings;
         ++engines_used_;
     }
 
-    // co_await broker.cycles(order) gives the cycles, for as long as no others are ordered.
+    // co_await broker.cycles(order) gives the cycles, valid until the next order.
     [[nodiscard]] auto cycles(const CycleRequest& order) {
         order_ = order;
         return Served{this};
@@ -52,9 +52,9 @@ class CycleBroker {
     // For the engine.
     [[nodiscard]] const scene::Oscillator<double>& oscillator() const { return oscillator_; }
     [[nodiscard]] const EngineSettings& settings() const { return settings_; }
-    [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // another number: another engine
+    [[nodiscard]] std::int64_t engines_used() const { return engines_used_; }  // changes with the engine
     [[nodiscard]] const CycleRequest& order() const { return order_; }
-    // The search goes on up to its next order, or to its end.
+    // Resumes the search up to its next order, or to its end.
     void serve(std::span<const trajectory::Cycle<double>> cycles) {
         served_ = cycles;
         std::exchange(searching_, {}).resume();

@@ -10,8 +10,9 @@ namespace peterka::regime {
 
 namespace {
 
-// The stop's force is 0 again after 2 arccos(D)/sqrt(1 - D^2) in units of the contact's frequency, D being its
-// damping ratio (eq. 10 of Aguiar & Weber without a dead load); with D > 1 in hyperbolic functions.
+// The stop's force returns to 0 after 2 arccos(D)/sqrt(1 - D^2) in units of the inverse contact frequency, D
+// being the contact's damping ratio (eq. 10 of Aguiar & Weber without a dead load); for D > 1 in hyperbolic
+// functions.
 double loss_of_an_impact(double damping_ratio, const scene::KelvinVoigt<double>& stop) {
     const double frequency = std::sqrt(1 + stop.stiffness);
     const double ratio = (2 * damping_ratio + stop.damping) / (2 * frequency);
@@ -45,9 +46,9 @@ double loss_of_a_cycle(const scene::Oscillator<double>& oscillator, double impac
 
 std::int64_t cycles_for_chaos(const scene::Oscillator<double>& oscillator, const job::SteadyState& budget,
                               double impacts) {
-    constexpr double most = 2e9;  // of max_cycles, where hardly anything dissipates
+    constexpr double most = 2e9;  // largest max_cycles, for very weak dissipation
     const double cycles = ChaosClaim::most_cycles(budget, loss_of_a_cycle(oscillator, impacts));
-    return rounded_up(std::min(cycles + Growth::block_cycles, most));  // it is looked at by blocks
+    return rounded_up(std::min(cycles + Growth::block_cycles, most));  // chaos is tested block by block
 }
 
 }  // namespace peterka::regime

@@ -10,11 +10,11 @@ namespace peterka::regime {
 namespace {
 
 // An explicit method follows the fastest decay of a contact, at the rate 2 b (Kelvin-Voigt: 2 zeta + chi), with
-// steps of about 1/(2 b). An implicit one is cheaper where that is much faster than the contact's own
+// steps of about 1/(2 b). An implicit one is cheaper where this rate greatly exceeds the contact's own
 // frequency, or where a contact that lasts for a whole cycle would take more steps than an implicit method ever
 // does.
 bool contact_is_stiff(const scene::Oscillator<double>& oscillator) {
-    // an impact at the cart's speed or so, for laws whose rates depend on it
+    // an impact at about the cart's speed, for laws whose rates depend on it
     const double response = trajectory::response_length(oscillator);
     const scene::State<double> impact(trajectory::static_depth(oscillator, response + std::abs(oscillator.gap)),
                                       response * std::max(1.0, oscillator.frequency));
@@ -119,7 +119,7 @@ void EngineByReach::choose(double largest_displacement) {
 }
 
 bool EngineByReach::must_change(double reached) {
-    constexpr int most_changes = 2;  // one does, unless the reach itself depends on the kicks
+    constexpr int most_changes = 2;  // one suffices, unless the reach itself depends on the kicks
     if (changes_ == most_changes || !goes_too_far(oscillator_, settings_, reached)) return false;
     ++changes_;
     choose(reached);
@@ -128,8 +128,7 @@ bool EngineByReach::must_change(double reached) {
 
 bool goes_too_far(const scene::Oscillator<double>& oscillator, const EngineSettings& chosen,
                   double displacement) {
-    constexpr double slack =
-        1.1;  // the kicks' error goes with the fourth power of it at most: half as much again
+    constexpr double slack = 1.1;  // the kicks' error grows with its fourth power at most: by half
     if (chosen.engine != Engine::split || !(displacement > slack * chosen.largest_displacement)) return false;
     const auto steps = [&](double reach) {
         return trajectory::split_steps(oscillator, reach, chosen.tolerance);

@@ -1,4 +1,4 @@
-// What the outcome of a cycle that failed makes of its cell.
+// The status of a cell whose cycle failed.
 #pragma once
 
 #include "regime/cell_result.hpp"

@@ -1,9 +1,9 @@
-// The trajectory from a start, followed cycle by cycle: which cycles are ordered ahead, where it is, and what
-// was observed in the cycles that count for a motion without a period.
+// The trajectory from a start, followed cycle by cycle: the cycles ordered ahead, the present state, and the
+// observations in the cycles that count for a motion without a period.
 //
-// At first each cycle is looked at, as most motions settle soon; where a batch carries them, a few are ordered
-// ahead, for a pause costs more than they do. A motion that didn't settle is ordered in blocks, and looked at
-// by checkpoints at their ends.
+// At first each cycle is examined, as most motions settle soon; where a batch carries them, a few are ordered
+// ahead, because a suspension costs more than they do. A motion that has not settled is ordered in blocks, and
+// examined at checkpoints at their ends.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@
 
 namespace peterka::regime {
 
-// From which cycle on those of a motion without a period count: the first ones belong to its transient.
+// The first cycle that counts for a motion without a period: earlier ones belong to its transient.
 [[nodiscard]] inline std::int64_t first_that_counts(const job::SteadyState& budget) {
     return std::min<std::int64_t>(Growth::settling_cycles, budget.max_cycles / 2);
 }
 
 class FollowedTrajectory {
   public:
-    // last_cycle: behind which it isn't followed.
+    // last_cycle: after which the trajectory isn't followed.
     FollowedTrajectory(const StroboscopicMap& map, const scene::State<double>& start,
                        const job::SteadyState& budget, std::int64_t last_cycle, const Measures& measures)
         : state_(map.scaled(start)),
@@ -43,18 +43,18 @@ class FollowedTrajectory {
     [[nodiscard]] const Point& state() const { return state_; }  // at the end of the last cycle
     [[nodiscard]] std::int64_t cycles() const { return cycles_; }
     [[nodiscard]] bool is_at_end() const { return cycles_ == last_cycle_; }
-    // The first being 1; 0: none.
+    // Number of the last cycle with contact, from 1; 0: none.
     [[nodiscard]] std::int64_t last_touched() const { return last_touched_; }
     [[nodiscard]] bool is_at_checkpoint() const { return cycles_ > 0 && is_checkpoint(cycles_); }
-    // Whether what the motion has come to is to be decided here, if it can be.
+    // Whether to decide here, if possible, what the motion has settled to.
     [[nodiscard]] bool is_to_be_looked_at() const { return needs_order() || is_early(); }
-    // Cycles ordered ahead of a motion that settles are no part of the search.
+    // Cycles ordered ahead for a motion that settles are not part of the search.
     [[nodiscard]] std::int64_t not_needed() const {
         return is_early() ? static_cast<std::int64_t>(ahead_.size()) : 0;
     }
     [[nodiscard]] Observation& window() { return window_; }
 
-    // Where no cycle ordered is left: take(co_await order(map)).
+    // If no ordered cycle is left: take(co_await order(map)).
     [[nodiscard]] bool needs_order() const { return ahead_.empty(); }
     [[nodiscard]] auto order(StroboscopicMap& map) {
         return map.cycles(state_, counts() ? &window_.recorder() : nullptr, cycles_at_once());
@@ -63,13 +63,13 @@ class FollowedTrajectory {
         ahead_ = ordered;
         keeps_ahead_ = false;
     }
-    // Others are going to be ordered, which would take the place of those that weren't looked at yet.
+    // Copies the ordered cycles not examined yet, before another order overwrites them.
     void keep_ordered() {
         if (ahead_.empty() || std::exchange(keeps_ahead_, true)) return;
         kept_.assign(ahead_.begin(), ahead_.end());
         ahead_ = kept_;
     }
-    // The next cycle of those ordered; where it failed the trajectory ends before it.
+    // The next of the ordered cycles; if it failed, the trajectory ends before it.
     [[nodiscard]] CycleResult advance(const StroboscopicMap& map) {
         CycleResult cycle = map.result_of(ahead_.front());
         ahead_ = ahead_.subspan(1);
@@ -85,7 +85,7 @@ class FollowedTrajectory {
     }
 
   private:
-    static constexpr std::int64_t few = 5;  // a 1/1 of the paper's rig is found in 3 or 4
+    static constexpr std::int64_t few = 5;  // a 1/1 motion of the paper's rig is found in 3 or 4
     static_assert(Recurrence::early_cycles % Growth::block_cycles == 0);
     static_assert(Recurrence::early_cycles % few == 0);
     [[nodiscard]] bool is_early() const { return cycles_ < Recurrence::early_cycles; }
@@ -93,7 +93,7 @@ class FollowedTrajectory {
         return cycle <= Recurrence::early_cycles || cycle % Growth::block_cycles == 0;
     }
     [[nodiscard]] bool counts() const { return cycles_ >= measure_from_; }
-    // No cycle goes beyond the one from which on they count.
+    // A block never crosses the cycle from which on cycles count.
     [[nodiscard]] std::size_t cycles_at_once() const {
         const std::int64_t many = is_early() ? early_at_once_ : Growth::block_cycles;
         if (one_by_one_ || !is_checkpoint(cycles_)) return 1;
@@ -102,7 +102,7 @@ class FollowedTrajectory {
     }
 
     Point state_;
-    std::span<const trajectory::Cycle<double>> ahead_;  // integrated, and not looked at yet
+    std::span<const trajectory::Cycle<double>> ahead_;  // integrated, not examined yet
     std::vector<trajectory::Cycle<double>, ReusingAllocator<trajectory::Cycle<double>>>
         kept_;  // a copy of these
     bool keeps_ahead_ = false;

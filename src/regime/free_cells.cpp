@@ -11,7 +11,7 @@ namespace peterka::regime {
 
 namespace {
 
-// Of u, which doesn't depend on the gap.
+// The start's u, which doesn't depend on the gap.
 double displacement_of(const scene::Cell& cell) {
     return cell.start[0] + cell.oscillator.gap;
 }
@@ -59,14 +59,14 @@ std::optional<CellResult> FreeCells::told_by_another(const scene::Cell& cell) co
     if (!known.tells_of(cell)) return std::nullopt;
     CellResult result = known.result;
     const double gap = cell.oscillator.gap;
-    result.orbit_displacement = (known.steady_displacement - gap) + gap;  // rounded as its own delta is
+    result.orbit_displacement = (known.steady_displacement - gap) + gap;  // rounded like the cell's own delta
     return result;
 }
 
 std::optional<CellResult> FreeCells::find(const scene::Cell& cell) {
     if (!may_be_free(cell)) return std::nullopt;
     const std::optional<CellResult> result = compute(cell);
-    // of a hammer without damping the start rings on, and what it adds rounds differently with every gap
+    // without damping the start's free vibration persists, and its part rounds differently with every gap
     if (!result || scene_.rigs_differ() || cell.oscillator.damping_ratio == 0) return result;
     scene::Cell farthest = cell;
     farthest.oscillator.gap = farthest_;

@@ -7,9 +7,9 @@
 
 namespace peterka::regime {
 
-// What becomes of errors that come in anew with every cycle, as rounding does: their covariance, with one of
-// unit size and no direction at the start and after each cycle. The growth from the start alone would miss what
-// comes in after a contact that kills all memory of it.
+// Growth of errors that enter anew with every cycle, as rounding errors do: their covariance, with an isotropic
+// error of unit size added at the start and after each cycle. The growth from the start alone would miss errors
+// that enter after a contact that erases all memory of the start.
 class ErrorGrowth {
   public:
     void advance(const Eigen::Matrix2d& jacobian) {
@@ -25,13 +25,13 @@ class ErrorGrowth {
         if (square > 1e60 || square < 1e-60) rescale(square);
     }
 
-    // ln of the largest size that errors had, over that of one when it comes in.
+    // ln of the largest size of the errors, relative to that of a new one.
     [[nodiscard]] double largest() const {
         return std::max(log_largest_, log_scale_ + std::log(largest_square_) / 2);
     }
 
   private:
-    // Keeps the covariance within the range of numbers; never below the errors of one cycle.
+    // Keeps the covariance within the range of doubles; its scale never falls below the error of one cycle.
     void rescale(double square) {
         log_largest_ = largest();
         const double log_size = std::max(log_scale_ + std::log(square) / 2, 0.0);
@@ -51,16 +51,17 @@ class ErrorGrowth {
     double new_ = 0.5;
     double log_scale_ = 0;
     double largest_square_ = 1;  // of the errors' size since log_scale_ changed
-    double log_largest_ = 0;     // until then
+    double log_largest_ = 0;     // before that
 };
 
-// Largest Lyapunov exponent per forcing cycle, with a standard error from blocks of cycles, and ln G.
+// Largest Lyapunov exponent per forcing cycle (cf. Benettin et al. 1980), with a standard error from blocks of
+// cycles, and ln G.
 class Growth {
   public:
     static constexpr int settling_cycles = 100;  // left out of the exponent: the transient's own growth
     static constexpr int block_cycles = 25;      // long enough that blocks scatter independently
     static constexpr double least_growth =
-        20;  // ln of what separates chaos from a transient that merely drifts
+        20;  // ln of the growth that separates chaos from a transient that merely drifts
 
     Growth() = default;
 
@@ -69,7 +70,7 @@ class Growth {
         errors_.advance(jacobian);
         product_ = (jacobian * product_).eval();
         const double square = product_.squaredNorm();
-        if (square == 0) {  // every direction died, as on a rigid stop: what comes knows nothing of the start
+        if (square == 0) {  // every direction vanished, as on a rigid stop: the start is forgotten
             *this = Growth(errors_, resets_ + 1);
             return;
         }
@@ -84,14 +85,14 @@ class Growth {
     // ln G, see ErrorGrowth. Above about 20 a label depends on rounding.
     [[nodiscard]] double sensitivity() const { return errors_.largest(); }
     [[nodiscard]] double exponent() const { return mean_; }  // per forcing cycle
-    // Mean of -ln |det J| per cycle: how fast whatever lies together in the plane of states is drawn together.
-    // The time that transients take goes with its inverse.
+    // Mean of -ln |det J| per cycle: the rate at which areas in the plane of states contract. The duration of
+    // transients scales with its inverse.
     [[nodiscard]] double dissipation() const {
         return cycles_ == 0 ? 0 : -(log_area_ + std::log(area_)) / static_cast<double>(cycles_);
     }
-    // How often every direction died: from the second time on the motion repeats what followed the first.
+    // How often every direction vanished: from the second time on the motion repeats what followed the first.
     [[nodiscard]] int resets() const { return resets_; }
-    // Positive by more than three standard errors, and a perturbation really grew: blocks of a slow drift
+    // Positive by more than three standard errors, and a perturbation really grew: the blocks of a slow drift
     // scatter little.
     [[nodiscard]] bool surely_positive() const {
         return blocks_ > 1 && block_start_ - log_settled_ > least_growth &&
@@ -111,7 +112,7 @@ class Growth {
         }
     }
 
-    // Keeps the product within the range of numbers.
+    // Keeps the product within the range of doubles.
     void normalise() {
         const double size = product_.norm();
         log_scale_ += std::log(size);
@@ -131,7 +132,7 @@ class Growth {
     Eigen::Matrix2d product_ = Eigen::Matrix2d::Identity() / std::sqrt(2.0);  // times exp(log_scale_)
     double log_scale_ = 0;
     ErrorGrowth errors_;
-    double area_ = 1;  // of what had the area 1 at the start, times exp(log_area_)
+    double area_ = 1;  // of the image of a unit area at the start, times exp(log_area_)
     double log_area_ = 0;
     double block_start_ = 0;  // ln of the growth when the present block began
     double log_settled_ = 0;  // ln of the growth while settling

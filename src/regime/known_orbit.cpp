@@ -6,7 +6,7 @@ namespace peterka::regime {
 
 namespace {
 
-// Scaled to states of order one. The test of convergence decides; this only spares it what lies far off.
+// In scaled coordinates. The convergence test decides; this only spares it distant orbits.
 constexpr double far_off = 1;
 
 }  // namespace

@@ -1,7 +1,8 @@
-// A stable orbit that is known before a search begins, as a trajectory that nears it sees it.
+// A stable orbit known before a search begins, as seen from a trajectory that approaches it.
 //
-// A trajectory that nearly recurs is compared with it first: whether it converges to this orbit is decided by
-// the same test (regime/periodic_orbit.hpp) as for one that Newton's method finds, which is what it spares.
+// A trajectory that nearly recurs is compared with it first: whether the trajectory converges to this orbit is
+// decided by the same test (regime/periodic_orbit.hpp) as for an orbit found by Newton's method, whose cost is
+// saved.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +19,12 @@ namespace peterka::regime {
 
 class KnownOrbit {
   public:
-    // Points, one cycle after the other, and the cycles from them.
+    // points: successive, one cycle apart. cycles: those from each point.
     KnownOrbit(Points points, std::vector<CycleResult> cycles)
         : points_(std::move(points)), cycles_(std::move(cycles)) {}
 
     [[nodiscard]] std::int64_t period() const { return static_cast<std::int64_t>(points_.size()); }
-    // With the point first that lies nearest; nothing where none is near.
+    // The orbit, its point nearest to the state first; nothing if none is near.
     [[nodiscard]] std::optional<PeriodicOrbit> seen_from(const Point& state) const;
 
   private:
@@ -31,7 +32,7 @@ class KnownOrbit {
     std::vector<CycleResult> cycles_;
 };
 
-// The stable orbit of period q at a point that is known about. Takes some four rounds.
+// The stable orbit of period q near an approximately known point. Takes about four rounds of q cycles.
 [[nodiscard]] Task<std::optional<KnownOrbit>> follow_known_orbit(StroboscopicMap& map, Point point,
                                                                  std::int64_t q);
 

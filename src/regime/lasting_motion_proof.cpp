@@ -66,7 +66,7 @@ void LastingMotionProof::find_free_orbit(const StroboscopicMap& map) {
 bool LastingMotionProof::close_enough(const scene::State<double>& x) const {
     const double room = oscillator_.gap - free_orbit_->largest_displacement;
     const scene::State<double> e = x - free_orbit_->point;
-    // linear amplitude of e, by the energy where the motion doesn't oscillate
+    // linear amplitude of e, from the energy where the motion doesn't oscillate
     const double zeta = oscillator_.damping_ratio;
     const double rate = std::sqrt(std::max(1 - zeta * zeta, 0.0));
     const double amplitude = zeta < 0.99 ? std::hypot(e[0], (e[1] + zeta * e[0]) / rate) : e.norm();
@@ -93,7 +93,7 @@ std::optional<SettledMotion> LastingMotionProof::stays_free(const scene::State<d
 }
 
 LastingMotionProof::Contact LastingMotionProof::contact_of(const scene::Oscillator<double>& oscillator) {
-    // The springs press on average only where the hammer's rest lies behind the stop.
+    // The springs press on average only where the hammer's rest position lies behind the stop.
     if (oscillator.gap >= 0) return std::monostate{};
     if (oscillator.spring_dashpot() != nullptr) return trajectory::LinearContact<double>(oscillator);
     if (scene::is_rigid(oscillator.contact)) return trajectory::RigidContact<double>(oscillator);

@@ -1,12 +1,12 @@
-// What can be said of all later times: motions that never touch the stop again, and contacts that never end.
+// Statements about all future time: motions that never touch the stop again, and contacts that never end.
 //
-// Without a cubic spring both are linear, and what is left of their transients only decays: a closed-form
-// proof. With one, the motion without a stop is a periodic orbit o(t) found by Newton's method, and the
-// distance e = u - o obeys the linear equation with a right-hand side of at most L |e|, L = 3 cubic M^2 for
-// |u|, |o| <= M. The response to a bounded right-hand side is at most H times the bound, H = integral of
-// |impulse response|, so |e| <= R/(1 - L H) for ever, with R the linear amplitude of the present e (small-gain
-// theorem). Contacts that last are then proved as orbits, and so are those on a stop that is neither linear nor
-// rigid.
+// Without a cubic spring both are linear, and the rest of their transients only decays: a closed-form proof.
+// With one, the motion without a stop is a periodic orbit o(t) found by Newton's method, and the deviation
+// e = u - o obeys the linear equation with a right-hand side of at most L |e|, L = 3 cubic M^2 for |u|, |o| <=
+// M. The response to a bounded right-hand side is at most H times the bound, H = integral of |impulse
+// response|, so |e| <= R/(1 - L H) for all time, with R the linear amplitude of the present e (small-gain
+// theorem, Zames 1966). Lasting contacts are then proved as orbits, as are those on a stop that is neither
+// linear nor rigid.
 #pragma once
 
 #include <optional>
@@ -25,14 +25,14 @@ struct SettledMotion {
     Eigen::Matrix2d jacobian;         // of one cycle
     double peak_force = 0;            // F/(k A0)
     double largest_displacement = 0;  // of |u|
-    bool decays = true;               // otherwise what the start left rings on for ever
+    bool decays = true;               // otherwise the start's free vibration persists
 };
 
-// H of the free hammer: the integral over all times of |impulse response| of u'' + 2 zeta u' + u.
+// H of the free hammer: the integral of |impulse response| of u'' + 2 zeta u' + u over all times.
 double gain(double damping_ratio);
 
-// Of a hammer with linear springs that flies, from the state at forcing phase 0: it stays free for ever.
-// Nothing where that isn't proved.
+// For a hammer with linear springs in flight, from the state at forcing phase 0: it stays free for ever.
+// Nothing if this isn't proved.
 [[nodiscard]] std::optional<SettledMotion> free_for_ever(const trajectory::FreeFlight<double>& flight,
                                                          const scene::State<double>& x);
 
@@ -40,7 +40,7 @@ class LastingMotionProof {
   public:
     explicit LastingMotionProof(const StroboscopicMap& map);
 
-    // Proved for every later time, from the state at forcing phase 0; nothing where it isn't.
+    // Proved for all future time, from the state at forcing phase 0; nothing if not.
     [[nodiscard]] std::optional<SettledMotion> stays_free(const scene::State<double>& x) const;
     [[nodiscard]] std::optional<SettledMotion> stays_in_contact(const scene::State<double>& x) const;
 
@@ -48,7 +48,7 @@ class LastingMotionProof {
     [[nodiscard]] bool may_settle() const;
 
   private:
-    // For a law without a closed form of its lasting contacts nothing is said.
+    // std::monostate: nothing is proved, as for a law without a closed form of its lasting contacts.
     using Contact =
         std::variant<std::monostate, trajectory::LinearContact<double>, trajectory::RigidContact<double>>;
     static Contact contact_of(const scene::Oscillator<double>& oscillator);
@@ -61,13 +61,13 @@ class LastingMotionProof {
     void find_free_orbit(const StroboscopicMap& map);
     [[nodiscard]] bool close_enough(const scene::State<double>& x) const;
 
-    // First what is asked after every cycle.
+    // First the flags read after every cycle.
     bool may_stay_free_ = false;
     bool may_stay_in_contact_ = false;
     scene::Oscillator<double> oscillator_;
     trajectory::FreeFlight<double> free_flight_;  // of the oscillator without its cubic spring
     Contact contact_;                             // the same
-    std::optional<FreeOrbit> free_orbit_;         // of an oscillator with one
+    std::optional<FreeOrbit> free_orbit_;         // of an oscillator with a cubic spring
 };
 
 }  // namespace peterka::regime

@@ -10,14 +10,14 @@ namespace peterka::regime {
 
 namespace {
 
-constexpr int samples = 24;             // of a boundary
-constexpr double smallest = 1.0 / 256;  // radius tried; smaller ones are hardly ever met
-constexpr double largest = 64;          // beyond any state that is worth a thought
-constexpr int bisections = 3;           // of the factor 2 between what shrinks and what doesn't
+constexpr int samples = 24;             // on a boundary
+constexpr double smallest = 1.0 / 256;  // smallest radius tried; smaller ones are hardly ever entered
+constexpr double largest = 64;          // beyond any state of interest
+constexpr int bisections = 3;           // of the factor 2 between a radius that shrinks and one that doesn't
 constexpr double largest_multiplier =
-    0.999;  // weaker orbits attract too slowly to tell from rounding and folds
+    0.999;  // weaker orbits attract too slowly to distinguish from rounding and folds
 
-// From where a whole period leads.
+// Follows a point for a whole period.
 Task<CycleResult> go_round(StroboscopicMap& map, Point from, std::int64_t q) {
     CycleResult round = co_await map.cycle(from);
     for (std::int64_t n = 1; n < q && round.ok; ++n) {
@@ -49,7 +49,7 @@ Task<bool> shrinks(StroboscopicMap& map, Target target, double radius) {
     co_return true;
 }
 
-// 0: none.
+// 0 if none shrinks.
 Task<double> largest_that_shrinks(StroboscopicMap& map, Target target) {
     double proved = 0;
     double failed = smallest;

@@ -1,11 +1,11 @@
-// A neighbourhood of a point on a stable periodic orbit from which every state converges to the orbit.
+// A neighbourhood of a point on a stable periodic orbit: every state in it converges to the orbit.
 //
 // It is an ellipse, a disc in the norm adapted to the orbit's Jacobian J (regime/adapted_norm.hpp). Ellipses
-// are tried from small to large: each must be carried by q cycles into (1 + mu)/2 of its size, along its whole
-// boundary and with the contacts of the orbit, mu being what J contracts. So the distance shrinks from every
-// size to the next smaller one, down to where J alone decides. Of the largest ellipse that does, half is used:
-// a border of other contacts that came in between two samples of the boundary would cut deeper than to half its
-// size only if it missed a third of all samples.
+// are tried from small to large: q cycles must map the whole boundary of each into (1 + mu)/2 of its size, with
+// the contacts of the orbit, mu being the contraction factor of J. So the distance shrinks from every size to
+// the next smaller one, down to where J alone decides. Half of the largest such ellipse is used: a border of
+// other contacts that enters between two samples of the boundary would cut deeper than to half its size only if
+// it missed a third of all samples.
 #pragma once
 
 #include <cmath>
@@ -29,9 +29,9 @@ class Neighbourhood {
         return a * (shape_(0, 0) * a + 2 * shape_(0, 1) * b) + shape_(1, 1) * b * b <= 1;
     }
     [[nodiscard]] const Point& centre() const { return centre_; }
-    // Largest distance of its points from the centre in each direction.
+    // Largest distance of its points from the centre along each axis.
     [[nodiscard]] const Point& reach() const { return reach_; }
-    // The point of the boundary at an angle: by equal steps of angle they go round evenly in the norm.
+    // The boundary point at an angle; equal steps of the angle are equally spaced in the norm.
     [[nodiscard]] Point boundary(double angle) const;
 
   private:
@@ -40,13 +40,13 @@ class Neighbourhood {
     Point reach_;
 };
 
-// Cycles that it takes to find a neighbourhood for one point of an orbit of period q, about.
+// Approximate number of cycles needed to find a neighbourhood of one point of an orbit of period q.
 [[nodiscard]] constexpr std::int64_t cycles_for_neighbourhood(std::int64_t q) {
     return 300 * q;
 }
 
-// Neighbourhoods of some points of a stable orbit, spread evenly over its q points, from one of them; fewer
-// where no ellipse worth the while could be proved.
+// Neighbourhoods of `count` points of a stable orbit, spread evenly over its q points, starting from one of
+// them; fewer if no ellipse of useful size could be proved.
 [[nodiscard]] Task<std::vector<Neighbourhood>> find_neighbourhoods(StroboscopicMap& map, Point orbit_point,
                                                                    std::int64_t q, std::int64_t count);
 

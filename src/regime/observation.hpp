@@ -1,4 +1,4 @@
-// What is observed of a motion, cycle by cycle, and what of that goes into a cell's result.
+// Observations of a motion, cycle by cycle, and those that enter a cell's result.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace peterka::regime {
 
-// What is measured of a steady state.
+// The quantities measured of a steady state.
 struct Measures {
     trajectory::Detail detail = trajectory::Detail::force;
     bool force_per_cycle = false;
-    SteadyMotion* motion = nullptr;  // filled where somebody wants it; outlives the search
+    SteadyMotion* motion = nullptr;  // filled if requested; outlives the search
 
-    // Whether a cycle must not be integrated before the one before it was looked at.
+    // Whether a cycle must not be integrated before the previous one was examined.
     [[nodiscard]] bool look_at_each_cycle() const { return force_per_cycle || motion != nullptr; }
 };
 
@@ -30,23 +30,23 @@ class Observation {
           period_(period),
           recorder_(measures.detail, MotionLog(measures.motion).touches()) {}
 
-    // Gathers what happens in the cycles that count.
+    // Collects the events in the cycles that count.
     [[nodiscard]] trajectory::Recorder<double>& recorder() { return recorder_; }
     [[nodiscard]] const trajectory::Totals<double>& totals() const { return recorder_.totals(); }
-    // What is going on at the end of a cycle counts in a later one.
+    // Whether an event is in progress at the end of a cycle; it counts in a later one.
     [[nodiscard]] bool is_open() const { return recorder_.is_open(); }
-    // A cycle that counts is over.
+    // Ends a cycle that counts.
     void end_cycle() {
         ++cycles_;
         if (force_per_cycle_) peaks_.push_back(recorder_.take_recent_force());
     }
-    // Counts anew; what is open stays open.
+    // Restarts the counts; open events stay open.
     void begin_again() {
         recorder_.reset_totals();
         peaks_.clear();
         cycles_ = 0;
     }
-    // The motion is observed no longer.
+    // Ends the observation of the motion.
     void finish() { recorder_.finish(); }
 
     // Means are over the cycles that counted.

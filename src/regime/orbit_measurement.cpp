@@ -9,7 +9,7 @@ namespace peterka::regime {
 
 Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Observation& observation) {
     constexpr int most_rounds = 6;
-    constexpr double at_rest = 1e-13;  // a move, relative, that changes no digit that is told
+    constexpr double at_rest = 1e-13;  // relative move that changes no reported digit
     const std::size_t q = orbit.points.size();
     bool was_open = false;
     for (int n = 0;; ++n) {
@@ -34,8 +34,8 @@ Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Ob
     }
 }
 
-// What is left of Newton's moves, grown within a cycle, is an error of the speed of an impact, and the force of
-// a spring and dashpot follows that.
+// The remaining Newton correction, amplified within a cycle, is an error of an impact's speed, which the force
+// of a spring and dashpot follows.
 double force_error(const StroboscopicMap& map, const PeriodicOrbit& orbit, const OrbitRound& round,
                    double force) {
     const auto* stop = map.oscillator().spring_dashpot();

@@ -1,5 +1,5 @@
-// The last step of a proof: one period of a periodic orbit is recorded, from its points, and the orbit is made
-// as precise as rounding allows on the way.
+// The last step of a proof: one period of a periodic orbit is recorded, from its points, while the orbit is
+// refined as far as rounding allows.
 #pragma once
 
 #include "regime/observation.hpp"
@@ -11,18 +11,18 @@
 
 namespace peterka::regime {
 
-// What the last round of cycles along an orbit showed.
+// The result of the last round of cycles along an orbit.
 struct MeasuredOrbit {
     OrbitRound round;
     trajectory::Cycle<double>::Outcome outcome =
-        trajectory::Cycle<double>::Outcome::done;  // of the one that failed
+        trajectory::Cycle<double>::Outcome::done;  // of the cycle that failed
 };
 
-// Records one period, again for as long as Newton's method still moves the orbit's points. What is open at its
+// Records one period, repeatedly while Newton's method still moves the orbit's points. An event open at its
 // start counts in full at its end, as in every later period.
 Task<MeasuredOrbit> measure_orbit(StroboscopicMap& map, PeriodicOrbit& orbit, Observation& observation);
 
-// About how far the peak force of a measured orbit may be off, relative.
+// Approximate relative error of the peak force of a measured orbit.
 double force_error(const StroboscopicMap& map, const PeriodicOrbit& orbit, const OrbitRound& round,
                    double force);
 

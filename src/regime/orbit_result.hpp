@@ -1,4 +1,4 @@
-// What a cell's result says of the orbit that its motion ends on.
+// The part of a cell's result that describes the orbit on which its motion ends.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline void write_orbit(CellResult& result, const Eigen::Matrix2d& jacobian, std
     result.orbit_velocity = point[1];
 }
 
-// The same of a motion that the stop never ends or begins.
+// The same for a motion that never touches, or never leaves, the stop.
 inline void write_settled(CellResult& result, const SettledMotion& motion, Regime regime, double gap,
                           bool force_per_cycle) {
     result.regime = regime;

@@ -1,9 +1,10 @@
-// Newton's method for all q points of a periodic orbit at once (multiple shooting): each cycle begins at its
-// own point, so that no error grows along the orbit, and the distance to the next point is seen at every phase.
+// Newton's method for all q points of a periodic orbit at once (multiple shooting, Morrison, Riley & Zancanaro
+// 1962): each cycle begins at its own point, so that no error grows along the orbit, and the mismatch with the
+// next point is seen at every phase.
 //
-// With x_i the points, M the stroboscopic map, J_i its Jacobian there and r_i = M(x_i) - x_(i+1), cyclic, the
-// corrections d_i obey d_(i+1) = J_i d_i + r_i. Hence (I - J) d_0 = a with J = J_(q-1) ... J_0 and a what the
-// r_i add up to; the others follow from d_0.
+// With x_i the points, M the stroboscopic map, J_i its Jacobian at x_i and r_i = M(x_i) - x_(i+1), cyclic, the
+// corrections d_i obey d_(i+1) = J_i d_i + r_i. Hence (I - J) d_0 = a with J = J_(q-1) ... J_0 and a the
+// accumulated r_i; the other d_i follow from d_0.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +20,17 @@ class OrbitRound {
   public:
     explicit OrbitRound(std::int64_t period) { steps_.reserve(static_cast<std::size_t>(period)); }
 
-    // The cycle from the next point; `following`: the point that comes after it on the orbit.
+    // Adds the cycle from the next point; `following`: the point that comes after it on the orbit.
     void add(const CycleResult& cycle, const Point& following);
 
-    // Moves the points, in the order of their cycles, to where Newton's method says; the largest move,
-    // relative. None where it leads nowhere; the points then stay.
+    // Applies Newton's corrections to the points, in the order of their cycles; returns the largest relative
+    // move. None, with the points unchanged, if a move is too large.
     [[nodiscard]] std::optional<double> correct(Points& points) const;
 
     [[nodiscard]] const Eigen::Matrix2d& jacobian() const { return jacobian_; }  // J
-    // Largest norm of a single cycle's Jacobian, 1 at least.
+    // Largest norm of a single cycle's Jacobian, at least 1.
     [[nodiscard]] double largest_stretch() const { return largest_stretch_; }
-    // Of the q cycles from one of the points on.
+    // Pattern of the q cycles from one of the points on.
     [[nodiscard]] EventPattern pattern(std::size_t from = 0) const;
     [[nodiscard]] bool touched() const { return touched_; }
     [[nodiscard]] bool separated() const { return separated_; }

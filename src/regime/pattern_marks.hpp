@@ -1,5 +1,5 @@
-// Which event patterns a trajectory had, cycle by cycle, in 16 bits each: a first look at many lags at once.
-// Equal patterns have equal marks; what equal marks say must be checked on the patterns.
+// The event patterns of a trajectory, cycle by cycle, in 16 bits each: a first comparison at many lags at once.
+// Equal patterns have equal marks; equal marks must be confirmed on the patterns.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 
 namespace peterka::regime {
 
-// Marks lie newest first, and are added in front: so any lag is an address, and rows of cycles compare as
+// Marks are stored newest first and added in front: so any lag is an address, and rows of cycles compare as
 // bytes.
 class PatternMarks {
   public:
-    // kept: of how many cycles marks are kept, at the least.
+    // kept: minimum number of cycles whose marks are kept.
     explicit PatternMarks(std::size_t kept) : kept_(kept) {}
 
     void add(trajectory::EventPattern pattern) {
         if (newest_ == 0) make_room();
         marks_[--newest_] = static_cast<Mark>(pattern ^ (pattern >> 16U) ^ (pattern >> 32U));
     }
-    // Whether the last cycle has the mark of the one so many cycles before.
+    // Whether the last cycle has the mark of the cycle `lag` cycles before.
     [[nodiscard]] bool repeats(std::int64_t lag) const { return at(lag) == at(0); }
-    // Whether the last so many cycles have the marks of those a lag before them.
+    // Whether the last `cycles` cycles have the marks of those `lag` cycles before them.
     [[nodiscard]] bool repeat(std::int64_t cycles, std::int64_t lag) const {
         return std::memcmp(&at(0), &at(lag), static_cast<std::size_t>(cycles) * sizeof(Mark)) == 0;
     }

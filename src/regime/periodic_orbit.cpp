@@ -14,10 +14,10 @@ namespace peterka::regime {
 namespace {
 
 constexpr int newton_steps = 8;              // quadratic convergence needs 3 to 5 from a recurrence within 0.1
-constexpr double nearly_there = 1e-7;        // a correction below this was the last but those of rounding
-constexpr double rounding = 1e-14;           // relative, of a cycle
-constexpr double largest_stable = 1 - 1e-9;  // closer to 1 than rounding allows to tell from a bifurcation
-// Near a stable orbit; farther away Newton's method leads to one that isn't.
+constexpr double nearly_there = 1e-7;        // a correction below this was the last one above rounding
+constexpr double rounding = 1e-14;           // relative error of a cycle
+constexpr double largest_stable = 1 - 1e-9;  // closer to 1, rounding hides a bifurcation
+// Near a stable orbit; from farther away Newton's method leads to an unstable one.
 constexpr double largest_stretch = 1.2;
 constexpr double nearness = 1e-3;  // a divisor's orbit must lie this close to the orbit that it replaces
 
@@ -56,8 +56,8 @@ std::size_t put_lowest_point_first(PeriodicOrbit& orbit) {
     return static_cast<std::size_t>(before);
 }
 
-// Each correction is about the square of the one before, times what the map's curvature makes of it: so two of
-// them tell how large the next one will be. Where rounding stops them, they no longer fall.
+// Each correction is about the square of the previous one, times a factor from the map's curvature: so two of
+// them predict the size of the next. Where rounding limits them, they no longer fall.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess, double most_stretch) {
     PeriodicOrbit orbit;
     orbit.points = std::move(guess);
@@ -102,7 +102,7 @@ Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const
                                                      std::int64_t q) {
     auto found = co_await find_orbit(map, trajectory.closed(q), largest_stretch);
     if (!found || found->pattern != trajectory.pattern(q)) co_return std::nullopt;
-    // Where a multiplier is near -1 the trajectory returns after 2q cycles before it returns after q.
+    // Where a multiplier is near -1 (flip) the trajectory returns after 2q cycles before it returns after q.
     for (std::int64_t divisor = 1; divisor < q; ++divisor) {
         if (q % divisor != 0 || !returns_after(*found, divisor)) continue;
         auto smaller = co_await find_orbit(

@@ -18,40 +18,40 @@ struct PeriodicOrbit {
     Eigen::Matrix2d jacobian;  // of the q-cycle map at the first point
     double multiplier = 0;     // spectral radius of the Jacobian
     EventPattern pattern = 0;  // of the q cycles from the first point
-    double error = 0;          // of the points, relative: Newton's last correction, made
+    double error = 0;          // relative, of the points: Newton's last correction, applied
     bool touched = false;      // the stop presses at some time
 
     [[nodiscard]] const Point& point() const { return points.front(); }
     [[nodiscard]] std::int64_t period() const { return static_cast<std::int64_t>(points.size()); }
 };
 
-// The orbit of as many points, stable or not, that Newton's method reaches from those guessed. None where the
-// cycles from these stretch a perturbation by more than most_stretch.
+// The orbit, stable or not, that Newton's method reaches from the guessed points. None if the cycles from these
+// stretch a perturbation by more than most_stretch.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Points guess,
                                               double most_stretch = std::numeric_limits<double>::infinity());
-// The same from a single point; the others are those to which it leads.
+// The same from a single point; the others are its images.
 Task<std::optional<PeriodicOrbit>> find_orbit(StroboscopicMap& map, Point guess, std::int64_t q);
 
-// Surely inside the unit circle, as far as rounding lets tell.
+// Whether the multipliers lie inside the unit circle, as far as rounding allows to tell.
 bool is_stable(const PeriodicOrbit& orbit);
 // Whether the orbit returns to its point, or nearly, after a divisor of its period.
 bool has_smaller_period(const PeriodicOrbit& orbit);
 
-// One of the q points names the orbit, whatever start and phase led to it: the lowest, and of those that are
-// alike the slowest. It comes first from now on; how many points came before it.
+// Puts first the point that names the orbit, whatever start and phase led to it: the lowest, and among equally
+// low ones that of the smallest velocity. Returns how many points preceded it.
 std::size_t put_lowest_point_first(PeriodicOrbit& orbit);
 
 // A stable orbit of period q, or of a divisor of q, that Newton's method reaches from the trajectory's present
 // state and on which the contacts are those of the trajectory's last cycles.
 Task<std::optional<PeriodicOrbit>> find_stable_orbit(StroboscopicMap& map, const Recurrence& trajectory,
                                                      std::int64_t q);
-// Whether Newton's method reaches a stable orbit of at most the longest period from where the trajectory nearly
+// Whether Newton's method reaches a stable orbit of period at most `longest` from where the trajectory nearly
 // closed.
 Task<bool> is_stable_orbit_near(StroboscopicMap& map, const Recurrence& trajectory, std::int64_t longest);
 
-// Decides whether a trajectory converges to an orbit. Over one period, the distance e0 to the orbit becomes e1;
-// where e1 - J e0 is small against what J contracts, in a norm in which it does contract, the distance shrinks
-// for good.
+// Decides whether a trajectory converges to an orbit. Over one period, the deviation e0 from the orbit becomes
+// e1; where e1 - J e0 is small compared with the contraction by J, in a norm in which J contracts, the distance
+// keeps shrinking.
 class ConvergenceTest {
   public:
     enum class Standing { open, proved, refuted };
@@ -62,7 +62,7 @@ class ConvergenceTest {
     [[nodiscard]] const PeriodicOrbit& orbit() const { return orbit_; }
     // The state one orbit period later, and the pattern of the cycles in between.
     Standing advance(const Point& state, EventPattern pattern);
-    // One cycle more. It stays open up to the end of a period.
+    // One more cycle. The result stays open up to the end of a period.
     Standing follow(const CycleResult& cycle);
 
   private:
@@ -76,7 +76,7 @@ class ConvergenceTest {
     EventPattern pattern_ = 0;   // of these
 };
 
-// After the last two periods of a trajectory.
+// The result of the test after the trajectory's last two periods.
 [[nodiscard]] ConvergenceTest::Standing standing_of(const Recurrence& trajectory, const PeriodicOrbit& orbit,
                                                     double noise);
 

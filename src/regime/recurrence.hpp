@@ -1,5 +1,5 @@
 // Candidates for periodic motion: the smallest lag at which a trajectory nearly returns with the same contacts
-// and does not stretch a perturbation meanwhile (inside chaos near-returns abound, and each would cost a Newton
+// and without stretching a perturbation meanwhile (in chaos near-returns abound, and each would cost a Newton
 // solve).
 #pragma once
 
@@ -20,7 +20,7 @@ namespace peterka::regime {
 
 class Recurrence {
   public:
-    static constexpr std::int64_t early_cycles = 50;  // in which most motions settle that ever do
+    static constexpr std::int64_t early_cycles = 50;  // in which most motions settle that settle at all
 
     // untouched: whether motions without contact are candidates too.
     Recurrence(std::int64_t longest, bool untouched)
@@ -47,17 +47,17 @@ class Recurrence {
         marks_.add(cycle.pattern);
     }
 
-    // At the end of the last cycle, and q cycles before.
+    // The state at the end of the last cycle, or q cycles before.
     [[nodiscard]] const Point& state(std::int64_t q = 0) const { return states_[place(recorded_ - q)]; }
-    // Pattern of q cycles in a row, of which the last ended so many cycles ago.
+    // Pattern of q consecutive cycles, of which the last ended `ago` cycles ago.
     [[nodiscard]] EventPattern pattern(std::int64_t q, std::int64_t ago = 0) const {
         EventPattern pattern = 0;
         for (std::int64_t i = q - 1; i >= 0; --i)
             pattern = append(pattern, record_of(recorded_ - ago - i).pattern);
         return pattern;
     }
-    // The q states that end one cycle before the one so many cycles ago, moved by one step of Newton's method
-    // towards an orbit of q cycles.
+    // The q states that end one cycle before the state of `ago` cycles ago, moved by one Newton step towards an
+    // orbit of q cycles.
     [[nodiscard]] Points closed(std::int64_t q, std::int64_t ago = 0) const {
         // the states are those of the trajectory: only the last one misses its successor
         OrbitRound round(q);
@@ -69,11 +69,11 @@ class Recurrence {
             cycle.jacobian = record_of(recorded_ - ago - i).jacobian.cast<double>();
             round.add(cycle, points[static_cast<std::size_t>((q - i) % q)]);
         }
-        std::ignore = round.correct(points);  // where that leads nowhere, they stay what they are
+        std::ignore = round.correct(points);  // if that fails, they stay unchanged
         return points;
     }
 
-    // How many cycles ago a state lay closest to that of q cycles before it.
+    // How many cycles ago a state lay closest to that of q cycles earlier.
     [[nodiscard]] std::int64_t closest_return(std::int64_t q) const {
         std::int64_t closest = 0;
         double least = std::numeric_limits<double>::infinity();
@@ -88,8 +88,8 @@ class Recurrence {
     }
 
     // The smallest q for which the state is close to that of q cycles ago, the last q patterns equal the q
-    // before, and the distance fell well below that of the last try at this q; 0 if there is none. Asking
-    // counts as trying.
+    // before, and the distance fell well below that of the last attempt at this q; 0 if there is none. A
+    // returned q counts as attempted.
     [[nodiscard]] std::int64_t candidate() {
         const bool late = recorded_ > early_cycles;
         const Point now = state();
@@ -117,21 +117,21 @@ class Recurrence {
     }
 
   private:
-    // A return within a tenth of the forced amplitude is worth a Newton solve; a failed one is worth another
-    // once the distance has fallen to 0.3 of itself.
+    // A return within a tenth of the forced amplitude is worth a Newton solve; after a failed one, another is
+    // worthwhile once the distance has fallen to 0.3 of its value.
     static constexpr double retry_factor = 0.3;
     static constexpr double first_distance = 0.1 / retry_factor;
     // On the way to a stable orbit the Jacobian comes close to the orbit's, whose spectral radius is below 1.
     static constexpr double largest_stretch = 1.2;
-    // A motion that didn't settle at once must have repeated four patterns even where q is smaller.
+    // A motion that didn't settle early must have repeated four patterns even if q is smaller.
     static constexpr std::int64_t late_repeats = 4;
 
-    // Of a cycle, besides the state at its end.
+    // Data of a cycle, besides the state at its end.
     struct CycleRecord {
         EventPattern pattern = 0;
         Eigen::Matrix2f jacobian = Eigen::Matrix2f::Identity();  // for estimates: half the memory
     };
-    // Of cycles 1, 2, ...: the last ring_ of them are kept.
+    // Slot of cycle 1, 2, ...: the last ring_ of them are kept.
     [[nodiscard]] std::size_t place(std::int64_t cycle) const {
         return static_cast<std::size_t>(cycle - 1) & (ring_ - 1);
     }
@@ -140,7 +140,7 @@ class Recurrence {
         return tried_at_.empty() ? first_distance : tried_at_[static_cast<std::size_t>(q)];
     }
 
-    // The last q patterns equal the q before.
+    // Whether the last q patterns equal the q before.
     [[nodiscard]] bool patterns_repeat(std::int64_t q) const {
         if (!marks_.repeat(q, q)) return false;
         for (std::int64_t i = 0; i < q; ++i) {
@@ -152,7 +152,7 @@ class Recurrence {
     std::int64_t longest_;
     std::size_t ring_;
     bool untouched_;
-    std::vector<Point, ReusingAllocator<Point>> states_;  // apart, as a search for candidates looks at many
+    std::vector<Point, ReusingAllocator<Point>> states_;  // separate, as a search for candidates scans many
     std::vector<CycleRecord, ReusingAllocator<CycleRecord>> records_;
     std::vector<double, ReusingAllocator<double>> tried_at_;
     PatternMarks marks_;

@@ -1,4 +1,4 @@
-// Serves one search with one engine: the plain way, order by order.
+// Serves one search with one engine, order by order.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace peterka::regime {
 
 class ScalarEngine {
   public:
-    // Serves the order that waits at the broker.
+    // Serves the order pending at the broker.
     void serve(CycleBroker& broker) {
         if (!map_ || engine_ != broker.engines_used()) {
             map_.emplace(make_cycle_map(broker.oscillator(), broker.settings()));
@@ -42,7 +42,7 @@ class ScalarEngine {
     std::int64_t engine_ = 0;
 };
 
-// Runs a search to its end, or until `look`, called every now and then, throws.
+// Runs a search to its end, or until `look`, called periodically, throws.
 template <class Result>
 void run(const Task<Result>& search, CycleBroker& broker, const std::function<void()>& look) {
     constexpr std::size_t cycles_between_looks = 64;

@@ -1,4 +1,4 @@
-// What a search brings to the one who ordered it.
+// The outcome of a search, for its caller.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ namespace peterka::regime {
 
 struct SearchOutcome {
     CellResult result = {};                          // of a start
-    std::vector<FoundAttractor> found = {};          // on the way to it, by those who collect them
-    std::optional<KnownOrbit> orbit = {};            // or what was learned of an attractor
+    std::vector<FoundAttractor> found = {};          // on the way to it, if collected
+    std::optional<KnownOrbit> orbit = {};            // or what was learned about an attractor
     std::vector<Neighbourhood> neighbourhoods = {};  // proved
     std::int64_t cycles = 0;                         // spent
 };
 
-// Of a search of one start.
+// The outcome of a search from one start.
 [[nodiscard]] Task<SearchOutcome> outcome_of(Task<CellResult> search);
 
-// Begins a search whose cycles others serve at the broker.
+// Begins a search whose cycles are served at the broker.
 using SearchFactory = std::function<Task<SearchOutcome>(CycleBroker& broker)>;
 
 }  // namespace peterka::regime

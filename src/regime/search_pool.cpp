@@ -13,33 +13,33 @@ namespace peterka::regime {
 
 namespace {
 
-// A group waits until it has so many: many fill the vectors of a batch, few stay in the cache. With so many in
-// groups that don't wait no more are taken.
+// A group waits until it has `enough` cells: many fill the vectors of a batch, few stay in the cache. Once the
+// groups that don't wait hold as many, no more are taken.
 constexpr std::size_t enough = 128;
-constexpr std::size_t most_in_hand = 768;  // with all that wait
+constexpr std::size_t most_in_hand = 768;  // including those that wait
 constexpr std::size_t most_alone = 32;     // waiting cells, beyond which no more are taken
-constexpr double seconds_alone = 0.2e-3;   // that a step may give to them
+constexpr double seconds_alone = 0.2e-3;   // that a step may spend on them
 
 }  // namespace
 
-// A search in hand.
+// A search in progress.
 struct SearchPool::Member : Reused {
     Member(const SearchFactory& begin, std::int64_t its_number) : number(its_number), search(begin(broker)) {}
 
     std::int64_t number;
     CycleBroker broker;
     Task<SearchOutcome> search;
-    std::int64_t engine = 0;     // of broker.engines_used(): that for which the batch was chosen
+    std::int64_t engine = 0;     // broker.engines_used() for which the batch was chosen
     std::optional<Batch> batch;  // none: its engine has none
     std::optional<ScalarEngine> scalar;
     double seconds = 0;
-    double charged_before = 0;  // by each cell of the group, when this one came
+    double charged_before = 0;  // to each cell of the group, before this one joined
 
     std::vector<trajectory::Cycle<double>, ReusingAllocator<trajectory::Cycle<double>>>
         course;  // the cycles of the order, so far
 
-    // A batch measures peak forces at most, and cycle by cycle: a chatter may go on across the end of one where
-    // a rigid stop presses at phase 0.
+    // A batch measures at most peak forces, and cycle by cycle: chatter may extend across the end of a cycle
+    // where a rigid stop presses at phase 0.
     [[nodiscard]] bool fits_batch() const {
         if (!batch) return false;
         const trajectory::Recorder<double>* recorder = broker.order().recorder;
@@ -52,17 +52,17 @@ struct SearchPool::Member : Reused {
 struct SearchPool::Group {
     Group(const scene::Oscillator<double>& rig, const Batch& batch)
         : kind(batch), map(rig, few_cells, batch.steps, batch.springs) {}
-    // Of cells with rigs of their own.
+    // For cells with rigs of their own.
     explicit Group(const Batch& batch) : kind(batch), map(few_cells, batch.steps, batch.springs, batch.stop) {}
 
     static constexpr std::size_t few_cells = 32;  // most groups have no more
 
     [[nodiscard]] bool is_full() const { return cells.size() >= enough; }
 
-    // Carries all cells through a cycle. Some always want it measured, and groups of their own would be
+    // Advances all cells by a cycle, always measured: some cells need that, and separate groups would be
     // smaller.
     void advance() { map.advance({.measure = true, .jacobian = true, .whole = false}); }
-    // Takes down the cycle of a slot; whether no other is to follow in its order.
+    // Records the cycle of a slot; returns whether it is the last of its order.
     [[nodiscard]] bool record(std::size_t slot) {
         Member& cell = *cells[slot];
         cell.course.push_back(map.cycle(slot));
@@ -71,7 +71,7 @@ struct SearchPool::Group {
         return cell.course.size() == cell.broker.order().cycles ||
                cell.course.back().outcome != trajectory::Cycle<double>::Outcome::done;
     }
-    // Tells the search in a slot what they were.
+    // Returns the recorded cycles to the search in a slot.
     void tell(std::size_t slot) {
         Member& cell = *cells[slot];
         cell.broker.serve(cell.course);
@@ -81,7 +81,7 @@ struct SearchPool::Group {
     Batch kind;
     batch::BatchedCycleMap map;
     std::vector<std::unique_ptr<Member>> cells;  // by slot of the map
-    double charged = 0;                          // by each cell that was there all the time [s]
+    double charged = 0;                          // to each cell that was present all the time [s]
     double last_step_seconds = 0;
 };
 
@@ -100,7 +100,7 @@ bool SearchPool::has_room() const {
 
 void SearchPool::add(std::int64_t row, std::int64_t column, std::int64_t number) {
     const scene::Cell place = scene_.cell(row, column);
-    // that takes less time than a look at the clock
+    // this takes less time than reading the clock
     if (const auto result = free_.told_by_another(place)) return take_({number, {.result = *result}, 0});
     const Stopwatch stopwatch;
     if (const auto result = free_.find(place)) return take_({number, {.result = *result}, stopwatch.seconds()});
@@ -125,7 +125,7 @@ void SearchPool::add(const SearchFactory& begin, std::int64_t number) {
     enter(std::move(cell));
 }
 
-// Where its engine has one.
+// The batch for the broker's engine, if it has one.
 std::optional<SearchPool::Batch> SearchPool::batch_of(const CycleBroker& broker) {
     const EngineSettings& settings = broker.settings();
     const scene::Oscillator<double>& oscillator = broker.oscillator();
@@ -147,7 +147,7 @@ SearchPool::Group& SearchPool::group_for(const Member& cell) {
     return groups_.emplace_back(cell.broker.oscillator(), *cell.batch);
 }
 
-// Puts a cell whose search waits where its order is served.
+// Moves a waiting cell to where its order is served.
 void SearchPool::enter(std::unique_ptr<Member> cell) {
     if (cell->engine != cell->broker.engines_used()) {
         cell->engine = cell->broker.engines_used();
@@ -170,7 +170,7 @@ void SearchPool::enter(std::unique_ptr<Member> cell) {
 
 void SearchPool::step() {
     bool waits = true;
-    for (Group& group : groups_) {  // on the way more may be appended
+    for (Group& group : groups_) {  // more may be appended meanwhile
         if (!group.is_full()) continue;
         advance(group);
         waits = false;

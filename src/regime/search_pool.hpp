@@ -1,9 +1,9 @@
-// Solves many cells at once: each is a search of its own (regime/solve_cell.hpp), and the cycles that all of
-// them order together are integrated by the batched engine.
+// Solves many cells at once: each is a search of its own (regime/solve_cell.hpp), and the batched engine
+// integrates the cycles that they order together.
 //
-// Searches that want another engine, or more of an impact than the batch gathers, are served one after the
-// other by a scalar one. A cell's result is that of the cell and the attractors known beforehand: it doesn't
-// depend on what else is in the pool.
+// Searches that need another engine, or more about an impact than the batch records, are served one after the
+// other by a scalar engine. A cell's result depends only on the cell and the attractors known beforehand, not
+// on what else is in the pool.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,7 @@ namespace peterka::regime {
 
 class SearchPool {
   public:
-    // The number under which a cell or a search was added, what it brought, and the seconds of computing that
-    // were its share.
+    // The number under which a cell or a search was added, its outcome, and its share of the computing time.
     struct NumberedOutcome {
         std::int64_t number;
         SearchOutcome outcome;
@@ -35,7 +34,7 @@ class SearchPool {
     };
     using Take = std::function<void(NumberedOutcome)>;
 
-    // What the searches of cells found on the way.
+    // Attractors found by the searches on the way.
     enum class Attractors { dropped, reported };
 
     // `take` is called for each cell when it is solved. The scene and the table must outlive the pool.
@@ -43,17 +42,17 @@ class SearchPool {
                Attractors attractors = Attractors::dropped);
     ~SearchPool();
 
-    // Room for more cells; the batch is best kept full.
+    // Whether there is room for more cells; the batch is best kept full.
     [[nodiscard]] bool has_room() const;
     [[nodiscard]] bool empty() const { return in_hand_ == 0; }
     void add(std::int64_t row, std::int64_t column, std::int64_t number);
-    // Any search on the same rig.
+    // Adds any search on the same rig.
     void add(const SearchFactory& begin, std::int64_t number);
-    // Begun so far; cells that never meet the stop have none.
+    // Searches begun so far; cells that never meet the stop have none.
     [[nodiscard]] std::int64_t searches() const { return searches_; }
 
-    // Carries each batch that has become large through a cycle, or the largest where none has; the foremost of
-    // the cells outside batches through a few.
+    // Advances each batch that is large enough by a cycle, or the largest if none is; and the first of the
+    // cells outside batches by a few.
     void step();
 
   private:

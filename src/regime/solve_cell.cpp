@@ -18,13 +18,13 @@ namespace peterka::regime {
 
 namespace {
 
-// Not asked for, not computed.
+// Quantities not requested are not computed.
 Measures measures_of(const job::Job& job) {
     Measures measures;
     const auto impacts =
         job::is_rigid(job.contact) ? trajectory::Detail::impacts : trajectory::Detail::contacts;
     for (const cell::Quantity& quantity : cell::quantities) {
-        const bool takes_more = quantity.recorded != cell::Recorded::usual;  // looked at first: most don't
+        const bool takes_more = quantity.recorded != cell::Recorded::usual;  // tested first: most don't
         if (!takes_more || !job::stores(job, quantity)) continue;
         if (quantity.recorded == cell::Recorded::impacts) measures.detail = std::max(measures.detail, impacts);
         if (quantity.recorded == cell::Recorded::contacts) measures.detail = trajectory::Detail::contacts;
@@ -33,8 +33,8 @@ Measures measures_of(const job::Job& job) {
     return measures;
 }
 
-// A disturbance of the motion, in A0, that grew to this may have turned a choice on the way. Of 45,000 cells of
-// random rigs one was turned by 0.1.
+// A disturbance of the motion, in A0, that grew to this size may have changed a decision on the way. Of 45,000
+// cells of random rigs one was changed by 0.1.
 constexpr double harmless = 0.02;
 
 std::int32_t sum_of_cycles(std::int64_t some, std::int64_t more) {
@@ -42,12 +42,12 @@ std::int32_t sum_of_cycles(std::int64_t some, std::int64_t more) {
         std::min<std::int64_t>(some + more, std::numeric_limits<std::int32_t>::max()));
 }
 
-// Of regimes whose proof speaks of all later times; of the others a growth above any bound is a part.
+// Regimes proved for all future time; in the others, growth above any bound is part of the motion.
 bool has_lasting_proof(const CellResult& result) {
     return has_period(result.regime);
 }
 
-// One cell: all searches that it takes.
+// Solves one cell, with all the searches needed.
 class CellSolver {
   public:
     CellSolver(CycleBroker& broker, const job::Job& job, scene::Cell cell, SearchContext attractors,
@@ -75,7 +75,8 @@ class CellSolver {
         co_return result;
     }
 
-    // Most cells of a map never meet the stop, as their start shows: they need no search. Nothing for others.
+    // The result where the start alone shows that the stop is never met, as in most cells of a map; else
+    // nothing.
     [[nodiscard]] std::optional<CellResult> at_once() const {
         if (!may_omit() || measures_.detail > trajectory::Detail::impacts) return std::nullopt;
         const trajectory::FreeFlight<double> flight(without_cubic(cell_.oscillator));
@@ -94,15 +95,15 @@ class CellSolver {
     }
 
   private:
-    // Whether the closed form may do without the cubic term, as far as the job and the stop tell.
+    // Whether the closed form may omit the cubic term, as far as the job and the stop tell.
     [[nodiscard]] bool may_omit() const {
         if (solver_.engine != job::EngineChoice::automatic || has_nonlinear_contact(cell_.oscillator))
             return false;
         return cell_.oscillator.cubic == 0 || solver_.omit_tolerance > 0;
     }
 
-    // The result without the cubic term where that changes neither the label, nor the peak force by more than
-    // is allowed; of what rounding decides, or chaos, nobody can tell. Else the one with it.
+    // The result without the cubic term if the term changes neither the label, nor the peak force by more than
+    // is allowed; where rounding or chaos decides, this cannot be known. Otherwise the result with it.
     Task<CellResult> with_cubic_where_it_matters(CellResult without) {
         if (must_keep_cubic(without)) co_return co_await with_all_terms(reach_of(without), solver_.tolerance);
         if (!has_lasting_proof(without)) co_return without;
@@ -122,7 +123,7 @@ class CellSolver {
         co_return co_await with_all_terms(reach_of(without), coarse());
     }
 
-    // That of a known attractor was looked at when it was found.
+    // For a known attractor, the shift was computed when it was found.
     Task<CubicShift> shift_of(CellResult without) {
         const auto* known = attractors_.known != nullptr
                                 ? attractors_.known->of(without_cubic(cell_.oscillator), exact())
@@ -133,21 +134,21 @@ class CellSolver {
         const CubicShift shift = co_await shift_by_cubic(broker_, cell_.oscillator,
                                                          {Engine::split, coarse(), reach_of(without)}, without);
         spent_ += shift.cycles;
-        // the search without it was the last one
+        // the search without the term was the last one
         if (attractors_.found != nullptr && !attractors_.found->empty())
             attractors_.found->back().by_cubic = shift;
         co_return shift;
     }
 
-    // Too strong to be left out, or to be looked at by `split`.
+    // Whether the term is too strong to be omitted, or to be examined with `split`.
     [[nodiscard]] bool must_keep_cubic(const CellResult& without) const {
         return !(effect_of_cubic(cell_.oscillator, without.largest_displacement) <= solver_.omit_tolerance) ||
                !cubic_splits();
     }
-    // Of a cell with a lasting proof.
+    // For a cell with a lasting proof.
     [[nodiscard]] bool may_have_another_label(const CellResult& without) const {
         const double effect = effect_of_cubic(cell_.oscillator, without.largest_displacement);
-        // How far the term moves the motion in a cycle, and what became of that in the end.
+        // How far the term moves the motion in a cycle; exp(sensitivity) is the growth of that.
         const double disturbance = effect / 3 * without.largest_displacement * cell_.oscillator.period();
         const bool may_turn =
             disturbance * std::exp(without.sensitivity) > harmless && without.sensitivity <= rounding_decides;
@@ -159,8 +160,8 @@ class CellSolver {
         return !(std::abs(with.peak_force / without.peak_force - 1) <= solver_.omit_tolerance);
     }
 
-    // Keeps every term, in a search with this tolerance; an orbit found has the one asked for. The engine and
-    // its steps depend on the largest displacement.
+    // Keeps every term, in a search with this tolerance; an orbit found is refined to the requested one. The
+    // engine and its steps depend on the largest displacement.
     Task<CellResult> with_all_terms(double largest_displacement, double tolerance) {
         EngineByReach engine(cell_.oscillator, solver_, largest_displacement, tolerance);
         CellResult result;
@@ -170,15 +171,15 @@ class CellSolver {
         co_return result;
     }
 
-    // Of a search whose errors grow as they did in this one, so that they turn no choice on its way.
+    // Tolerance of a search whose errors grow as in this one, so that they change no decision on its way.
     [[nodiscard]] double fit_tolerance(const CellResult& found) const {
         if (!has_lasting_proof(found) || found.sensitivity > rounding_decides) return coarse();
         return std::clamp(harmless * std::exp(-found.sensitivity), solver_.tolerance, coarse());
     }
 
-    // Whether a cell that ends without a contact, or in one that never ends, may do otherwise with the cubic
-    // term. Leaving it out is a disturbance of at most effect/3 times the motion, and the response to a bounded
-    // disturbance at most `gain` times that (regime/lasting_motion_proof.hpp).
+    // Whether a cell that ends without a contact, or in a permanent one, may end otherwise with the cubic term.
+    // Omitting it is a disturbance of at most effect/3 times the motion, and the response to a bounded
+    // disturbance is at most `gain` times that (regime/lasting_motion_proof.hpp).
     [[nodiscard]] bool is_near_its_edge(const CellResult& without, double effect) const {
         if (without.regime == Regime::periodic) return false;
         if (without.regime == Regime::sustained_contact) {
@@ -190,7 +191,7 @@ class CellSolver {
     }
 
     [[nodiscard]] EngineSettings exact() const { return {.tolerance = solver_.tolerance}; }
-    // To tell what the term does, not to solve with it.
+    // Tolerance to judge the term's effect, not to solve with it.
     [[nodiscard]] double coarse() const { return std::max(solver_.tolerance, solver_.omit_tolerance / 30); }
     [[nodiscard]] bool cubic_splits() const {
         job::Solver solver = solver_;
@@ -198,7 +199,7 @@ class CellSolver {
         const EngineByReach with(cell_.oscillator, solver, EngineSettings{}.largest_displacement);
         return with.settings().engine == Engine::split;
     }
-    // As far as a search for the motion may go, on its way, too.
+    // How far a search for the motion may go, including its transient.
     static double reach_of(const CellResult& result) {
         const double usual = EngineSettings{}.largest_displacement;
         return std::isfinite(result.largest_displacement) ? std::max(usual, result.largest_displacement)
@@ -213,7 +214,7 @@ class CellSolver {
         spent_ += result.cycles;
         co_return result;
     }
-    // For its label alone. It gives up where rounding comes to decide.
+    // For its label alone. Gives up where rounding begins to decide.
     Task<CellResult> again(scene::Oscillator<double> oscillator, scene::State<double> start,
                            EngineSettings engine) {
         const CellResult result =

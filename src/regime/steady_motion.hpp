@@ -1,4 +1,4 @@
-// The motion that a search ends in, for those who go on from there or draw it.
+// The motion in which a search ends, for continuation or plotting.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace peterka::regime {
 
-// Of an orbit, all of it: its q points in their order from the one with the smallest delta, and the first
-// touches of one period from there. Of a motion without a proof, the last ones of the window in which force is
-// measured. At most so many of each as there is room for, the last ones; none where the cell failed.
+// For an orbit, all of it: its q points in order from the one with the smallest delta, and the first touches of
+// one period from there. For a motion without a proof, the last ones of the window in which force is measured.
+// At most `room` of each, the last ones; none if the cell failed.
 struct SteadyMotion {
     explicit SteadyMotion(std::size_t room) : stroboscopic(room), touches(room) {}
 
@@ -25,19 +25,19 @@ struct SteadyMotion {
              // or where it is when the search gives up; none where it failed
 };
 
-// Writes a motion down for who wants it, and nothing where nobody does.
+// Records a motion if requested.
 class MotionLog {
   public:
     using State = scene::State<double>;
 
-    // motion: nullptr where nobody wants it; outlives the log.
+    // motion: nullptr if not requested; outlives the log.
     explicit MotionLog(SteadyMotion* motion) : motion_(motion) { forget(); }
 
     [[nodiscard]] bool is_wanted() const { return motion_ != nullptr; }
     [[nodiscard]] Latest<trajectory::Touch<double>>* touches() const {
         return is_wanted() ? &motion_->touches : nullptr;
     }
-    // One more point of a motion without a proof.
+    // Adds a point of a motion without a proof.
     void add(const State& point) {
         if (is_wanted()) motion_->stroboscopic.add(point);
     }
@@ -51,7 +51,7 @@ class MotionLog {
     void forget_touches() {
         if (is_wanted()) motion_->touches.clear();
     }
-    // The search gave up here.
+    // The search gave up at this state.
     void end_at(const State& state) {
         if (is_wanted()) motion_->end = state;
     }

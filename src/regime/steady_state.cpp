@@ -101,14 +101,14 @@ class Search {
         Cycle<double>::Outcome outcome = Cycle<double>::Outcome::done;
         bool converged = false;
     };
-    // The cycles that are ordered, up to the first one that may end the search. Apart from run(): the loop over
-    // the cycles is what a long search spends its time on.
+    // Follows the ordered cycles, up to the first one that may end the search. Separate from run(): a long
+    // search spends its time in this loop.
     OrderedCycles follow_ordered() {
         do {
             const CycleResult cycle = trajectory_.advance(map_);
             if (!cycle.ok) return {.outcome = cycle.outcome};
             growth_.advance(cycle.jacobian);
-            if (conservative_) continue;  // nothing recurs for good
+            if (conservative_) continue;  // no recurrence persists
             recurrence_.record(cycle);
             if (test_ && converges(cycle)) return {.converged = true};
         } while (!trajectory_.is_to_be_looked_at() && attractor_reached() == nullptr);
@@ -136,8 +136,8 @@ class Search {
         return ChaosClaim::looks_chaotic(growth_) ? Status::chaotic_so_far : Status::budget;
     }
 
-    // The known attractor to which a trajectory that recurs after q cycles has been seen to converge. Where one
-    // is only near, the test goes on.
+    // The known attractor to which a trajectory that recurs after q cycles was shown to converge. If one is
+    // merely near, the test continues.
     const CellResult* orbit_reached(std::int64_t q) {
         if (known_ == nullptr || was_near_in_vain_) return nullptr;
         const auto near = known_->orbit_near(recurrence_.state(), q);
@@ -152,7 +152,7 @@ class Search {
         converges_to_ = known;
     }
 
-    // The cycles already there may be proof enough.
+    // The cycles already followed may be proof enough.
     Task<std::optional<CellResult>> converged(std::optional<PeriodicOrbit> orbit) {
         if (!orbit) co_return std::nullopt;
         if (standing_of(recurrence_, *orbit, map_.noise()) == ConvergenceTest::Standing::proved)
@@ -170,12 +170,12 @@ class Search {
         return standing == ConvergenceTest::Standing::proved;
     }
 
-    // None where the orbit turns out not to be stable after all, or not to have the contacts that were seen.
+    // None if the orbit proves to be unstable, or to have other contacts than those seen.
     Task<std::optional<CellResult>> periodic(PeriodicOrbit orbit) {
         const double tolerance = map_.settings().tolerance;
         if (map_.settings().orbit_tolerance < tolerance) {
             map_.set_tolerance(map_.settings().orbit_tolerance);
-            orbit.error = 1;  // it is one of another map
+            orbit.error = 1;  // computed for a different map
         }
         const std::size_t first = put_lowest_point_first(orbit);
         const std::size_t reached = (orbit.points.size() - first) % orbit.points.size();  // where it was found
@@ -226,7 +226,7 @@ class Search {
         co_return result;
     }
 
-    // The values of an attractor that others found, and what this search spent on it.
+    // The values of a known attractor, with what this search spent.
     CellResult on_known(const CellResult& attractor) {
         const CellResult spent = counted();
         CellResult result = attractor;
@@ -281,7 +281,7 @@ class Search {
     ChaosClaim chaos_;
     std::int64_t longest_orbit_near_;
     std::optional<ConvergenceTest> test_;
-    const CellResult* converges_to_ = nullptr;  // of the test, where its orbit is a known one
+    const CellResult* converges_to_ = nullptr;  // the attractor of the test's orbit, if it is a known one
     bool was_near_in_vain_ = false;
     double most_growth_;
     Measures measures_;

@@ -1,6 +1,5 @@
 // The stroboscopic map as the decision procedure sees it: scaled to states of order one, and counting its
-// cycles. Whoever serves the broker integrates them. Scales are powers of two, so that scaling changes no
-// digit.
+// cycles, which the broker's engine integrates. Scales are powers of two, so that scaling causes no rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -46,7 +45,8 @@ class StroboscopicMap {
         }
     };
 
-    // The response to the forcing off resonance sets the length, the faster of both frequencies the time.
+    // The off-resonance response to the forcing sets the length scale, the faster of both frequencies the time
+    // scale.
     StroboscopicMap(const scene::Oscillator<double>& oscillator, const EngineSettings& settings,
                     CycleBroker& broker)
         : broker_(&broker), oscillator_(oscillator), settings_(settings) {
@@ -94,8 +94,8 @@ class StroboscopicMap {
         };
         return Single{cycles(from, recorder, 1)};
     }
-    // co_await map.cycles(from, recorder, count) gives cycles in a row, for as long as no others are ordered;
-    // result_of() tells of each.
+    // co_await map.cycles(from, recorder, count) gives consecutive cycles, valid until the next order;
+    // result_of() converts each.
     [[nodiscard]] Several cycles(const Point& from, Recorder<double>* recorder, std::size_t count) {
         return Several{broker_->cycles({unscaled(from), recorder, count}), this};
     }

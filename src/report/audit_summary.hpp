@@ -1,4 +1,4 @@
-// What an audit says of a map, for its summary.
+// The result of an audit, for a map's summary.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ std::string in_si(std::string_view key, double value) {
     return job::quantity(key).units == "m" ? fmt::format("{:.4g} mm", 1e3 * value) : with_unit(key, value);
 }
 
-// A ratio with what it is in SI units.
+// A ratio with its value in SI units.
 std::string in_both(const job::Twin& twin, double value) {
     const bool is_ratio = job::is_in_si(twin.key);
     const double other = twin.value(value);

@@ -1,4 +1,4 @@
-// Where a cell is, in words: frequency and gap, and what else the axes run over.
+// The position of a cell in words: frequency and gap, and any other quantity that the axes vary.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,7 @@ namespace peterka {
 // One value of an axis, with its unit: "2 (9 Hz)" of a frequency in either unit, "1200 N s/m".
 [[nodiscard]] std::string value_in_words(const scene::Scene& scene, std::string_view key, double value);
 
-// What comes before it: "Omega/omega", "contact.damping_ns_per_m"; of a value in SI units that stands alone
-// "frequency".
+// The label before it: "Omega/omega", "contact.damping_ns_per_m"; "frequency" for a value in SI units alone.
 [[nodiscard]] std::string label_in_words(const scene::Scene& scene, std::string_view key);
 
 // "excitation frequencies and gaps", "values of contact.stiffness_n_per_m and contact.damping_ns_per_m"

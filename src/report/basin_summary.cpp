@@ -16,7 +16,7 @@ using findings::Attractor;
 
 constexpr std::size_t most_named = 8;
 
-// Of a periodic motion: its force, if the law of the stop has one, and where its orbit passes forcing phase 0.
+// For a periodic motion: its force, if the law of the stop has one, and its orbit's state at forcing phase 0.
 std::string orbit_in_words(const quantities::StoredCell& cell, const scene::Scales& scales) {
     if (cell.regime != regime::Regime::periodic) return "";
     const std::string force = cell.peak_force > 0

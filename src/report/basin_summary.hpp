@@ -9,8 +9,8 @@
 
 namespace peterka {
 
-// Each attractor with its share of the starts, its force and its place, which tell two of the same name apart;
-// those with the largest shares first. Nothing without attractors.
+// Each attractor with its share of the starts, its force and its position, which distinguish two of the same
+// name; largest shares first. Empty without attractors.
 [[nodiscard]] std::string basin_summary(const scene::Scene& scene,
                                         std::span<const findings::Attractor> attractors);
 

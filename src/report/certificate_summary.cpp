@@ -43,7 +43,7 @@ std::int64_t count(const findings::Counts& counts, Certified certified) {
     return counts.by_certificate[static_cast<std::size_t>(static_cast<int>(certified) - cell::first_certified)];
 }
 
-// In which the reasons stand in the enum, from cubic_spring down.
+// In the order of the enum, from cubic_spring down.
 std::string reasons(const findings::Counts& counts) {
     std::string text;
     for (int number = -1; number >= cell::first_certified; --number) {
@@ -55,7 +55,7 @@ std::string reasons(const findings::Counts& counts) {
     return text;
 }
 
-// With as many decimals as the bounds are apart, and rounded away from what lies between them.
+// With as many decimals as the distance of the bounds justifies, and rounded outwards.
 std::string largest(const scene::Scene& scene, const findings::ProvedForces& proved) {
     if (!(proved.upper > 0) || scene.rigs_differ()) return "";
     const double width = std::max(proved.upper - proved.lower, 1e-15 * proved.upper);

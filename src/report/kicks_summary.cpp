@@ -12,7 +12,7 @@ std::string line(std::int64_t cells, std::int64_t all, const std::string& what) 
     return cells == 0 ? "" : fmt::format("  {:>9} of these cells: {}\n", readable_share(cells, all), what);
 }
 
-// Long chaotic ways back end the search sooner, so cells may differ by much.
+// Long chaotic returns end the search earlier, so cells may differ widely.
 std::string none_found(const findings::KickCounts& counts) {
     const std::string least = readable_amount(counts.least_tried, "m/s", 3);
     const std::string most = readable_amount(counts.most_tried, "m/s", 3);

@@ -1,4 +1,4 @@
-// How hard a knock the settled hammers of a map take, in words.
+// The kicks that the settled motions of a map withstand, in words.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace peterka {
 
-// Nothing where nobody asked.
+// Empty if not requested.
 [[nodiscard]] std::string kicks_summary(const job::Job& job, const findings::KickCounts& counts);
 
 }  // namespace peterka

@@ -12,7 +12,7 @@ namespace peterka {
 
 namespace {
 
-// Cells that strike more often lose more; those of the same row, where the frequency is another, may lose less.
+// Cells with more impacts dissipate more; those of the same row, at another frequency, may dissipate less.
 std::int64_t cycles_asked(const scene::Scene& scene, const findings::LongestChaos& longest) {
     std::int64_t cycles = 0;
     for (const std::int64_t column : {std::int64_t{0}, longest.column, scene.columns() - 1}) {

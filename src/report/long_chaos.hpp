@@ -1,4 +1,4 @@
-// What it takes to tell chaos from a long transient where max_cycles are too few for that.
+// What it takes to distinguish chaos from a long transient if max_cycles is too small.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace peterka {
 
-// The value of max_cycles that the cells ask for which are chaotic_so_far, and its price; "" where none is.
+// The value of max_cycles that chaotic_so_far cells require, and its cost; "" if there are none.
 [[nodiscard]] std::string long_chaos_in_words(const scene::Scene& scene,
                                               const findings::Statistics& statistics);
 

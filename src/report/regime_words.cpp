@@ -24,7 +24,7 @@ std::string regime_line(const Statistics& statistics, Regime regime, const char*
                        readable_share(cells, statistics.counts.cells), meaning);
 }
 
-// What a cell without a regime ran into, or what is left open.
+// Why a cell has no regime, or what is left open.
 const char* in_words(regime::Status status) {
     using regime::Status;
     switch (status) {
@@ -50,7 +50,7 @@ const char* in_words(regime::Status status) {
     return "";
 }
 
-// With the number of such cells where they have different ones.
+// With the number of cells for each if there are several reasons.
 std::string reasons(std::span<const std::int64_t> cells_by_status) {
     const auto is_there = [](std::int64_t cells) { return cells > 0; };
     const bool are_several = std::ranges::count_if(cells_by_status, is_there) > 1;
@@ -72,11 +72,10 @@ std::string observed(const findings::Observed& chaos) {
     return fmt::format("chaotic for the {} cycles that were observed; it may settle later", cycles);
 }
 
-// What is left open of what was verified.
+// What verification left open.
 std::string open_ends(const findings::Counts& counts) {
     std::string text;
-    for (std::size_t status = 1; status < counts.open_by_status.size();
-         ++status) {  // but those that are verified
+    for (std::size_t status = 1; status < counts.open_by_status.size(); ++status) {  // except verified cells
         if (counts.open_by_status[status] == 0) continue;
         text += fmt::format("  in {} cell{}: {}\n", readable_count(counts.open_by_status[status]),
                             counts.open_by_status[status] == 1 ? "" : "s",

@@ -15,7 +15,8 @@ namespace peterka {
 
 [[nodiscard]] std::string regimes_in_words(const findings::Statistics& statistics);
 
-// How long impacts last that end, and who sees them in a run of so many cycles. Empty where nobody asked.
+// How long transient impacts last, and the share of cells still impacting after given cycles. Empty if not
+// requested.
 [[nodiscard]] std::string transients_in_words(const job::Job& job, const findings::Transients& ends);
 
 }  // namespace peterka

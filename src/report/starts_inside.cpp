@@ -16,10 +16,10 @@ struct Starts {
     std::int64_t inside = 0;
     double deepest = 0;  // penetration, in A0
     double deepest_m = 0;
-    double force_n = 0;  // the largest at first
+    double force_n = 0;  // the largest initial force
 };
 
-// `count` starts between two cells, of which both lie inside or neither; the extremes are at these.
+// `count` starts between two cells, both inside or both outside the stop; the extremes are at these two.
 void add(Starts& starts, std::int64_t count, const scene::Cell& one, const scene::Cell& other) {
     starts.all += count;
     if (!(one.start[0] > 0)) return;
@@ -32,12 +32,12 @@ void add(Starts& starts, std::int64_t count, const scene::Cell& one, const scene
     }
 }
 
-// A row: how deep a start lies is monotonic along it, and so those inside are its first or its last ones.
+// A row: the depth of the starts is monotonic along it, so those inside are its first or its last ones.
 void add_row(Starts& starts, const scene::Scene& scene, std::int64_t row) {
     const std::int64_t columns = scene.columns();
     const auto inside = [&](std::int64_t column) { return scene.cell(row, column).start[0] > 0; };
     const bool first_inside = inside(0);
-    std::int64_t change = columns;  // the first column that is otherwise than column 0
+    std::int64_t change = columns;  // the first column that differs from column 0
     if (inside(columns - 1) != first_inside) {
         std::int64_t same = 0;
         for (change = columns - 1; change - same > 1;) {

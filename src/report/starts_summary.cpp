@@ -63,7 +63,7 @@ std::string commonest_pairs(const StartFindings& findings) {
     return text + (pairs.size() > shown ? fmt::format(" and {} more\n", pairs.size() - shown) : "\n");
 }
 
-// Beside what starts found.
+// Motions known besides those that starts found.
 std::string what_is_known(const StartCounts& counts) {
     std::string text;
     const auto add = [&](std::int64_t cells, const char* what) {

@@ -1,4 +1,4 @@
-// What many starts in each cell tell of a map.
+// What many starts in each cell show about a map.
 #pragma once
 
 #include <string>

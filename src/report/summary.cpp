@@ -56,7 +56,7 @@ std::string starts(const SummaryInput& input) {
     return inside.empty() ? "" : fmt::format("{}\n", inside);
 }
 
-// A largest value at the border of what was looked at may go on growing beyond.
+// A maximum on the border of the plane may continue to grow beyond it.
 std::string border(const job::Job& job, const LargestForce& force) {
     std::string borders;
     const auto add = [&](std::string_view key, std::int64_t place, std::int64_t points) {
@@ -69,7 +69,7 @@ std::string border(const job::Job& job, const LargestForce& force) {
     return fmt::format(", on the {}'s border ({})", job::name(job.kind), borders);
 }
 
-// Some cells keep a spring that others leave out.
+// Some cells keep the cubic spring, which others omit.
 std::string but_for_cubic(const SummaryInput& input) {
     const auto& cells = input.findings.statistics.counts.by_engine;
     const auto of = [&](regime::Engine engine) { return cells[static_cast<std::size_t>(engine)]; };

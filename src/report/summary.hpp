@@ -1,4 +1,4 @@
-// What came out of a run, on one screen, for a reader who meets such a map for the first time.
+// The results of a run, on one screen, for a reader who sees such a map for the first time.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace peterka {
 
-// This run, as against all the runs that filled the file.
+// This run alone, as opposed to all the runs that filled the file.
 struct RunEffort {
     int ranks = 1;
     double wall_seconds = 0;

@@ -29,7 +29,7 @@ class Words {
     explicit Words(const scene::Scene& scene)
         : scene_(scene), job_(scene.job()), key_(column_key(job_)), label_(label_in_words(scene_, key_)) {}
 
-    // Of the branches with the same gap, from the first of them on.
+    // Heading of the branches with the same gap; `branch` is the first of them.
     [[nodiscard]] std::string gap(std::int64_t branch) const {
         const scene::Cell first = scene_.cell(branch, 0);
         const scene::Cell last = scene_.cell(branch, job_.columns.points - 1);
@@ -62,7 +62,7 @@ class Words {
                         at_axis(value(stretch->last)), value_in_words(scene_, key_, width), above, below));
     }
 
-    // With their forces where both have the same name: these differ by more than a percent then.
+    // With their forces if both have the same name: these then differ by more than one percent.
     static std::pair<std::string, std::string> names_apart(const StoredCell& a, const StoredCell& b) {
         const std::string first = name_of(motion_class(a));
         const std::string second = name_of(motion_class(b));
@@ -73,7 +73,7 @@ class Words {
         return {with_force(a), with_force(b)};
     }
 
-    // What the starts of all points found, and where no branch is on it.
+    // What the starts of all points found, and which of that no branch visits.
     [[nodiscard]] std::string beside(const GapAttractors& found) const {
         const std::string several =
             fmt::format("{} of {} points have several attractors, {} at most", readable_count(found.several),
@@ -117,7 +117,8 @@ class Words {
                            at_axis(value(*found.one_to_one)),
                            is_resonance(found) ? "the largest of z = 1/1" : no_maximum(found));
     }
-    // Why the largest force is no resonance. A branch comes to a band from one side and leaves it at the other.
+    // Why the largest force is not a resonance. A branch enters a band from one side and leaves it at the
+    // other.
     static std::string no_maximum(const BranchFindings& found) {
         const auto& [below, above] = found.around_one_to_one;
         const bool down = found.branch.direction == job::Direction::down;
@@ -145,7 +146,7 @@ class Words {
                            at_end ? ", at the end of the sweep: it may be larger beyond" : "");
     }
 
-    // The largest ones, in the branch's direction.
+    // The largest jumps, in the branch's direction.
     [[nodiscard]] std::string jumps(const BranchFindings& found) const {
         const auto has_no_force = [](const StoredCell& cell) { return std::isnan(cell.peak_force); };
         if (std::ranges::all_of(found.cells, has_no_force)) return "not looked for: no motion has a force";
@@ -178,7 +179,7 @@ class Words {
         return found.cells[static_cast<std::size_t>(column)];
     }
 
-    // The widest ones.
+    // The widest bands.
     [[nodiscard]] std::string bands(const BranchFindings& found) const {
         std::vector<Band> widest = found.bands;
         std::ranges::stable_sort(widest, std::ranges::greater{}, &Band::points);

@@ -10,7 +10,7 @@
 
 namespace peterka {
 
-// `branches` in the order of the sweep; `beside` of each gap, with [starts].
+// `branches` in the order of the sweep; `beside`: one per gap, with [starts].
 [[nodiscard]] std::string sweep_text(const scene::Scene& scene, std::span<const BranchFindings> branches,
                                      std::span<const GapAttractors> beside = {});
 

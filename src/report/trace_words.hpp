@@ -1,4 +1,4 @@
-// What came out of a trace, on one screen.
+// The results of a trace, on one screen.
 #pragma once
 
 #include <optional>

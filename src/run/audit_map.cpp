@@ -25,22 +25,22 @@ double force_error(const StoredCell& cell, const StoredCell& again) {
     return std::abs(cell.peak_force / again.peak_force - 1);
 }
 
-// Of the map's own run and of the one that solved the cell again.
+// The larger of the sensitivities of the map's own run and of the repeated solution.
 double largest_sensitivity(const scene::Scene& scene, std::int64_t row, std::int64_t column,
                            const StoredCell& again) {
     return std::fmax(regime::solve_cell(scene, row, column).sensitivity, again.sensitivity);
 }
 
-// How weak a cell's claim may be: a label next to another one may lie closer to its edge than what was left out
-// moves it, and the smaller a force, the more of it may have changed. Smaller is weaker.
+// How weak a cell's claim may be: a label next to a different one may lie closer to its edge than the omitted
+// terms move that edge, and the smaller a force, the larger its relative change may be. Smaller is weaker.
 double strength_of(const StoredCell& cell, const StoredCell& neighbour) {
     if (cell.regime == Regime::failed || !cell.computed) return std::numeric_limits<double>::infinity();
     const double force = cell.regime == Regime::periodic && cell.peak_force > 0 ? cell.peak_force : 1e300;
     return regime::same_label(cell, neighbour) ? force : force * 1e-200;
 }
 
-// Every second sample is the weakest of some drawn from its stretch: cells at random alone would hardly ever
-// meet one in two hundred.
+// Every second sample is the weakest of several drawn from its stretch: purely random sampling would hardly
+// ever hit a kind of cell as rare as one in two hundred.
 std::int64_t sampled_cell(const scene::Scene& scene, std::int64_t index, std::int64_t samples,
                           const map_file::MapFile& file) {
     constexpr std::int64_t draws = 8;
@@ -64,8 +64,7 @@ AuditRow audit_cell(const scene::Scene& scene, std::int64_t cell, const map_file
     std::int64_t row = cell / scene.columns();
     std::int64_t column = cell % scene.columns();
     StoredCell first = file.read_cell(row, column);
-    if (!first
-             .computed) {  // the cell of the coarsest lattice before it stands for it, which is always computed
+    if (!first.computed) {  // represented by the cell of the coarsest lattice before it, always computed
         const std::int64_t stride = std::int64_t{1} << scene.job().refine.levels;
         row -= row % stride;
         column -= column % stride;

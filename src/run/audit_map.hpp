@@ -1,4 +1,5 @@
-// The audit of a finished map: a sample of its cells is solved again by an independent engine with every term.
+// The audit of a finished map: a sample of its cells is solved again, with every term, by an independent
+// engine.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all, once all tiles are there. Throws Stopped, on every rank, if somebody
-// asked to stop before the end; the audited cells are kept.
+// Collective, inside failing_ends_all, once all tiles are complete. Throws Stopped, on every rank, if a stop is
+// requested before the end; the audited cells are kept.
 void audit_map(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
                const StopRequest& stop, map_file::MapFile& file);
 

@@ -1,4 +1,4 @@
-// Which cells of a map are audited: a random sample that follows from the numbers of cells alone.
+// Which cells of a map are audited: a random sample determined by the numbers of cells alone.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@ constexpr std::uint64_t mixed(std::uint64_t counter) {
     return z ^ (z >> 31U);
 }
 
-// The cell of sample `index` out of `samples` <= `cells`: one at random from each of as many equal stretches of
-// cells, so that the sample is spread over the whole map and no cell comes twice. Each `draw` is another one.
+// The cell of sample `index` out of `samples` <= `cells`: one at random from each of `samples` equal stretches
+// of cells, so that the sample is spread over the whole map and no cell occurs twice. Each `draw` gives another
+// cell.
 constexpr std::int64_t audited_cell(std::int64_t index, std::int64_t samples, std::int64_t cells,
                                     std::int64_t draw = 0) {
     const auto start_of = [&](std::int64_t stretch) {  // stretch * cells / samples without its overflow

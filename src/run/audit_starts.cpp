@@ -16,7 +16,7 @@ namespace {
 // An integrator takes a thousand times as long as the map does, so a cell has few of its starts audited.
 constexpr std::int64_t most_starts = 8;
 
-// As the map found them.
+// The end of every start, as the map found it.
 std::vector<regime::CellResult> ends_of_starts(const scene::Scene& scene, std::int64_t row,
                                                std::int64_t column) {
     std::vector<regime::CellResult> ends;

@@ -9,7 +9,7 @@
 namespace peterka {
 namespace {
 
-// A point of a sweep that goes on from the one before it doesn't begin at [start].
+// A point of a sweep that continues from the previous one doesn't begin at [start].
 bool begins_at_start(const job::Job& job, std::int64_t row) {
     return job.kind != job::Kind::sweep || job.sweep.branch(row).direction == job::Direction::independent;
 }

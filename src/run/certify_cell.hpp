@@ -1,4 +1,4 @@
-// What is proved of a cell that was just solved (certificate/certify.hpp), where the job wants it tried.
+// What is proved about a cell just solved (certificate/certify.hpp), if the job requests a proof.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace peterka {
 
-// Whether a cell is among those to try: all, or one at random of each of as many equal stretches of cells.
+// Whether to certify a cell: all cells, or one at random from each of certificate.cells equal stretches of
+// cells.
 [[nodiscard]] bool wants_certificate(const job::Job& job, std::int64_t row, std::int64_t column);
 
-// Adds the certificate to the result; nothing where none is wanted.
+// Adds the certificate to the result, if requested for the cell.
 void certify_cell(const job::Job& job, std::int64_t row, std::int64_t column, cell::CellResult& result);
 
 }  // namespace peterka

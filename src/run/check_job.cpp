@@ -35,7 +35,7 @@ std::string free_space_text(const std::filesystem::path& file) {
     return readable_bytes(static_cast<std::int64_t>(space.available)) + " free there";
 }
 
-// Of a refined map: how many cells are surely computed, and where; all of them at most.
+// For a refined map: the number and grid of the cells that are always computed; at most all of them are.
 std::string refine_text(const job::Job& job) {
     if (job.refine.levels == 0) return "";
     const std::int64_t stride = std::int64_t{1} << job.refine.levels;
@@ -56,7 +56,7 @@ std::string gap_in_words(const job::Job& job, const job::Branch& branch) {
     return fmt::format("{} ({}), ", ratio, length);
 }
 
-// Of a sweep: its branches in their order.
+// For a sweep: its branches in their order.
 std::string branches_text(const job::Job& job) {
     if (job.kind != job::Kind::sweep) return "";
     std::string text;
@@ -67,7 +67,7 @@ std::string branches_text(const job::Job& job) {
     return "#   branches\n" + text;
 }
 
-// Of a job whose cells have springs, dampers or stops of their own.
+// For a job whose cells have springs, dampers or stops of their own.
 std::string rigs_text(const job::Job& job) {
     if (job.kind == job::Kind::sweep) return "";
     if (!scene::Scene(job).rigs_differ()) return "";
@@ -75,7 +75,7 @@ std::string rigs_text(const job::Job& job) {
            "eight times where the stop is overdamped, whose cells take fewer of them\n";
 }
 
-// Of a basin that has the rig and the place of a cell of a map.
+// For a basin that has the rig and the place of a cell of a map.
 std::string cell_text(const TracedCell& traced) {
     if (!traced.rig) return "";
     return fmt::format("#   rig      that of {}\n", *traced.rig);
@@ -87,7 +87,7 @@ std::string remarks_text(const job::Job& job) {
     return text;
 }
 
-// Of the plane, the branches or the one cell of a job.
+// For the plane, the branches or the one cell of a job.
 std::string starts_text(const job::Job& job) {
     const std::string inside = starts_inside(scene::Scene(job));
     return inside.empty() ? "" : fmt::format("#   starts   {}\n", inside);

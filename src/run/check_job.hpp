@@ -7,7 +7,7 @@
 
 namespace peterka {
 
-// The resolved job with a head of comments: cells, tiles, memory and file size. It is itself a job file that
+// The resolved job with a header of comments: cells, tiles, memory and file size. It is itself a job file that
 // reads back as the same job. Throws JobFaults.
 [[nodiscard]] std::string check_job(const Request& request);
 

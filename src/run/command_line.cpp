@@ -45,7 +45,7 @@ std::string version_text() {
 
 void add_job_options(CLI::App& command, Request& request) {
     command.add_option("JOB", request.job_file, "job file (TOML)")->required()->type_name("JOB.toml");
-    // One value each, so that a job file behind it is not taken for another override.
+    // One value each, so that a job file after it is not taken for another override.
     command.add_option("--set", request.overrides, "replace one value of the job; may be repeated")
         ->type_name("table.key=value")
         ->allow_extra_args(false);

@@ -1,4 +1,4 @@
-// The command line: what the user asks for, or why it cannot be understood.
+// The command line: the user's request, or why it cannot be understood.
 #pragma once
 
 #include <filesystem>

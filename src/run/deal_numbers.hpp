@@ -1,4 +1,4 @@
-// Tasks whose results are plain numbers: dealt to all ranks, and every rank gets all results.
+// Tasks whose results are plain numbers: dealt to all ranks, with all results returned to every rank.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. The results of tasks 0 to count - 1, in this order; throws Stopped,
-// on every rank, if somebody asked to stop before the end.
+// Collective, inside failing_ends_all. Returns the results of tasks 0 to count - 1, in this order; throws
+// Stopped, on every rank, if a stop is requested before the end.
 [[nodiscard]] std::vector<std::vector<double>> deal_numbers(
     const parallel::Session& session, const StopRequest& stop, std::int64_t count,
     const std::function<std::vector<double>(std::int64_t task)>& solve);

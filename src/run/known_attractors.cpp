@@ -14,8 +14,8 @@
 namespace peterka {
 namespace {
 
-// One pilot for 8 by 8 cells costs little, and 16 by 16 of them miss one attractor in twelve of those that take
-// a percent of the plane; what they miss is found by each start of its own.
+// One pilot per 8 by 8 cells costs little, and 16 by 16 of them miss one in twelve of the attractors that take
+// a percent of the plane; each start finds by itself what they miss.
 constexpr std::int64_t cells_along_per_pilot = 8;
 constexpr std::int64_t most_pilots_along = 16;
 

@@ -1,5 +1,5 @@
 // The attractors of a basin, found before its cells are solved: pilot starts on a coarse grid over the same
-// plane are run in full. The same attractors are known on every rank, in every run of the job.
+// plane are run in full. The same attractors are known on every rank and in every run of the job.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Empty for a map, each of whose cells has attractors of its own. Throws
-// Stopped, on every rank, if somebody asked to stop before the end.
+// Collective, inside failing_ends_all. Empty for a map, whose cells each have attractors of their own. Throws
+// Stopped, on every rank, if a stop is requested before the end.
 [[nodiscard]] regime::AttractorTable find_known_attractors(const parallel::Session& session,
                                                            const scene::Scene& scene, const StopRequest& stop);
 

@@ -28,7 +28,7 @@ bool has_slots(const job::Job& job) {
     return job.kind == job::Kind::map && job.starts.count > 0;
 }
 
-// A tile with the slots of its cells, as they are in the file.
+// A tile with the slots of its cells, as stored in the file.
 struct TileSlots {
     Tile tile;
     std::vector<quantities::StoredCell> cells;
@@ -74,7 +74,7 @@ class Rows {
           end_(first_row(share_.end)),
           known_(scene, first_, end_, [] { look_for_stop_request(); }) {}
 
-    // What was known before, of these rows and of the ones beside them, in the order of cells.
+    // The motions known before in these rows of tiles and the adjacent ones, in the order of cells.
     [[nodiscard]] std::vector<KnownMotions::CellMotion> read() {
         std::vector<KnownMotions::CellMotion> before;
         const std::int64_t rows = file_.tiling().tiles().rows;
@@ -87,7 +87,7 @@ class Rows {
         return before;
     }
     void add_free_motions() { keep(known_.free_motions()); }
-    // What came to cells of these rows.
+    // Spreads motions; returns those that are new to cells of these rows.
     [[nodiscard]] std::vector<KnownMotions::CellMotion> spread(std::span<const KnownMotions::CellMotion> news) {
         return keep(known_.spread(news));
     }
@@ -137,7 +137,7 @@ class Rows {
         return news;
     }
 
-    // Each cell whose slots are not yet what they come to be.
+    // Writes the cells whose slots change.
     void write(std::int64_t index) {
         const Tile tile = file_.tiling().tile(index);
         std::optional<TileSlots> slots;

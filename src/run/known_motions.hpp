@@ -1,5 +1,5 @@
-// What a finished map with [starts] knows to exist in its cells though none of their starts found it, added to
-// their slots (attractors/known_motions.hpp, map_file/known_slots.hpp).
+// Adds to the slots of a finished map with [starts] the motions known to exist in its cells although none of
+// their starts found them (attractors/known_motions.hpp, map_file/known_slots.hpp).
 #pragma once
 
 #include "map_file/map_file.hpp"
@@ -9,11 +9,11 @@
 
 namespace peterka {
 
-// Collective, once all tiles are done; does nothing to files of other jobs. The same once more after a run that
-// was stopped in it.
+// Collective, once all tiles are done; does nothing to files of other jobs. If a run is stopped during it,
+// repeating it gives the same result.
 void add_known_motions(const parallel::Session& session, const scene::Scene& scene, map_file::MapFile& file);
 
-// Collective. Adds the tiles in which a run that was stopped let slots give way.
+// Collective. Adds the tiles in which a stopped run discarded slots.
 void add_tiles_to_tell_again(const parallel::Session& session, const job::Job& job,
                              const map_file::MapFile& file, parallel::TileSet& missing);
 

@@ -14,10 +14,10 @@ namespace peterka {
 
 namespace {
 
-// Orbits are looked for in a map of the same window that has no more cells than curves need, and nothing that
-// is for files.
+// Orbits are sought in a map of the same window with no more cells than curves need, and without settings that
+// concern files.
 job::Job coarse_job(const job::Job& map) {
-    constexpr std::int64_t most_points = 128;  // along an axis: then no edge of the paper's rigs is missed
+    constexpr std::int64_t most_points = 128;  // along an axis: enough to miss no edge of the paper's rigs
     job::Job coarse = map;
     coarse.kind = job::Kind::curves;
     coarse.columns.points = std::min(coarse.columns.points, most_points);
@@ -33,7 +33,7 @@ job::Job coarse_job(const job::Job& map) {
 
 std::string map_borders(const parallel::Session& session, const RunPlan& plan, const StopRequest& stop) {
     if (plan.job.kind != job::Kind::map || plan.job.curves.gaps().empty()) return "";
-    std::int64_t quiet = plan.quiet ? 1 : 0;  // which rank 0 alone knows
+    std::int64_t quiet = plan.quiet ? 1 : 0;  // known to rank 0 only
     parallel::broadcast(session, quiet);
     if (quiet != 0) return "";
     const scene::Scene scene(coarse_job(plan.job));

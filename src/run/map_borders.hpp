@@ -9,7 +9,7 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all; once the file is complete. In words, empty where none is asked for.
+// Collective, inside failing_ends_all; once the file is complete. In words; empty if not requested.
 [[nodiscard]] std::string map_borders(const parallel::Session& session, const RunPlan& plan,
                                       const StopRequest& stop);
 

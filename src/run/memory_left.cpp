@@ -29,7 +29,7 @@ Taken taken() {
     return {pages.address_space * page, pages.resident * page};
 }
 
-// The number after a name in a file of such pairs.
+// The number that follows a name in a file of such pairs.
 std::optional<std::int64_t> number_after(const std::filesystem::path& file, std::string_view wanted) {
     std::ifstream pairs(file);
     for (std::string name; pairs >> name;) {
@@ -39,7 +39,7 @@ std::optional<std::int64_t> number_after(const std::filesystem::path& file, std:
     return std::nullopt;
 }
 
-// Of /proc/meminfo; nothing said, no limit.
+// From /proc/meminfo; no limit if it has no entry.
 std::int64_t available_in_machine() {
     const auto kilobytes = number_after("/proc/meminfo", "MemAvailable:");
     return kilobytes ? *kilobytes * 1024 : no_limit;
@@ -52,7 +52,7 @@ std::int64_t left_below(int limit_of, std::int64_t taken) {
     return std::max<std::int64_t>(static_cast<std::int64_t>(limit.rlim_cur) - taken, 0);
 }
 
-// What the files of a control group are called.
+// Names of a control group's files.
 struct GroupFiles {
     const char* limit;
     const char* used;
@@ -63,7 +63,7 @@ constexpr GroupFiles version_2{"memory.max", "memory.current", "inactive_file"};
 
 std::optional<std::int64_t> number_in(const std::filesystem::path& file) {
     std::int64_t number = 0;
-    if (std::ifstream(file) >> number) return number;  // `max` is none
+    if (std::ifstream(file) >> number) return number;  // `max` means no limit
     return std::nullopt;
 }
 
@@ -117,7 +117,7 @@ std::optional<std::string> path_under(const Mount& mount, const std::string& lin
     if (controllers.find(is_of_version_1 ? ",memory," : ",,") == std::string::npos) return std::nullopt;
     std::string path = line.substr(second + 1);
     if (mount.root == "/") return path;
-    // a container may see its own group as the root of all
+    // a container may see its own group as the root
     return path.starts_with(mount.root) ? path.substr(mount.root.size()) : "";
 }
 

@@ -1,5 +1,5 @@
-// How much memory is left, and what says so: the machine, the control group of a container or of a batch system
-// (Linux cgroups), a limit of the process.
+// How much memory is left, and what limits it: the machine, the control group of a container or of a batch
+// system (Linux cgroups), or a limit of the process.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ struct MemoryLeft {
     MemoryLimit by = MemoryLimit::machine;
 };
 
-// To all processes of this machine, or of this one's control group, together.
+// Available to all processes of this machine, or of this process's control group, together.
 [[nodiscard]] MemoryLeft memory_left_to_all();
 
-// To this process alone (ulimit -v, -d), beyond what it has.
+// Available to this process alone (ulimit -v, -d), beyond what it has.
 [[nodiscard]] MemoryLeft memory_left_to_one();
 
-// What the control groups of a process leave, version 1 or 2, and those above them as far as they are seen.
-// Pages of files that nobody uses count as left. process: its folder in /proc.
+// Memory left by the control groups of a process, version 1 or 2, and by their visible ancestors. Unused file
+// pages count as left. process: its folder in /proc.
 [[nodiscard]] std::int64_t left_in_control_groups(const std::filesystem::path& process);
 
 // Resident memory of this process [bytes].

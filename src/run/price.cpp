@@ -21,7 +21,7 @@
 namespace peterka {
 namespace {
 
-// What hundreds of cells in hand take, where they are solved side by side [bytes]; as measured.
+// Memory of hundreds of cells in progress, where they are solved side by side [bytes]; as measured.
 std::int64_t cells_in_hand_bytes(const job::Job& job) {
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
     const bool one_by_one = job.kind == job::Kind::sweep && job.starts.count == 0;
@@ -29,8 +29,8 @@ std::int64_t cells_in_hand_bytes(const job::Job& job) {
     return job.kind == job::Kind::basin ? 4'000'000 : 26'000'000;
 }
 
-// Cells are open until all their starts have ended, with the results of a round of these; tiles in hand have
-// all attractors that are kept; an audited cell tells the ends of all its starts [bytes].
+// Cells stay open until all their starts have ended, with the results of one round of starts; tiles in progress
+// hold all attractors that are kept; an audited cell returns the ends of all its starts [bytes].
 std::int64_t starts_bytes(const job::Job& job) {
     const bool has_kicks = job.output.has(job::OptionalField::critical_kick);
     if (job.starts.count == 0 && !has_kicks) return 0;
@@ -42,11 +42,11 @@ std::int64_t starts_bytes(const job::Job& job) {
         job.starts.attractors * static_cast<std::int64_t>(sizeof(attractors::CellAttractor));
     constexpr auto end = static_cast<std::int64_t>(sizeof(regime::CellResult));
     const std::int64_t told = job.audit.cells > 0 ? 2 * end * job.starts.count : 0;
-    const std::int64_t kicks = has_kicks ? 30'000'000 : 0;  // of cells whose kicks wait, as measured
+    const std::int64_t kicks = has_kicks ? 30'000'000 : 0;  // of cells whose kicks are pending, as measured
     return open_cells * largest_round * result + 2 * tiles * kept + told + kicks;
 }
 
-// A rank keeps regions of a refined map until they are whole.
+// A rank keeps the regions of a refined map until they are complete.
 std::int64_t region_bytes(const job::Job& job) {
     if (job.refine.levels == 0) return 0;
     const parallel::Tiling regions = refine::regions_of({job.rows.points, job.columns.points}, 1);
@@ -55,8 +55,8 @@ std::int64_t region_bytes(const job::Job& job) {
     return in_hand * refine::Region::bytes(job, regions.tile(regions.index_at(middle)));
 }
 
-// A rank keeps a branch of a sweep until it is whole: as samples, and as the bytes of its tile. With [starts]
-// all branches of a gap, and each point's attractors with the motions on them.
+// A rank keeps a branch of a sweep until it is complete: as samples, and as the bytes of its tile. With
+// [starts], all branches of a gap, and each point's attractors with the motions on them.
 std::int64_t branch_bytes(const job::Job& job) {
     if (job.kind != job::Kind::sweep) return 0;
     constexpr std::int64_t copies = 3;
@@ -73,8 +73,8 @@ std::int64_t branch_bytes(const job::Job& job) {
             static_cast<std::int64_t>(sizeof(attractors::PointAttractors) + sizeof(attractors::SolvedCell)));
 }
 
-// Each rank keeps the coarse map of curves: on its way between ranks, as motions, and rank 0 as a file [bytes].
-// 260 a cell were measured.
+// Each rank keeps the coarse map of curves: in transit between ranks, as motions, and on rank 0 as a file
+// [bytes]. 260 per cell were measured.
 std::int64_t coarse_map_bytes(const job::Job& job) {
     if (job.kind != job::Kind::curves) return 0;
     const std::int64_t of_cell = job.starts.count > 0 ? 1000 : 400;
@@ -82,24 +82,24 @@ std::int64_t coarse_map_bytes(const job::Job& job) {
 }
 
 // Forcing cycles of a cell with [starts], as counted on the window of the paper's rig of 170 mm (24 x 24 cells:
-// 57 a start of 64; 12 x 12 cells: 78 of 16): some dozen starts run in full, later ones end on what these
-// found.
+// 57 per start with 64 starts; 12 x 12 cells: 78 with 16): about a dozen starts run in full, later ones end on
+// the attractors these found.
 double cycles_of_starts(const job::Job& job) {
     const auto count = static_cast<double>(job.starts.count);
     return 47 * count + 50 * std::min(count, 12.0);
 }
 
-// What kicks took on the plane of the paper's rig of 170 mm (16 x 16 cells, 16 starts), in cycles of the batch:
-// 850,000 for all attractors of a cell, of which long chaotic ways back take most; and 34,000 for its own
-// motion, each with twice its time, for the kicks of one orbit fill its lanes less evenly.
+// Cost of kicks on the plane of the paper's rig of 170 mm (16 x 16 cells, 16 starts), in cycles of the batch:
+// 850,000 for all attractors of a cell, mostly for long chaotic returns; and 34,000 for its own motion, each at
+// twice the time, as the kicks of one orbit fill the lanes less evenly.
 double cycles_of_kicks(const job::Job& job) {
     if (!job.output.has(job::OptionalField::critical_kick)) return 0;
     return job.starts.count > 0 ? 850'000 : 68'000;
 }
 
-// What such a cycle takes, with all that goes with it, on one core with AVX-512, as measured (with AVX2 the
-// first takes 1.5 times as long): in the batch, on a rigid stop as on one that yields; there with the cubic
-// spring kept, whose many kicks depend on the reach; one by one; by integrators, 130 to 320 on the stops tried.
+// Time of such a cycle, with everything it entails, on one core with AVX-512, as measured (with AVX2 the first
+// takes 1.5 times as long): in the batch, on a rigid or a yielding stop; in the batch with the cubic spring
+// kept, whose many kicks depend on the reach; one by one; by integrators, 130 to 320 on the stops tried.
 double microseconds_of_a_cycle(const job::Job& job) {
     const scene::Oscillator<double> rig = scene::Scene(job).cell(0, 0).oscillator;
     const job::EngineChoice engine = job.solver.engine;
@@ -114,9 +114,9 @@ double microseconds_of_a_cycle(const job::Job& job) {
 
 }  // namespace
 
-// What this process has so far, that is program, MPI and HDF5; what opening the file through MPI-IO adds (3 MB
-// were measured); cells in hand; and while ranks look for missing tiles, two bits for each. Not by getrusage,
-// whose peak is that of the process that started this one, if that is larger.
+// What this process has so far, i.e. program, MPI and HDF5; what opening the file through MPI-IO adds (3 MB
+// were measured); cells in progress; and two bits per tile while ranks look for missing tiles. Not by
+// getrusage, whose peak is that of the parent process, if that is larger.
 std::int64_t memory_per_rank(const job::Job& job) {
     constexpr std::int64_t open_file = 3'000'000;
     return resident_bytes() + open_file + cells_in_hand_bytes(job) + map_file::tiling(job).count() / 4 +
@@ -124,13 +124,13 @@ std::int64_t memory_per_rank(const job::Job& job) {
 }
 
 std::int64_t largest_curves_file(const job::Job& job) {
-    constexpr std::int64_t all_curves = 50'000'000;  // far above any
+    constexpr std::int64_t all_curves = 50'000'000;  // far above any observed
     const std::int64_t of_cell = job.curves.edge_distance ? 35 : 17;
     return all_curves + job.cells() * of_cell;
 }
 
-// A cell whose starts settle at once takes a twentieth of the mean, a chaotic one ten times as long: of few
-// cells the mean tells little.
+// A cell whose starts settle at once takes a twentieth of the mean, a chaotic one ten times the mean: for few
+// cells the mean says little.
 std::string starts_price(const job::Job& job) {
     const bool kicks = job.output.has(job::OptionalField::critical_kick);
     if (job.starts.count == 0 && !kicks) return "";
@@ -151,7 +151,7 @@ std::string starts_price(const job::Job& job) {
                        is_sweep ? "point" : "cell", starts, kicks ? ", and critical kicks" : "", words);
 }
 
-// Of one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,
+// On one core, as measured on the plane of the paper's rig of 170 mm: 0.1 ms for an orbit with linear springs,
 // 0.9 ms with the cubic term, 0.02 and 0.08 ms for a motion without impact.
 std::string certificate_price(const job::Job& job) {
     const std::int64_t cells = std::min(job.certificate.cells, job.cells());
@@ -165,8 +165,8 @@ std::string certificate_price(const job::Job& job) {
                        readable_duration(static_cast<double>(cells) * seconds_per_cell));
 }
 
-// How often chaos strikes is known only of what was computed: in one cycle of four, or more, nearly everywhere.
-// So it is an upper estimate, and worth a word only where it is far above what the job allows.
+// The impact rate of chaos is known only for what was computed: in one cycle of four, or more, nearly
+// everywhere. So this is an upper estimate, and reported only where it is far above what the job allows.
 std::string long_chaos_price(const job::Job& job) {
     constexpr double impacts = 0.25;
     constexpr std::int64_t far = 2;

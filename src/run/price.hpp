@@ -1,5 +1,4 @@
-// What a map, a basin, a sweep or curves take of the machine, as `check` tells it and `run` wants it to be
-// there.
+// The resources that a map, a basin, a sweep or curves need, as reported by `check` and required by `run`.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +8,20 @@
 
 namespace peterka {
 
-// Of a rank, on any number of ranks [bytes].
+// Memory of a rank, on any number of ranks [bytes].
 [[nodiscard]] std::int64_t memory_per_rank(const job::Job& job);
 
-// Of a job of curves, which knows their number only once they are traced [bytes].
+// For a job of curves, whose number is known only once they are traced [bytes].
 [[nodiscard]] std::int64_t largest_curves_file(const job::Job& job);
 
-// What [certificate] costs in time, as a line of check; nothing where it isn't wanted.
+// The time that [certificate] takes, as a line of check; empty if not requested.
 [[nodiscard]] std::string certificate_price(const job::Job& job);
 
-// What [starts] cost in time, as a line of check; nothing where there are none.
+// The time that [starts] take, as a line of check; empty if there are none.
 [[nodiscard]] std::string starts_price(const job::Job& job);
 
-// What it takes to tell chaos from a long transient where max_cycles are too few for that in this rig, as a
-// line of check; nothing where they aren't.
+// The cost of telling chaos from a long transient where max_cycles are too few for that in this rig, as a line
+// of check; empty if they suffice.
 [[nodiscard]] std::string long_chaos_price(const job::Job& job);
 
 }  // namespace peterka

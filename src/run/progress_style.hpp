@@ -1,4 +1,4 @@
-// Who shows progress, and how: rank 0 alone, a bar where somebody watches.
+// Which rank shows progress, and how: rank 0 only, as a bar on a terminal.
 #pragma once
 
 #include "parallel/session.hpp"

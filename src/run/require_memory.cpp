@@ -22,7 +22,7 @@ bool takes_little(const job::Job& job) {
     return job.kind != map && job.kind != basin && job.kind != sweep && job.kind != curves;
 }
 
-// Beside ranks - 1 others like this one.
+// With ranks - 1 others like this one on the machine.
 std::optional<Lack> lack_of_memory(const job::Job& job, std::int64_t ranks, const MemoryLeft& left_to_all) {
     if (takes_little(job)) return std::nullopt;
     const std::int64_t needed = memory_per_rank(job) - resident_bytes();
@@ -51,7 +51,7 @@ std::string ways_out(const job::Job& job, std::int64_t ranks) {
     return ways;
 }
 
-// several: machines.
+// several: whether there are several machines.
 [[noreturn]] void refuse_for_memory(const std::string& where, const job::Job& job, const Lack& lack,
                                     bool several) {
     const std::string host = several ? fmt::format(" on {}", lack.host.data()) : "";

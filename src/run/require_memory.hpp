@@ -1,4 +1,4 @@
-// Refuses, before anything is made, a job that memory can't hold: what counts is that of all ranks of a
+// Refuses, before anything is created, a job for which memory is insufficient, counted over all ranks of a
 // machine.
 #pragma once
 
@@ -16,24 +16,24 @@
 
 namespace peterka {
 
-// Of a machine whose ranks need more than is left [bytes].
+// A machine whose ranks need more than is left [bytes].
 struct Lack {
     std::int64_t needed_by_each = 0;
-    std::int64_t ranks = 1;  // that need it together: all there, or one that is limited by itself
+    std::int64_t ranks = 1;  // that need it together: all on the machine, or one with a limit of its own
     MemoryLeft left = {};
-    std::array<char, 64> host = {};  // its name, cut off
+    std::array<char, 64> host = {};  // its name, truncated
 };
 
-// Collective. Of the first machine that lacks memory, on all ranks. left_to_all: to the ranks of this one's
-// machine.
+// Collective. The lack on the first machine that has one, on all ranks. left_to_all: memory left to the ranks
+// of this rank's machine.
 [[nodiscard]] std::optional<Lack> lack_of_memory(const job::Job& job, MPI_Comm communicator,
                                                  const MemoryLeft& left_to_all);
 
 // For one rank on this machine. Throws Failure(ExitCode::bad_job), naming what is needed, what is left and why.
-// Kinds of jobs that take little are let through. where: the job.
+// Kinds of jobs that need little always pass. where: the job.
 void require_memory(const std::string& where, const job::Job& job);
 
-// Collective. For the ranks of each machine together; rank 0 says which machine lacks memory.
+// Collective. For the ranks of each machine together; rank 0 reports which machine lacks memory.
 void require_memory(const parallel::Session& session, const RunPlan& plan);
 
 }  // namespace peterka

@@ -70,7 +70,7 @@ std::vector<findings::Attractor> find_in_basin(const Session& session, const Run
     return file.basin_attractors();
 }
 
-// A finished map is shown as it is, so it must be what was computed.
+// A finished map is reported as it is, so it must be what was computed.
 void refuse_damage(const RunPlan& plan, const map_file::RemainingTiles& remaining) {
     if (remaining.tiles.empty()) return;
     throw Failure(
@@ -115,7 +115,7 @@ ExitCode run_job(const Session& session, const RunPlan& plan) {
     const Stopwatch wall;
     const StopRequest stop(plan.max_wall_seconds);
     const scene::Scene scene(plan.job);
-    std::optional<map_file::FileLock> lock;  // of a file that is made now
+    std::optional<map_file::FileLock> lock;  // of a file created now
     MapFile file = open_or_create(session, plan, scene, lock);
     ExitCode code = ExitCode::stopped_early;
     std::string words;

@@ -24,7 +24,7 @@ std::filesystem::path map_file_of(const Request& request) {
 
 namespace {
 
-// The file itself, so that its folder is the one in which locks and new files are made.
+// The link's target, so that its folder is the one in which locks and new files are made.
 std::filesystem::path behind_links(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::is_symlink(path, error)) return path;
@@ -37,7 +37,7 @@ std::filesystem::path behind_links(const std::filesystem::path& path) {
 }
 
 void tell_lacking_locks(const RunPlan& plan) {
-    // where no file can be made, making it tells so
+    // where no file can be made, making it reports so
     if (plan.existing == map_file::Existing::absent &&
         ::access(map_file::folder_of(plan.file).c_str(), W_OK) != 0)
         return;

@@ -1,5 +1,4 @@
-// What a run command amounts to: found out by rank 0 from the job and the file, and then the same on every
-// rank.
+// What a run command is to do: determined by rank 0 from the job and the file, then shared with every rank.
 #pragma once
 
 #include <filesystem>
@@ -20,11 +19,11 @@ struct RunPlan {
     std::string job_file;                                      // on rank 0, for messages
     map_file::Existing existing = map_file::Existing::absent;  // what the file holds already
     double max_wall_seconds = 0;
-    bool fresh = false;  // this and what follows count on rank 0 alone
+    bool fresh = false;  // this and the following members are valid on rank 0 only
     bool quiet = false;
-    std::optional<map_file::MapCell> map_cell;    // that a trace follows
+    std::optional<map_file::MapCell> map_cell;    // followed by a trace
     std::optional<map_file::OutputLock> lock;     // held until the run ends
-    std::optional<map_file::FileLock> file_lock;  // of a file that is there already
+    std::optional<map_file::FileLock> file_lock;  // of a file that exists already
 };
 
 // The map file a request writes: the one it names, or the job's stem with .h5 in the current folder.
@@ -33,7 +32,7 @@ struct RunPlan {
 // Rank 0 alone: reads the job and looks at the file. Throws Failure for either.
 [[nodiscard]] RunPlan plan_run(const Request& request);
 
-// Collective. Rank 0's plan, or that there is none, for every rank.
+// Collective. Gives every rank rank 0's plan, or none if there is none.
 void share(const parallel::Session& session, std::optional<RunPlan>& plan);
 
 }  // namespace peterka

@@ -23,7 +23,7 @@ namespace {
 
 using parallel::Session;
 
-constexpr std::int64_t largest_study = 10'000'000;  // far above any [bytes]
+constexpr std::int64_t largest_study = 10'000'000;  // far above any observed [bytes]
 
 std::string closing_words(const Session& session, const RunPlan& plan, const Stopwatch& wall) {
     const std::string file = plan.file.string();
@@ -32,14 +32,14 @@ std::string closing_words(const Session& session, const RunPlan& plan, const Sto
                        session.size() == 1 ? "rank" : "ranks", file, shell_word(file));
 }
 
-// The references that results are compared with take a while, too.
+// Computing the references for the comparison takes a while, too.
 std::optional<study::AnyTopic> make_topic(const Session& session, const RunPlan& plan) {
     std::optional<study::AnyTopic> topic;
     parallel::together(session.communicator(), [&] { topic.emplace(study::make_topic(plan.job)); });
     return topic;
 }
 
-// Gives what is to be printed.
+// Returns the text to print.
 template <study::Topic Topic>
 std::string run_topic(const Session& session, const RunPlan& plan, const Topic& topic,
                       const StopRequest& stop) {

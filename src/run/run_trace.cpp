@@ -33,7 +33,7 @@ void append(std::vector<map_file::Table>& tables, std::vector<map_file::Table> m
     std::ranges::move(more, std::back_inserter(tables));
 }
 
-// The way from the trace to its map, so that both can be moved together, and tells no more than that.
+// The path from the trace to its map, so that both can be moved together, revealing no more than that.
 std::string from_folder_of(const std::filesystem::path& trace_file, const std::filesystem::path& map_file) {
     return std::filesystem::relative(map_file, map_file::folder_of(trace_file)).string();
 }
@@ -66,7 +66,7 @@ std::string length_in_words(const job::Job& job) {
     return fmt::format("{} forcing cycles", job.trace.cycles);
 }
 
-// Gives what is to be printed.
+// Returns the text to print.
 std::string run_alone(const RunPlan& plan, int ranks, const std::string& hosts) {
     const Stopwatch wall;
     const scene::Scene scene(plan.job);
@@ -84,10 +84,10 @@ std::string run_alone(const RunPlan& plan, int ranks, const std::string& hosts) 
 }  // namespace
 
 ExitCode run_trace(const parallel::Session& session, const RunPlan& plan) {
-    const StopRequest stop(plan.max_wall_seconds);  // on all ranks: mpirun hands signals on to each
+    const StopRequest stop(plan.max_wall_seconds);  // on all ranks: mpirun forwards signals to each
     const std::string hosts = host_names(session, plan);
     parallel::on_root(session, [&] {
-        // a cell of a map is followed anew: the map's job is known, but not which file it is
+        // a cell of a map is followed anew: the map's job is known, but not which file it came from
         if (plan.existing == map_file::Existing::complete && !plan.map_cell) {
             return print_complete(plan);
         }

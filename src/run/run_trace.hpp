@@ -7,7 +7,7 @@
 
 namespace peterka {
 
-// Collective. Returns done; throws Failure, with the code stopped_early where it was asked to stop.
+// Collective. Returns done; throws Failure, with the code stopped_early if a stop is requested.
 [[nodiscard]] ExitCode run_trace(const parallel::Session& session, const RunPlan& plan);
 
 }  // namespace peterka

@@ -44,7 +44,7 @@ TileWork whole_tiles(MapFile& file) {
                 }};
 }
 
-// Lattice after lattice of a region of tiles.
+// The successive lattices of a region of tiles.
 class RefinedRegions {
   public:
     RefinedRegions(const job::Job& job, MapFile& file) : job_(job), file_(file) {}
@@ -76,7 +76,7 @@ class RefinedRegions {
 
     const job::Job& job_;
     MapFile& file_;
-    std::unordered_map<std::int64_t, refine::Region> regions_;  // those in hand
+    std::unordered_map<std::int64_t, refine::Region> regions_;  // those in progress
 };
 
 // The tiles that the file lacks.

@@ -1,4 +1,4 @@
-// The computing of a run: the tiles that the map file lacks are dealt to all ranks, solved and stored.
+// The computation of a run: the tiles that the map file lacks are dealt to all ranks, solved and stored.
 #pragma once
 
 #include "map_file/map_file.hpp"
@@ -9,7 +9,7 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Throws Stopped, on every rank, if somebody asked to stop before the end.
+// Collective, inside failing_ends_all. Throws Stopped, on every rank, if a stop is requested before the end.
 void solve_missing_tiles(const parallel::Session& session, const RunPlan& plan, const scene::Scene& scene,
                          const StopRequest& stop, map_file::MapFile& file);
 

@@ -1,4 +1,4 @@
-// The computing of a study: its tasks are dealt to all ranks, and every rank gets all results.
+// The computation of a study: its tasks are dealt to all ranks, with all results returned to every rank.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace peterka {
 
-// Collective, inside failing_ends_all. Throws Stopped, on every rank, if somebody asked to stop before the end.
+// Collective, inside failing_ends_all. Throws Stopped, on every rank, if a stop is requested before the end.
 template <study::Topic Topic>
 [[nodiscard]] std::vector<typename Topic::Result> solve_tasks(const parallel::Session& session,
                                                               const RunPlan& plan, const Topic& topic,

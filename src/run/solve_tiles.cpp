@@ -36,7 +36,7 @@ class TileSolver {
         double seconds = 0;
     };
 
-    // The next cell of the tile that waits first, or of another tile. False: none is at hand.
+    // Adds the next cell of the first waiting tile, or of a new tile. False if none is available.
     bool add_cell() {
         while (waiting_.empty()) {
             if (open_.size() >= work_.most_in_hand) return false;
@@ -64,7 +64,7 @@ class TileSolver {
         open.results.resize(open.cells.size());
         open.added = 0;
         open.solved = 0;
-        waiting_.push_front(&open);  // tiles that are begun come to an end before others
+        waiting_.push_front(&open);  // tiles in progress are completed before others
     }
 
     void keep(attractors::MultiStartPool::NumberedCell cell) {
@@ -84,7 +84,7 @@ class TileSolver {
     const TileWork& work_;
     parallel::TileSource& source_;
     std::unordered_map<std::int64_t, Open> open_;  // by tile
-    std::deque<Open*> waiting_;                    // with cells that are still to be added
+    std::deque<Open*> waiting_;                    // with cells still to be added
     attractors::MultiStartPool pool_;
 };
 

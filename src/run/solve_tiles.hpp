@@ -1,5 +1,5 @@
-// One rank's solving of the tiles that it is dealt: their cells side by side in one pool, in whatever order
-// they come to an end.
+// One rank's solution of the tiles dealt to it: their cells are solved side by side in one pool, and finish in
+// any order.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@
 namespace peterka {
 
 struct TileWork {
-    // The cells that are to be solved for a tile at first.
+    // The cells to be solved first for a tile.
     std::function<std::vector<parallel::CellIndex>(const parallel::Tile& tile)> begin;
-    // Takes their results, in the same order, and the seconds of computing that the tile took so far. Gives the
-    // cells that are to be solved next; none once the tile is stored.
+    // Takes their results, in the same order, and the computing time of the tile so far [s]. Returns the cells
+    // to be solved next; none once the tile is stored.
     std::function<std::vector<parallel::CellIndex>(
         const parallel::Tile& tile, std::span<const attractors::SolvedCell> results, double seconds)>
         go_on;
-    // So many tiles are begun at most before one of them is stored.
+    // At most this many tiles are begun before one of them is stored.
     std::size_t most_in_hand = std::numeric_limits<std::size_t>::max();
 };
 
-// Keeps a pool full and steps it until the source has ended and all is solved, or it says not to carry on.
-// add_cell: adds one more cell to the pool; false where none is at hand.
+// Keeps a pool full and steps it until the source has ended and all is solved, or the source says to stop.
+// add_cell: adds one more cell to the pool; false if none is available.
 template <class Pool>
 void keep_solving(Pool& pool, parallel::TileSource& source, const std::function<bool()>& add_cell) {
     try {
@@ -45,7 +45,7 @@ void keep_solving(Pool& pool, parallel::TileSource& source, const std::function<
             }
         }
     } catch (const Stopped&) {
-        return;  // in the middle of a cycle: nothing more comes out of this pool
+        return;  // in the middle of a cycle: this pool yields no further results
     }
 }
 

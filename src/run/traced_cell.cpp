@@ -28,7 +28,7 @@ using parallel::CellIndex;
     throw Failure(ExitCode::bad_job, text);
 }
 
-// [trace] or [basin], where the job names the cell.
+// [trace] or [basin], the table in which the job names the cell.
 std::string_view table_of(const job::Job& job) {
     return job::name(job.kind);
 }
@@ -39,13 +39,13 @@ std::int64_t checked_index(const std::string& name, std::int64_t index, const Ax
                        index, axis.points, axis.points - 1));
 }
 
-// The point of an axis that is nearest to a value, in the logarithm where the axis is logarithmic.
+// The point of an axis nearest to a value, in logarithms if the axis is logarithmic.
 std::int64_t nearest(const Axis& axis, std::string_view name, double value) {
     const auto place = [&](double at) { return axis.scale == job::Spacing::log ? std::log(at) : at; };
     if (axis.points == 1) return 0;
     const double step = (place(axis.to) - place(axis.from)) / static_cast<double>(axis.points - 1);
     const double index = (place(value) - place(axis.from)) / step;
-    constexpr double half = 0.5 + 1e-9;  // a cell reaches half a step out
+    constexpr double half = 0.5 + 1e-9;  // a cell extends by half a step
     if (index >= -half && index <= static_cast<double>(axis.points - 1) + half) {
         return std::clamp<std::int64_t>(std::llround(index), 0, axis.points - 1);
     }
@@ -63,7 +63,7 @@ Keys keys_of_axes(const job::Job& map) {
     return {job::key_in_tables(column_key(map)), job::key_in_tables(row_key(map))};
 }
 
-// The name that an axis of maps has, or one of basins, of a key in this job's tables.
+// The name of a map's or basin's axis for a key in this job's tables.
 std::string_view axis_of(const job::Job& map, std::string_view key) {
     constexpr std::string_view place = "operating_point.";
     constexpr std::string_view start = "start.";
@@ -71,8 +71,8 @@ std::string_view axis_of(const job::Job& map, std::string_view key) {
     return map.kind == job::Kind::basin && key.starts_with(start) ? key.substr(start.size()) : key;
 }
 
-// The values that name the cell, in the units of the map's axes. One that stands on no axis is one that all
-// cells of the map share, or says what an axis says.
+// The values that name the cell, in the units of the map's axes. Refuses a value on no axis: all cells of the
+// map share it, or it repeats an axis in another unit.
 std::map<std::string, double> values_on_axes(const job::CellOfMap& cell, const job::Job& map) {
     const Keys axes = keys_of_axes(map);
     std::map<std::string, double> values;
@@ -109,7 +109,7 @@ std::map<std::string, double> values_on_axes(const job::CellOfMap& cell, const j
     return values;
 }
 
-// The cell that a job names, and what was asked for on the map's axes where that is how it is named.
+// The cell that a job names, with the requested values on the map's axes if it is named by them.
 struct Named {
     CellIndex cell;
     std::optional<double> column;
@@ -138,8 +138,7 @@ Named cell_of(const job::Job& job, const job::Job& map) {
     return {place, values.at(column), values.at(row)};
 }
 
-// How far a place that was asked for lies from its cell along one axis; "" where it is the cell's but for
-// rounding.
+// Distance of a requested place from its cell along one axis; "" if they agree up to rounding.
 std::string distance_in_words(const Axis& axis, std::string_view key, std::int64_t index,
                               std::optional<double> asked, const job::CellNumbers& rig) {
     if (!asked) return "";
@@ -162,7 +161,7 @@ std::string distance_in_words(const job::Job& map, const Named& named) {
     return across.empty() || up.empty() ? across + up : across + ", " + up;
 }
 
-// With the rig and the place of a cell of the map, as a job by itself.
+// The job with the rig and the place of a map's cell, self-contained.
 job::Job with_rig_of(const job::Job& job, const job::CellNumbers& numbers) {
     job::Job own = job;
     own.cell = {};
@@ -173,7 +172,7 @@ job::Job with_rig_of(const job::Job& job, const job::CellNumbers& numbers) {
     return own;
 }
 
-// A cell is followed as it was computed.
+// A trace follows a cell as it was computed.
 job::Job trace_of_cell(const job::Job& job, const job::Job& map, const CellIndex& cell) {
     const job::CellNumbers numbers = job::numbers_at(map, cell.row, cell.column);
     job::Job own = with_rig_of(map, numbers);
@@ -183,11 +182,11 @@ job::Job trace_of_cell(const job::Job& job, const job::Job& map, const CellIndex
     own.output.anonymous = job.output.anonymous;
     own.columns = own.rows = {};
     own.start = numbers.start;
-    // the rules of a trace hold for it, and whatever belongs to a plane alone is left behind
+    // the rules of a trace apply to it, and whatever belongs only to a plane is dropped
     return job::read_job_text(job::resolved_text(own), job.cell.map);
 }
 
-// The rig of a cell, at the place that was asked for; all else is the basin's own.
+// The rig of a cell, at the requested place; all else is the basin's own.
 job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Named& named, const std::string& rig) {
     job::CellNumbers numbers = job::numbers_at(map, named.cell.row, named.cell.column);
     if (named.column) job::set_number(numbers, column_key(map), *named.column);
@@ -196,7 +195,7 @@ job::Job basin_of_cell(const job::Job& job, const job::Job& map, const Named& na
                               fmt::format("this basin with the rig of {}", rig));
 }
 
-// What names a cell: its row and column, or the place that was asked for.
+// What names a cell: its row and column, or the requested place.
 std::string named_in_words(const job::Job& job, const Named& named) {
     const std::string& file = job.cell.map;
     if (!named.column) return fmt::format("row {}, column {} of {}", named.cell.row, named.cell.column, file);

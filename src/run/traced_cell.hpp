@@ -1,5 +1,5 @@
-// The cell of a map file that a trace follows, or whose rig a basin has, at the place that it asks for: which
-// one it is, and the job that comes of it.
+// The cell of a map file that a trace follows, or whose rig a basin takes, at the requested place: which one it
+// is, and the resulting job.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace peterka {
 
 struct TracedCell {
     job::Job job;                    // complete: with the rig and the place of the cell, and without a map
-    std::optional<std::string> rig;  // whose rig it is, in words; none where the job has its own
-    std::optional<map_file::MapCell> map;  // what the file stores of the cell that a trace follows
+    std::optional<std::string> rig;  // whose rig it is, in words; none if the job has its own
+    std::optional<map_file::MapCell> map;  // what the file stores for the cell that a trace follows
 };
 
 // Reads the file that trace.map or basin.map names. Throws Failure(bad_job).

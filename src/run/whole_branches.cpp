@@ -15,7 +15,7 @@ namespace {
 using attractors::PointAttractors;
 using regime::BranchPoint;
 
-// Which of the attractors each point of each branch is on, of which there are so many.
+// Sets the attractor on which each point of each branch lies. most: attractors kept per point.
 void name_attractors(std::vector<BranchPoint>& branches, std::vector<PointAttractors>& attractors,
                      std::int64_t most) {
     for (std::size_t column = 0; column < attractors.size(); ++column) {

@@ -1,4 +1,4 @@
-// The solving of a sweep: a branch after the other, or, with [starts], all of a gap together with the
+// The solution of a sweep: one branch after another or, with [starts], all branches of a gap together with the
 // attractors at each of its points.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace peterka {
 
-// Solves a tile and stores it, for one_by_one. Scene and file outlive it.
+// Solves a tile and stores it, for one_by_one. Scene and file must outlive it.
 [[nodiscard]] std::function<void(const parallel::Tile& tile, const parallel::Poll& poll)> whole_branches(
     const scene::Scene& scene, map_file::MapFile& file);
 

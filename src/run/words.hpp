@@ -1,4 +1,4 @@
-// What a run says at its end, and what its file says of the machines.
+// What a run prints at its end, and what its file says about the machines.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace peterka {
 
-// Once the file is closed. If it can't be printed, nothing of the work is lost, and the Failure says so.
+// Called once the file is closed. If printing fails, no work is lost, and the Failure says so.
 inline void print_of_file(const std::string& words, const RunPlan& plan) {
     if (words.empty()) return;
     print(words, fmt::format("{} is complete", plan.file.string()));
@@ -23,7 +23,7 @@ inline void print_complete(const RunPlan& plan) {
     }
 }
 
-// Collective: of all ranks, or none where the job wants it so.
+// Collective: the names of all ranks' hosts; none if the job is to be anonymous.
 inline std::string host_names(const parallel::Session& session, const RunPlan& plan) {
     const std::string names = parallel::host_names(session);
     return plan.job.output.anonymous ? "" : names;

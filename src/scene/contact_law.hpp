@@ -1,4 +1,4 @@
-// What the stop does to the hammer that touches it: one small struct for each law, nondimensional.
+// The contact laws of the stop: one small struct for each law, nondimensional.
 //
 // delta is the penetration in A0, delta' its rate in A0 omega, f the force on the hammer in k A0. The stop
 // never pulls: f is 0 where a formula gives less, and everywhere for delta <= 0.
@@ -34,12 +34,12 @@ struct KelvinVoigt {
     }
 };
 
-// A rigid stop: delta <= 0 always, and an impact turns the rate v > 0 into -r v at once.
+// A rigid stop: delta <= 0 always, and an impact changes the rate v > 0 to -r v instantaneously.
 template <class Real>
 struct Restitution {
     using Given = job::Restitution;
     static constexpr bool has_smooth_force = true;
-    Real coefficient = 1;  // r, from 0 to 1
+    Real coefficient = 1;  // coefficient of restitution r, from 0 to 1
 
     static Restitution of(const Given& stop, const job::Hammer& /*hammer*/, const job::Cart& /*cart*/) {
         return {stop.coefficient};
@@ -60,7 +60,7 @@ struct HuntCrossley {
     using Given = job::HuntCrossley;
     static constexpr bool has_smooth_force = false;
     Real stiffness = 0;    // K A0^(n-1)/k
-    Real exponent = 1.5;   // n >= 1; 3/2 for Hertz's contact of spheres
+    Real exponent = 1.5;   // n >= 1; 3/2 for Hertzian contact of spheres
     Real dissipation = 0;  // D A0 omega
 
     static HuntCrossley of(const Given& stop, const job::Hammer& hammer, const job::Cart& cart) {
@@ -79,7 +79,7 @@ struct HuntCrossley {
 template <class Real>
 using ContactLaw = std::variant<KelvinVoigt<Real>, Restitution<Real>, HuntCrossley<Real>>;
 
-// Whether an impact takes no energy.
+// Whether an impact dissipates no energy.
 template <class Real>
 bool is_lossless(const ContactLaw<Real>& law) {
     return std::visit([](const auto& stop) { return stop.is_lossless(); }, law);
@@ -95,13 +95,13 @@ bool has_closed_form(const ContactLaw<Real>& law) {
     return std::visit([]<class Law>(const Law&) { return Law::Given::has_closed_form; }, law);
 }
 
-// Whether all derivatives of the force are bounded up to delta = 0, which methods of high order count on.
+// Whether all derivatives of the force are bounded up to delta = 0, as high-order methods require.
 template <class Real>
 bool has_smooth_force(const ContactLaw<Real>& law) {
     return std::visit([]<class Law>(const Law&) { return Law::has_smooth_force; }, law);
 }
 
-// The law of a stop that the job gives, in nondimensional numbers.
+// The contact law that the job gives, in nondimensional numbers.
 inline ContactLaw<double> law_of(const job::Contact& contact, const job::Hammer& hammer,
                                  const job::Cart& cart) {
     const auto fill = [&]<class... Laws>(const std::variant<Laws...>* /*all*/) {

@@ -37,15 +37,15 @@ struct Oscillator {
         return 2 * std::numbers::pi_v<Real> / (frequency > 0 ? frequency : Real(1));
     }
 
-    // How far the cart moves from its middle: what the absolute form of the cubic adds to the hammer's reach.
+    // The cart's amplitude, which the absolute form of the cubic adds to the hammer's reach.
     [[nodiscard]] Real cart_reach() const { return frequency > 0 ? 1 : 0; }
 
-    // The stop if it is a spring and dashpot: what is written for that alone asks so.
+    // The stop if it is a spring and dashpot, else null; for code specific to that law.
     [[nodiscard]] const KelvinVoigt<Real>* spring_dashpot() const {
         return std::get_if<KelvinVoigt<Real>>(&contact);
     }
-    // The spring-dashpot stop and the rigid one, for what is written for it alone; std::bad_variant_access for
-    // another law.
+    // The spring-dashpot stop and the rigid one, for code specific to that law; std::bad_variant_access for any
+    // other law.
     [[nodiscard]] const KelvinVoigt<Real>& kelvin_voigt() const { return std::get<KelvinVoigt<Real>>(contact); }
     [[nodiscard]] const Restitution<Real>& restitution() const { return std::get<Restitution<Real>>(contact); }
     [[nodiscard]] KelvinVoigt<Real>& kelvin_voigt() { return std::get<KelvinVoigt<Real>>(contact); }

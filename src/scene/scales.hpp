@@ -1,4 +1,4 @@
-// The units in which the core computes, for the way back to SI.
+// The units of the core, for conversion back to SI.
 #pragma once
 
 #include "cell/quantities.hpp"
@@ -18,14 +18,14 @@ struct Scales {
 
     [[nodiscard]] double force_ratio() const { return force_n / weight_n; }  // F/(m g0) of a force k A0
 
-    // In the unit of the file (cell/quantities.hpp), of a nondimensional number.
+    // A nondimensional number in the unit of the file (cell/quantities.hpp).
     [[nodiscard]] double in_unit_of_file(double number, cell::Dimension dimension) const;
 };
 
 Scales scales_of(const job::CellNumbers& numbers);
-Scales scales_of(const job::Job& job);  // as its tables have it
+Scales scales_of(const job::Job& job);  // from the job's tables
 
-// zeta, kappa and chi of a hammer and its stop; frequency and gap are left to the cell.
+// zeta, kappa and chi of a hammer and its stop; frequency and gap are set for each cell.
 Oscillator<double> oscillator_of(const job::CellNumbers& numbers);
 Oscillator<double> oscillator_of(const job::Job& job);
 

@@ -12,7 +12,7 @@
 namespace peterka::scene {
 namespace {
 
-// A law is nothing but its numbers.
+// A law consists of its numbers alone.
 template <class Law>
 auto numbers_of(const Law& law) {
     static_assert(sizeof(Law) % sizeof(double) == 0);
@@ -48,7 +48,7 @@ Scene::Scene(const job::Job& job)
       varies_(has_axis(job, job::is_of_rig)),
       rigs_differ_(varies_ && any_differs(job)) {}
 
-// The cart passes its middle at full speed, y = 0 and y' = A0 Omega, when the forcing's phase is 0.
+// At forcing phase 0 the cart passes its mid-position at full speed: y = 0 and y' = A0 Omega.
 Cell Scene::cell(std::int64_t row, std::int64_t column) const {
     const bool is_alone = job_.kind == job::Kind::trace;
     const job::CellNumbers numbers = is_alone ? numbers_in(job_) : numbers_at(job_, row, column);

@@ -1,4 +1,4 @@
-// Everything that solving the cells of a job needs, in nondimensional form.
+// Everything needed to solve the cells of a job, in nondimensional form.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Cell {
     Scales scales = {};
 };
 
-// Whether they have the same springs, dampers and stop: frequency and gap may differ.
+// Whether two oscillators have the same springs, dampers and stop; frequency and gap may differ.
 [[nodiscard]] bool same_rig(const Oscillator<double>& a, const Oscillator<double>& b);
 
 class Scene {
@@ -24,21 +24,21 @@ class Scene {
     explicit Scene(const job::Job& job);
 
     [[nodiscard]] const job::Job& job() const { return job_; }
-    // Of the job's tables; a cell of a map over numbers of the rig has its own.
+    // From the job's tables; a cell of a map over parameters of the rig has its own.
     [[nodiscard]] const Scales& scales() const { return scales_; }
-    // Whether cells have springs, dampers or stops of their own.
+    // Whether springs, dampers or stop differ between cells.
     [[nodiscard]] bool rigs_differ() const { return rigs_differ_; }
     [[nodiscard]] std::int64_t rows() const { return job_.row_count(); }
     [[nodiscard]] std::int64_t columns() const { return job_.columns.points; }
-    // Of a sweep the row is a branch, and the start that of its first point; a trace has one cell, whatever its
-    // place.
+    // In a sweep the row is a branch, and the start is that of its first point; a trace has one cell, whatever
+    // row and column.
     [[nodiscard]] Cell cell(std::int64_t row, std::int64_t column) const;
 
   private:
     job::Job job_;
     Scales scales_;
     Oscillator<double> oscillator_;
-    bool varies_;  // an axis runs over a number of the rig
+    bool varies_;  // an axis runs over a parameter of the rig
     bool rigs_differ_;
 };
 

@@ -1,4 +1,4 @@
-// The batched engine on the orbits of all cells of a study at once, as a map computes its cells.
+// The batched engine on the orbits of all cells of a study at once, as in the computation of a map.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,11 @@ struct OrbitStart {
 
 struct BatchTrial {
     double seconds_per_cycle = 0;                  // of one cell
-    std::vector<std::vector<Observation>> orbits;  // of each cell: one period, after the cycles that were timed
+    std::vector<std::vector<Observation>> orbits;  // of each cell: one period, after the timed cycles
 };
 
-// Follows copies of all cells, shuffled, about 1000 together, for so many cycles, with state, Jacobian and
-// contacts; the time is that of the fastest repeat. The engine doesn't tell when an impact was: last_touch is
-// NaN.
+// Follows copies of all cells, shuffled, about 1000 together, for `cycles` cycles, with state, Jacobian and
+// contacts; the time is that of the fastest repeat. The engine doesn't report impact times: last_touch is NaN.
 [[nodiscard]] BatchTrial follow_in_batch(std::span<const OrbitStart> cells, std::int64_t cycles,
                                          std::int64_t repeats);
 

@@ -21,14 +21,14 @@ constexpr std::array scenes{
     BatteryScene{.name = "stiffness_1e10", .contact_stiffness_n_per_m = 1e10},
     BatteryScene{.name = "stiffness_1e12", .contact_stiffness_n_per_m = 1e12},
     BatteryScene{.name = "stiffness_1e15", .contact_stiffness_n_per_m = 1e15},
-    // contacts from elastic to overdamped a hundred times
+    // contacts from elastic to a hundred times overdamped
     BatteryScene{.name = "contact_elastic",           .contact_damping_ratio = 0},
     BatteryScene{.name = "contact_almost_elastic",    .contact_damping_ratio = 0.01},
     BatteryScene{.name = "contact_critically_damped", .contact_damping_ratio = 1},
     BatteryScene{.name = "contact_overdamped",        .contact_damping_ratio = 3},
     BatteryScene{.name = "contact_overdamped_100",    .contact_damping_ratio = 100},
     BatteryScene{.name = "stiff_and_overdamped",      .contact_stiffness_n_per_m = 1e12, .contact_damping_ratio = 100},
-    // springs without damping, and with much
+    // undamped and heavily damped springs
     BatteryScene{.name = "springs_undamped",          .damping_ratio = 0},
     BatteryScene{.name = "springs_almost_critical",   .damping_ratio = 0.9},
     BatteryScene{.name = "springs_overdamped",        .damping_ratio = 3},
@@ -40,7 +40,7 @@ constexpr std::array scenes{
     BatteryScene{.name = "frequency_50",              .frequency_ratio = 50},
     BatteryScene{.name = "resonance",                 .frequency_ratio = 1, .gap_ratio = 5},
     BatteryScene{.name = "undamped_resonance",        .damping_ratio = 0, .frequency_ratio = 1, .gap_ratio = 5},
-    // amplitudes grow for ever, and the stop is far
+    // amplitudes grow without bound, and the stop is far
     BatteryScene{.name = "secular_growth",            .damping_ratio = 0, .frequency_ratio = 1, .gap_ratio = 1e6},
     // nothing dissipates, so nothing settles
     BatteryScene{.name = "conservative",              .contact_damping_ratio = 0, .damping_ratio = 0, .gap_ratio = 0.5},

@@ -1,7 +1,7 @@
-// The battery of stiff and extreme scenes on which every engine is tried.
+// The battery of stiff and extreme scenes on which every engine is tested.
 //
-// Each scene is the job's rig but for what it changes. The contact keeps its damping ratio zeta_i = ci/(2
-// sqrt(m ki)) where its stiffness changes.
+// Each scene is the job's rig except for what it changes. The contact keeps its damping ratio zeta_i = ci/(2
+// sqrt(m ki)) if its stiffness changes.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// Labels: what the regimes of a map owe to the engine and its tolerance.
+// Labels: how the regimes of a map depend on the engine and its tolerance.
 //
 // The whole map of the job is solved by every engine at each of job.study.tolerances. A run's changed share is
-// that of the cells whose (regime, p, q) is not that of the reference run: the exact engine, or arkode at the
-// smallest tolerance where a cubic spring allows no exact one.
+// the share of the cells whose (regime, p, q) differs from that of the reference run: the exact engine, or
+// arkode at the smallest tolerance if a cubic spring rules out an exact one.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ namespace peterka::study {
 
 class Labels {
   public:
-    // Of one run in one cell.
+    // The result of one run in one cell.
     struct Result {
         regime::Regime regime = regime::Regime::failed;
         std::int32_t impacts = 0;

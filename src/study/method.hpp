@@ -1,4 +1,4 @@
-// Ways to carry a trajectory through a forcing cycle, as studies compare them: the engines of this program, and
+// Ways to carry a trajectory through a forcing cycle, as compared in studies: the engines of this program, and
 // common practice.
 #pragma once
 
@@ -34,19 +34,19 @@ inline constexpr std::array<const char*, 9> method_names{
     "exact",           "split",           "cvode_adams",        "cvode_bdf", "arkode_explicit",
     "arkode_implicit", "rk4_with_events", "rk4_without_events", "batched"};
 
-// The setting is the relative error in peak force asked for, or the steps per cycle of a fixed step; 0 where
+// The setting is the requested relative error of the peak force, or the steps per cycle of a fixed step; 0 if
 // there is none.
 struct Run {
     Method method = Method::exact;
     double setting = 0;
 };
 
-// Every method at each of its settings, one method after another. Without a cubic spring there is the batched
-// engine; with one there is split, and the error of exact is that of leaving the spring out.
+// Every method at each of its settings, one method after another. The batched engine is included only without a
+// cubic spring, split only with one; the error of exact is then that of omitting the spring.
 [[nodiscard]] std::vector<Run> runs(bool cubic, std::span<const double> tolerances,
                                     std::span<const std::int64_t> steps_per_cycle);
 
-// What is compared of one cycle.
+// The quantities of one cycle that are compared.
 struct Observation {
     bool ok = false;
     State<double> end = State<double>::Zero();
@@ -58,10 +58,10 @@ struct Observation {
 // A single cell by any method but the batched one, for which see batch_trial.hpp.
 class MethodMap {
   public:
-    // largest_displacement, of |u|: what the kicks of `split` are chosen for.
+    // largest_displacement: of |u|, for which the kicks of `split` are chosen.
     MethodMap(const Oscillator<double>& oscillator, const Run& run, double largest_displacement);
 
-    // One cycle: state, Jacobian and contacts, without measuring anything. False where it fails.
+    // One cycle: state, Jacobian and contacts, without measuring anything. False if it fails.
     [[nodiscard]] bool advance(State<double>& x);
     [[nodiscard]] Observation observe(const State<double>& x);
 

@@ -29,7 +29,7 @@ ReferenceCycle measured(const ExactCycleMap<Extended>& map, const State<Extended
     return {cycle, totals.peak_force(), totals.impact_speed, totals.largest_displacement};
 }
 
-// In double precision, by an engine that carries the cubic spring: good enough for Newton's method.
+// In double precision, by an engine that includes the cubic spring: accurate enough for Newton's method.
 std::optional<Jacobian<Extended>> jacobian_of(const Oscillator<double>& oscillator, State<double> x,
                                               std::int64_t period) {
     regime::CycleMap map = regime::make_cycle_map(
@@ -82,7 +82,7 @@ Extended ReferenceOrbit::largest_displacement() const {
     return largest;
 }
 
-// Newton's method with a Jacobian of lower precision: each step gains about ten digits.
+// Newton's method with a fixed Jacobian of lower precision: each step gains about ten digits.
 std::optional<ReferenceOrbit> reference_orbit(const Oscillator<double>& oscillator, const State<double>& start,
                                               const job::SteadyState& budget) {
     constexpr int most_steps = 12;

@@ -1,5 +1,5 @@
-// The motion in extended precision (about 1e-18), to which engines are compared: the closed form where there is
-// one, Taylor series otherwise. Where there are both they agree to 1e-16 (a test).
+// The motion in extended precision (about 1e-18), with which engines are compared: in closed form where there
+// is one, by Taylor series otherwise. Where both exist they agree to 1e-16 (a test).
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ReferenceOrbit {
     [[nodiscard]] Extended largest_displacement() const;
 };
 
-// The orbit to which this start leads, polished in extended precision; nothing where it leads to none.
+// The orbit to which this start leads, refined in extended precision; nothing if it leads to none.
 [[nodiscard]] std::optional<ReferenceOrbit> reference_orbit(const scene::Oscillator<double>& oscillator,
                                                             const scene::State<double>& start,
                                                             const job::SteadyState& budget);

@@ -14,8 +14,8 @@ double RigidLimit::restitution() const {
     return std::exp(-2 * zeta * std::acos(zeta) / std::sqrt(1 - zeta * zeta));
 }
 
-// Of (alpha^2 + (r + beta)^2/eta^2) V^2 - 2 alpha g V + g^2 - P^2 = 0 the larger root, where alpha and beta are
-// (1 + r) times the second column of (exp(A T) - I)^-1, A = [[0, 1], [-1, -2 zeta]], and P is the amplitude
+// The larger root V of (alpha^2 + (r + beta)^2/eta^2) V^2 - 2 alpha g V + g^2 - P^2 = 0, where alpha and beta
+// are (1 + r) times the second column of (exp(A T) - I)^-1, A = [[0, 1], [-1, -2 zeta]], and P is the amplitude
 // without a stop.
 double RigidLimit::rigid_speed() const {
     const double r = restitution();

@@ -39,7 +39,7 @@ double Rk4CycleMap::over(Phase phase, const Block& z) const {
     return std::max(-z(0, 0), force);
 }
 
-// The length of the step that ends where the phase does, by bisection.
+// Length of the step that ends together with the phase, by bisection.
 double Rk4CycleMap::event_in_step(Phase phase, const Block& z, double time, double h) const {
     constexpr int halvings = 60;
     double before = 0;
@@ -76,7 +76,8 @@ Rk4CycleMap::Sample Rk4CycleMap::sample(const Block& z, double time) const {
     return {contact_force(oscillator_, x), law.stiffness * x[1] + law.damping * a.value};
 }
 
-// Largest force over a step in contact: of Hermite's cubic through both ends, where it has a maximum between.
+// Largest force over a step in contact, including the interior maximum of the cubic Hermite interpolant, if
+// any.
 void Rk4CycleMap::measure_step(Phase phase, const Block& from, double time, const Block& to, double h,
                                MeasuredCycle<double>& cycle) const {
     cycle.largest_displacement = std::max(cycle.largest_displacement, std::abs(to(0, 0) + oscillator_.gap));

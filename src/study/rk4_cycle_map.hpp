@@ -1,14 +1,15 @@
-// The stroboscopic map by the classical Runge-Kutta method of order 4 with a fixed step: the common practice,
-// for comparison.
+// The stroboscopic map by the classical fourth-order Runge-Kutta method with a fixed step: common practice, for
+// comparison.
 //
 // With events, the time at which a phase ends within a step is solved for (with steps of the method itself),
 // and the next step starts there: order 4. Without, every stage switches the force on by the signs of delta and
-// of the force at that stage, as programs without event location do: each contact starts and ends wrong by a
-// share of a step, which leaves order 1.
-// The Jacobian is integrated along by the variational equations; without events it lacks what happens at the
-// surfaces. Spring-dashpot stops (Kelvin-Voigt) with springs of any cubic stiffness.
+// of the force at that stage, as programs without event location do: the start and end of each contact are
+// wrong by a fraction of a step, which leaves order 1.
+// The Jacobian is integrated by the variational equations; without events it lacks the jumps at the switching
+// surfaces (saltation matrices, Leine & Nijmeijer 2004). Spring-dashpot stops (Kelvin-Voigt) with springs of
+// any cubic stiffness.
 // Limits of validity: steps must be shorter than about 2.8 over the fastest rate of the contact, sqrt(kappa) or
-// chi, or the numbers leave their range (not_finite). Hops that rise and fall within one step are missed.
+// chi, or the solution overflows (not_finite). Hops that rise and fall within one step are missed.
 #pragma once
 
 #include <Eigen/Core>

@@ -27,10 +27,10 @@ using Result = Stability::Result;
 using scene::Oscillator;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double allowed = 10;  // errors of peak force, over the tolerance asked for
+constexpr double allowed = 10;  // error of the peak force, over the requested tolerance
 constexpr std::array<const char*, 4> outcome_names{"agrees", "says_why_not", "wrong", "not_for_this_scene"};
 
-// Which laws an engine knows.
+// Whether an engine supports the oscillator.
 bool fits(Engine engine, const Oscillator<double>& oscillator, const EngineSettings& settings) {
     const bool linear = scene::has_closed_form(oscillator.contact);
     switch (engine) {
@@ -60,7 +60,7 @@ job::EngineChoice choice_of(Engine engine) {
     return job::EngineChoice::exact;
 }
 
-// The settings are those of the last search.
+// On return, the settings are those of the last search.
 CellResult solve(const scene::Cell& cell, const job::SteadyState& budget, EngineSettings& settings) {
     regime::EngineByReach engine(cell.oscillator,
                                  {.engine = choice_of(settings.engine), .tolerance = settings.tolerance},
@@ -74,18 +74,18 @@ CellResult solve(const scene::Cell& cell, const job::SteadyState& budget, Engine
     return result;
 }
 
-// What is left over of the energy that comes in over one period, as the engine itself sees it.
+// The relative energy imbalance of one period, as the engine itself computes it.
 double energy_imbalance(const scene::Cell& cell, const EngineSettings& settings, const CellResult& result) {
     const bool settled = result.regime == Regime::periodic || result.regime == Regime::no_impact ||
                          result.regime == Regime::sustained_contact;
-    // the absolute cubic form pulls at the cart, whose motion does work that no integral here counts
+    // the absolute cubic form pulls at the cart, whose motion does work that no integral here includes
     const bool pulls_at_cart =
         cell.oscillator.cubic != 0 && cell.oscillator.cubic_form == job::CubicForm::absolute;
     if (!settled || pulls_at_cart) return nan;
     regime::CycleMap map = regime::make_cycle_map(cell.oscillator, settings);
     trajectory::Recorder<double> recorder(trajectory::Detail::energy);
     scene::State<double> x(result.orbit_displacement - cell.oscillator.gap, result.orbit_velocity);
-    for (int round = 0; round < 2; ++round) {  // the first closes what is open at phase 0
+    for (int round = 0; round < 2; ++round) {  // the first completes the events open at phase 0
         recorder.reset_totals();
         for (std::int32_t n = 0; n < result.period; ++n) {
             const auto cycle = std::visit([&](auto& m) { return m(x, &recorder); }, map);
@@ -117,7 +117,7 @@ bool is_close(double peak_force, const Verdict& verdict, double margin) {
     return error_of(peak_force, verdict) <= margin;
 }
 
-// Scenes whose gap or frequency is wrong by the tolerance.
+// Scenes whose gap or frequency is perturbed by the tolerance.
 std::vector<scene::Cell> neighbours(const scene::Cell& cell, double tolerance) {
     std::vector<scene::Cell> cells;
     for (const double side : {-1.0, 1.0}) {

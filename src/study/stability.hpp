@@ -1,11 +1,11 @@
 // Stability: the battery of stiff and extreme scenes, solved with every engine and judged by the reference; and
 // the limit of an infinitely stiff stop.
 //
-// An engine agrees where its claim (regime, p, q) is that of the reference and its peak force is within ten
-// times the tolerance asked for; next to grazing and to bifurcations, where forces and regimes depend on the
-// scene's last digits, within ten times what the tolerance changes when gap or frequency are wrong by it. An
-// engine says why not where it is unresolved or failed, with a status. A claim that the reference contradicts
-// is wrong, and so is any claim about a motion that the reference never saw settle.
+// An engine agrees if its claim (regime, p, q) is that of the reference and its peak force is within ten times
+// the requested tolerance; close to grazing and to bifurcations, where forces and regimes depend on the scene's
+// last digits, within ten times the change caused by perturbing gap or frequency by the tolerance. An engine
+// says why not if it is unresolved or failed, with a status. A claim that the reference contradicts is wrong,
+// and so is any claim about a motion that the reference never saw settle.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class Stability {
     enum class Judgement : std::int8_t { agrees = 0, says_why_not = 1, wrong = 2, not_for_this_scene = 3 };
     static constexpr std::size_t engines = 4;
 
-    // Of one engine in one scene.
+    // The result of one engine in one scene.
     struct OfEngine {
         Judgement outcome = Judgement::not_for_this_scene;
         regime::Regime regime = regime::Regime::unresolved;
@@ -38,7 +38,7 @@ class Stability {
         double energy_imbalance = regime::unknown;  // of one period, over the work of the drive
         double seconds = regime::unknown;
     };
-    // Of one scene with all engines, or of one rung of the stiffness ladder.
+    // The results of one scene with all engines, or of one rung of the stiffness ladder.
     struct Result {
         std::array<OfEngine, engines> of_engines;
         double speed_difference = regime::unknown;

@@ -1,4 +1,4 @@
-// What every topic of a study has.
+// The interface of all topics of a study.
 #pragma once
 
 #include <concepts>
@@ -14,14 +14,14 @@ namespace peterka::study {
 
 using map_file::Table;
 
-// A topic is a list of tasks, each a pure function of the job and its number but for measured times. Results
-// travel between ranks as bytes.
+// A topic is a list of tasks, each a pure function of the job and its number except for measured times. Results
+// are sent between ranks as bytes.
 template <class Candidate>
 concept Topic = std::is_trivially_copyable_v<typename Candidate::Result> &&
     requires(const Candidate& topic, std::int64_t task, std::span<const typename Candidate::Result> results) {
     { topic.tasks() } -> std::same_as<std::int64_t>;
     { topic.solve(task) } -> std::same_as<typename Candidate::Result>;
-    // in the order of the file: a scale before what has it as a dimension
+    // in the order of the file: a scale before the variables that have it as a dimension
     { topic.tables(results) } -> std::same_as<std::vector<Table>>;
     { topic.summary(results) } -> std::same_as<std::string>;
 };

@@ -23,7 +23,7 @@ constexpr int most_events = 20'000;
 constexpr Real step_turn = 0.5L;   // of the fastest rate: 0.5^25/25! is far below rounding
 constexpr Real step_share = 0.2L;  // of the radius of convergence, where it is finite: 0.2^25 = 3e-18
 
-// A stop with a force of its own.
+// The motion with a stop that has a force law.
 template <class Force>
 class ForcedMotion : private TaylorMotion {
   public:
@@ -55,7 +55,7 @@ class ForcedMotion : private TaylorMotion {
     }
 
   private:
-    // Whether the stop's force counts at this point: not at a depth at which it changes nothing.
+    // Whether the stop's force counts at this point: not at depths at which it has no effect.
     [[nodiscard]] bool force_counts() const {
         if (phase_ != Phase::contact) return false;
         return force_.is_analytic() || point_.position >= floor_;
@@ -67,7 +67,7 @@ class ForcedMotion : private TaylorMotion {
         if (force_.is_analytic()) return turn;
         const Real v = std::abs(point_.velocity);
         const Real a = free_acceleration_;
-        if (force_counts()) {  // delta = 0 is no nearer than this
+        if (force_counts()) {  // a lower bound on the time to delta = 0
             const Real radius = 2 * point_.position / (v + std::sqrt(v * v + 2 * a * point_.position));
             return std::min(turn, step_share * radius);
         }
@@ -77,7 +77,7 @@ class ForcedMotion : private TaylorMotion {
 
     bool step() {
         if (!force_.is_analytic() && phase_ == Phase::contact) {
-            // a bound of the acceleration, for lengths and depths
+            // a bound on the acceleration, for step lengths and depths
             free_acceleration_ = oscillator_.drive() + std::abs(point_.position + oscillator_.gap) +
                                  2 * oscillator_.damping_ratio * std::abs(point_.velocity) +
                                  force_.value(point_);
@@ -125,7 +125,7 @@ class ForcedMotion : private TaylorMotion {
             phase_ = phase_ == Phase::contact ? Phase::unloaded : Phase::contact;
         }
     }
-    // An elastic stop lets go where it was touched.
+    // An elastic stop releases where it was touched.
     [[nodiscard]] bool is_elastic() const { return force_.is_analytic() && force_.value({0, 1}) == 0; }
 
     // Within a step the force has at most one maximum.
@@ -154,7 +154,7 @@ class ForcedMotion : private TaylorMotion {
     Real free_acceleration_ = 0;
 };
 
-// A rigid stop.
+// The motion with a rigid stop.
 class RigidMotion : private TaylorMotion {
   public:
     RigidMotion(const Oscillator<Real>& oscillator, const State<Real>& x, Real restitution)
@@ -168,7 +168,7 @@ class RigidMotion : private TaylorMotion {
 
     MeasuredCycle<Real> run() {
         using Outcome = typename Cycle<Real>::Outcome;
-        if (point_.position > 0) return finished(Outcome::not_finite);  // beyond a rigid stop there is nothing
+        if (point_.position > 0) return finished(Outcome::not_finite);  // no state lies beyond a rigid stop
         int events = 0;
         for (int steps = 0; time_ < period_; ++steps) {
             stop_if_asked();
@@ -187,7 +187,7 @@ class RigidMotion : private TaylorMotion {
     bool fly() {
         const Real longest = period_ - time_;
         Real end = std::min(longest, step_turn / free_rate());
-        // a hop right after an impact must not hide between samples
+        // a hop right after an impact must not be missed between samples
         const Real a = press(time_);
         if (point_.position == 0 && a > 0) end = std::min(end, 4 * std::abs(point_.velocity) / a);
         expand([](std::size_t) { return Real(0); });
@@ -219,7 +219,7 @@ class RigidMotion : private TaylorMotion {
             return;
         }
         ++impacts_while_pressed_;
-        // all the impacts to come take this long, and less than can be told apart
+        // time of all impacts still to come: the chatter is complete once this is below the resolution
         const Real rest = restitution_ < 1 ? -2 * point_.velocity / (a * (1 - restitution_)) : period_;
         if (rest > std::numeric_limits<Real>::epsilon() * period_) return;
         point_.velocity = 0;
@@ -238,7 +238,7 @@ class RigidMotion : private TaylorMotion {
         return event;
     }
 
-    // The largest force of a step at rest: next to the largest sample, by thirds.
+    // The largest force of a step at rest: next to the largest sample, by ternary search.
     void raise_peak(Real end) {
         int largest = 0;
         for (int n = 1; n <= samples; ++n) {

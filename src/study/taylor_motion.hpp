@@ -1,5 +1,5 @@
-// What a motion by power series has whatever the law of the stop: the forces on the hammer but for the stop's,
-// and the clock.
+// The part of a motion by power series that is independent of the stop's law: the forces on the hammer except
+// the stop's, and the clock.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ using scene::State;
 using trajectory::Cycle;
 using trajectory::Phase;
 
-inline constexpr int samples = 16;          // of a step: where the end of a phase is looked for
-inline constexpr Real out_of_range = 1e9L;  // a softening spring that gave way never ends its cycle
+inline constexpr int samples = 16;          // per step, to bracket the end of a phase
+inline constexpr Real out_of_range = 1e9L;  // a softening spring that has given way never completes its cycle
 
 class TaylorMotion {
   public:
@@ -34,7 +34,7 @@ class TaylorMotion {
     template <class Force>
     void expand(Force force) {
         Series y{};        // the cart
-        Series x{};        // what the spring's cubic part sees
+        Series x{};        // the argument of the spring's cubic term
         Series squares{};  // x^2 and y^2
         Series cart_squares{};
         const Real angle = oscillator_.frequency * time_;
@@ -70,7 +70,7 @@ class TaylorMotion {
                std::sqrt(6 * std::abs(oscillator_.cubic)) * reach;
     }
 
-    // What presses a hammer at rest against the stop.
+    // The net force that presses a hammer at rest against the stop.
     [[nodiscard]] Real press(Real time) const {
         const Real sine = std::sin(oscillator_.frequency * time);
         const Real y = cart_ * sine;
@@ -78,8 +78,8 @@ class TaylorMotion {
         return oscillator_.drive() * sine - oscillator_.gap - oscillator_.cubic * (x * x * x - y * y * y);
     }
 
-    // The first time within the step at which `over` is positive, or the step's end. It is not at the step's
-    // beginning, which may lie on the surface of the event before.
+    // The first time within the step at which `over` is positive, or the step's end. The step's beginning is
+    // excluded, as it may lie on the surface of the previous event.
     template <class Over>
     [[nodiscard]] bool find_event(Real& end, Over over) const {
         const Real length = end;

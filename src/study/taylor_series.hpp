@@ -52,7 +52,7 @@ class KelvinVoigtForce {
     // Positive while the stop presses.
     [[nodiscard]] Real pressing(const Point& p) const { return value(p); }
     [[nodiscard]] Real fastest_rate(const Point&) const { return std::sqrt(law_.stiffness) + law_.damping; }
-    // Depth below which the force changes nothing.
+    // Depth below which the force has no effect.
     [[nodiscard]] Real floor(Real, Real) const { return 0; }
     [[nodiscard]] bool is_analytic() const { return true; }
 
@@ -64,7 +64,8 @@ class HuntCrossleyForce {
   public:
     explicit HuntCrossleyForce(const scene::HuntCrossley<Real>& law) : law_(law) {}
 
-    // p = delta^n obeys delta p' = n delta' p, which gives the coefficients of p one after another.
+    // p = delta^n obeys delta p' = n delta' p, which gives the coefficients of p one after another (Knuth,
+    // TAOCP 2, sec. 4.7).
     Real coefficient(const Series& series, std::size_t n) {
         Real power = 0;
         if (n == 0) {
@@ -99,7 +100,7 @@ class HuntCrossleyForce {
         return std::sqrt(2 * law_.exponent * power * (1 + law_.dissipation * std::abs(p.velocity))) +
                2 * power * depth * law_.dissipation;
     }
-    // Where all that the force can do on the way to delta = 0 is lost in the velocity or in the acceleration.
+    // Below it, the force's whole effect on the way to delta = 0 is lost in the velocity or the acceleration.
     [[nodiscard]] Real floor(Real velocity, Real acceleration) const {
         constexpr Real lost = 1e-20L;
         const Real strength = law_.stiffness * (1 + law_.dissipation * std::abs(velocity));

@@ -14,7 +14,7 @@ using scene::State;
 constexpr std::size_t longest_period = 64;
 constexpr Extended recurred = 1e-15L;
 constexpr std::int64_t flight_window = 1000;  // cycles
-constexpr Extended apart = 1e-7L;             // of the points of one orbit, at least
+constexpr Extended apart = 1e-7L;             // least distance between points of one orbit
 
 Extended distance(const State<Extended>& a, const State<Extended>& b) {
     const State<Extended> size = a.cwiseAbs().array() + 1;
@@ -26,7 +26,7 @@ class Motion {
     Motion(const scene::Oscillator<double>& oscillator, const State<double>& start)
         : reference_(oscillator), x_(start.cast<Extended>()) {}
 
-    // False where the reference can't go on.
+    // False if the reference can't continue.
     bool advance() {
         const ReferenceCycle cycle = reference_(x_);
         if (cycle.outcome != ReferenceCycle::Outcome::done) return false;
@@ -71,7 +71,8 @@ class Motion {
         return verdict;
     }
 
-    // Mean growth per cycle of the distance to a neighbour that is drawn near again after each cycle.
+    // Mean logarithmic growth per cycle of the distance to a neighbour, rescaled after each cycle (Benettin et
+    // al. 1980).
     [[nodiscard]] Extended growth(int cycles) {
         constexpr Extended near = 1e-9L;
         State<Extended> away(near, 0);

@@ -14,7 +14,7 @@ namespace peterka::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double same_orbit = 0.05;  // of the state, beyond which a run is on another orbit
+constexpr double same_orbit = 0.05;  // error of the state beyond which a run is on another orbit
 constexpr std::array<const char*, 3> outcome_names{"done", "failed", "other_orbit"};
 
 using Result = WorkPrecision::Result;

@@ -1,8 +1,8 @@
 // Work and precision: the error of every method in a few cells, against its time per forcing cycle.
 //
-// Each run starts on the cell's stable periodic orbit, which the reference knows to 1e-17, and follows it for
+// Each run starts on the cell's stable periodic orbit, known to 1e-17 from the reference, and follows it for
 // job.study.cycles forcing cycles; then one period is compared with the reference. All methods do the same
-// work: state, Jacobian and contacts; time is that of the fastest of job.study.repeats. The batched engine
+// work: state, Jacobian and contacts; the time is that of the fastest of job.study.repeats. The batched engine
 // follows all cells together, and each cell's time is its share of the batch's.
 #pragma once
 
@@ -25,7 +25,7 @@ class WorkPrecision {
     // Stored as int8; part of the file format.
     enum class TrialEnd : std::int8_t { done = 0, failed = 1, other_orbit = 2 };
 
-    // Of one run in one cell.
+    // The result of one run in one cell.
     struct Result {
         TrialEnd outcome = TrialEnd::failed;
         double error_peak_force = 0;   // relative
@@ -52,11 +52,11 @@ class WorkPrecision {
         std::vector<Observation> cycles;  // one period
     };
 
-    // The cell's orbit, found when it is first asked for: a rank needs few, and a check none.
+    // The cell's orbit, computed on first use: a rank needs few, and a check none.
     [[nodiscard]] const Orbit& orbit(std::size_t cell) const;
-    // All cells in one batch, when it is first asked for.
+    // All cells in one batch, run on first use.
     [[nodiscard]] const BatchTrial& batch_trial() const;
-    // The run on the cell's orbit; nothing where it fails.
+    // The run on the cell's orbit; nothing if it fails.
     [[nodiscard]] std::optional<TimedOrbit> follow(const Run& run, std::size_t cell) const;
 
     job::Study study_;

@@ -31,7 +31,7 @@ class Failure : public std::runtime_error {
     ExitCode code_;
 };
 
-// What ends the program because of an exception of any kind, in words.
+// Converts an exception of any kind that ends the program into a Failure with a message.
 [[nodiscard]] inline Failure as_failure(const std::exception& error) {
     if (const auto* const failure = dynamic_cast<const Failure*>(&error)) return *failure;
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {

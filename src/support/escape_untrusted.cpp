@@ -14,7 +14,7 @@ struct Letter {
     std::size_t bytes;
 };
 
-// The letter of UTF-8 that a text begins with, in its shortest form; none where there is no such one.
+// The UTF-8 character with which a text begins, in its shortest encoding; none if there is none.
 std::optional<Letter> first_letter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
@@ -32,7 +32,8 @@ std::optional<Letter> first_letter(std::string_view text) {
     return Letter{code, bytes};
 }
 
-// Does something to what is shown instead of being shown: controls, marks of direction, breaks, invisible ones.
+// Whether it acts on the output instead of being shown: controls, direction marks, breaks, invisible
+// characters.
 bool is_command(std::uint32_t code) {
     struct CodePoints {
         std::uint32_t first;
@@ -53,7 +54,7 @@ std::string shown(std::uint32_t code) {
 std::string escaped_text(std::string_view text, std::size_t longest, bool keeps_lines) {
     constexpr std::string_view cut = "...";
     std::string escaped;
-    std::size_t uncut = 0;  // of it, with room for that behind
+    std::size_t uncut = 0;  // length of `escaped` after which `cut` still fits
     while (!text.empty()) {
         const auto letter = first_letter(text);
         const std::size_t bytes = letter ? letter->bytes : 1;

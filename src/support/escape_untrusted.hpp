@@ -1,5 +1,5 @@
-// A stranger's text made harmless for the terminal on which it is read: what comes out of a file, a job, a lock
-// or a name may hold commands to the terminal, or pretend to be a message of this program.
+// Makes untrusted text safe to show on a terminal: text from a file, a job, a lock or a name may contain
+// terminal commands, or imitate a message of this program.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,11 @@
 
 namespace peterka {
 
-// As one line: control characters, marks that turn the direction of writing, and bytes that aren't UTF-8 are
-// shown as \x1b, \u009b, \xff; what is longer than so many bytes is cut. A text that was made harmless stays as
-// it is.
+// As one line: control characters, direction marks, and bytes that are not UTF-8 are shown as \x1b, \u009b,
+// \xff; text longer than `longest` bytes is cut. Text that is already safe stays as it is.
 [[nodiscard]] std::string escape_untrusted(std::string_view text, std::size_t longest = 200);
 
-// The same for whole pages, with their line breaks and of any length: everything that is printed goes through
+// The same for whole pages, keeping line breaks and of any length: everything that is printed passes through
 // it.
 [[nodiscard]] std::string escape_untrusted_page(std::string_view text);
 

@@ -1,11 +1,10 @@
-// What a function expects of whoever calls it, as code at its door.
+// Preconditions of a function, checked on entry.
 //
 //     PETERKA_EXPECT(slot < size_);
 //
-// Where it doesn't hold, one part of the program broke its word to another one: std::logic_error, on which the
-// program ends with ExitCode::internal. What users, files and disks may do wrong is no such thing (errors.hpp).
-// Looked at in builds with tests or sanitizers, which define PETERKA_EXPECTS; elsewhere it costs nothing, for
-// the condition is compiled and never evaluated.
+// A violation is a bug: std::logic_error, on which the program ends with ExitCode::internal. Errors of users,
+// files and disks are not of this kind (errors.hpp). Checked in builds with tests or sanitizers, which define
+// PETERKA_EXPECTS; elsewhere it costs nothing, as the condition is compiled but never evaluated.
 #pragma once
 
 #ifdef PETERKA_EXPECTS

@@ -14,7 +14,7 @@ namespace {
 
 bool exit_is_own = true;
 
-// Nothing here may want memory.
+// Nothing here may allocate memory.
 [[noreturn]] void end(std::string_view words) {
     static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));
     std::_Exit(static_cast<int>(ExitCode::internal));
@@ -41,7 +41,7 @@ void end_by_library() {
         "where there is more; it goes on from what is finished.\n");
 }
 
-// Before the first constructor of a library's header that allocates.
+// Runs before the first constructor of a library's header that allocates.
 [[gnu::constructor(101)]] void begin() {
     std::set_terminate(end_uncaught);
 }

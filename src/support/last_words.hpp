@@ -1,11 +1,11 @@
-// Words and exit code 70 where the program would end without: by an exception that nobody catches, even before
-// main() or in a function that must not throw, and by a library's own exit(), as HDF5 1.10 calls it where it
-// has no memory for an identifier.
+// A message and exit code 70 where the program would end without: on an uncaught exception, even before main()
+// or in a noexcept function, and on a library's own exit(), which HDF5 1.10 calls if it has no memory for an
+// identifier.
 #pragma once
 
 namespace peterka {
 
-// While one lives, exit() is a library's, and ends the program in words.
+// While one exists, exit() is attributed to a library, and ends the program with a message.
 class LastWords {
   public:
     LastWords();

@@ -1,4 +1,4 @@
-// The last few of many things, in their order.
+// The last few of many values, in their order (a ring buffer).
 #pragma once
 
 #include <algorithm>

@@ -26,7 +26,7 @@ void print(const std::string& text, std::string_view nevertheless) {
 void occupy_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
-        // the lowest number that is free, which is this one; for reading alone, so that writing fails
+        // takes the lowest free descriptor, which is this one; read-only, so that writing fails
         static_cast<void>(::open("/dev/null", O_RDONLY));
     }
 }

@@ -6,11 +6,12 @@
 
 namespace peterka {
 
-// Throws Failure(ExitCode::output) with the reason, and with what becomes of the work, if that is said.
+// Throws Failure(ExitCode::output) with the reason, and with what becomes of the work (`nevertheless`), if
+// given.
 void print(const std::string& text, std::string_view nevertheless = "");
 
-// To be called before anything else: where stdin, stdout or stderr is closed, a file that is opened later would
-// get its place, and what is printed. There writing fails from now on as it would without it.
+// To be called before anything else: if stdin, stdout or stderr is closed, a file opened later would get its
+// descriptor, and what is printed. Writing there still fails, as to a closed stream.
 void occupy_closed_streams();
 
 }  // namespace peterka

@@ -65,7 +65,7 @@ std::string progress_line(const ProgressCounts& counts, double seconds, int colu
     std::string text = progress_text(counts, seconds);
     const std::size_t left = room - std::min(room, text.size() + around_bar);  // for the bar
     if (left >= least_bar) {
-        // As long as before where the numbers' lengths vary.
+        // Of constant length while the lengths of the numbers vary.
         const std::size_t steady = room - std::min(room - least_bar, usual_text + around_bar);
         const auto width = static_cast<int>(std::min({left, steady, longest_bar}));
         text = fmt::format("{} {}", progress_bar(counts, width), text);

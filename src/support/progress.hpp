@@ -1,4 +1,4 @@
-// How far a run is: a bar on a terminal, otherwise one plain line at the start and then about one a minute. On
+// Progress of a run: a bar on a terminal, otherwise one plain line at the start and then about one a minute. On
 // stderr.
 #pragma once
 
@@ -20,16 +20,15 @@ struct ProgressCounts {
     std::int64_t cells_done = 0;    // including those before
 };
 
-// "12.3 %  5,432 cells/s  ETA 1 min 12 s"; the rate counts this run alone. In the end the time
+// "12.3 % 5,432 cells/s ETA 1 min 12 s"; the rate counts this run alone. At the end the time
 // taken instead of the time left.
 [[nodiscard]] std::string progress_text(const ProgressCounts& counts, double seconds);
 
 // "[#####.....]"
 [[nodiscard]] std::string progress_bar(const ProgressCounts& counts, int width);
 
-// Both, on a terminal of so many columns: at most one less, for the last one would wrap. Where they don't fit
-// the bar gets shorter, then goes, then the rate goes. Padded with blanks over what a longer line may have
-// left.
+// Both, on a terminal of this many columns: at most one less, for a full line would wrap. If they do not fit,
+// the bar is shortened, then omitted, then the rate. Padded with blanks to overwrite a longer line.
 [[nodiscard]] std::string progress_line(const ProgressCounts& counts, double seconds, int columns);
 
 class Progress {

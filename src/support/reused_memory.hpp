@@ -1,5 +1,5 @@
-// Memory that is used again: a block that is given back waits, with others of its size, for the next who asks.
-// For what comes and goes by the thousand a second, in sizes that repeat. Each thread has its own.
+// Memory reuse: a freed block waits in a free list of its size class for the next request. For objects created
+// and destroyed by the thousand a second, in recurring sizes. Each thread has its own lists.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class ReusedMemory {
         if (first == nullptr) return ::operator new((size + 1) * unit);
         return std::exchange(first, first->next);
     }
-    // bytes: as many as were asked for.
+    // bytes: as many as were requested.
     static void give_back(void* block, std::size_t bytes) noexcept {
         const std::size_t size = size_class(bytes);
         if (size >= classes) return ::operator delete(block);
@@ -29,7 +29,7 @@ class ReusedMemory {
   private:
     static constexpr std::size_t unit = 64;
 #ifdef __SANITIZE_ADDRESS__
-    static constexpr std::size_t classes = 0;  // or it wouldn't see who uses what was given back
+    static constexpr std::size_t classes = 0;  // else it would miss uses of freed blocks
 #else
     static constexpr std::size_t classes = 128;  // larger blocks are few
 #endif

@@ -1,17 +1,16 @@
-// The way out of a computation in the middle of it. Who may ask for it is the program's business
-// (support/stop_request.hpp): this header knows nothing of signals, so that any engine can include it.
+// Aborts a computation part-way. Who may request it is up to the program (support/stop_request.hpp): this
+// header does not depend on signals, so that any engine can include it.
 #pragma once
 
 namespace peterka {
 
-// Thrown in the middle of a computation that was asked to stop. What it computed is incomplete, and is dropped.
+// Thrown in the middle of a computation that was asked to stop. Its result is incomplete and is discarded.
 struct Stopped {};
 
-// Throws Stopped where the program was asked to stop.
+// Throws Stopped if the program was asked to stop.
 void look_for_stop_request();
 
-// To be called in any loop that may take long, at every round: looks now and then, which costs nothing to speak
-// of.
+// To be called in every iteration of a loop that may take long: checks only now and then, at negligible cost.
 inline void stop_if_asked() {
     constexpr unsigned calls_between_looks = 16;
     static unsigned calls = 0;

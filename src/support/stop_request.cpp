@@ -25,10 +25,10 @@ extern "C" void remember_signal(int signal, siginfo_t* info, void* /*context*/) 
     sender = info->si_code == SI_USER ? info->si_pid : 0;  // a terminal's Ctrl-C comes from the kernel
 }
 
-// Open MPI turns what it gets itself into a SIGTERM to its ranks.
+// Open MPI turns a signal that it receives into a SIGTERM to its ranks.
 std::string sender_in_words() {
     std::string name;
-    std::getline(std::ifstream(fmt::format("/proc/{}/comm", sender)), name);  // gone, it has none
+    std::getline(std::ifstream(fmt::format("/proc/{}/comm", sender)), name);  // empty if the process is gone
     constexpr std::array launchers{"mpirun", "mpiexec", "orterun", "orted"};
     if (received_signal == SIGUSR1 || std::ranges::find(launchers, name) == launchers.end()) return "";
     return fmt::format(

@@ -1,7 +1,7 @@
 // Whether this process has been asked to stop: by SIGINT, SIGTERM, SIGUSR1, or because its time is up.
 //
-// The signals only set a flag; whoever computes looks at it between two cells, and within a cycle that may take
-// long. A second SIGINT (Ctrl-C) ends the process at once, as it does without us.
+// The signals only set a flag; computations check it between two cells, and within a cycle that may take long.
+// A second SIGINT (Ctrl-C) ends the process at once, as by default.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ class StopRequest {
     [[nodiscard]] bool requested() const;
     [[nodiscard]] std::string reason() const;  // "signal SIGUSR1", "--max-wall 60 s is over"
 
-    // The one that lives, or nullptr.
+    // The existing one, or nullptr.
     [[nodiscard]] static const StopRequest* in_force();
 
   private:

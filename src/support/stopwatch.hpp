@@ -1,4 +1,4 @@
-// Wall time since it was made [s]; a steady clock, so that setting the system's clock changes nothing.
+// Wall time since construction [s]; a steady clock, unaffected by setting the system's clock.
 #pragma once
 
 #include <chrono>

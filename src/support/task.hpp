@@ -1,8 +1,8 @@
-// A computation that can pause in the middle: what asks for something that others compute for many at once.
+// A computation that can pause in the middle, for results that are computed in batches for many tasks at once.
 //
 // A function that returns Task<T> and contains co_await or co_return begins when it is awaited by another task,
-// or by start(). Whatever it awaits in the end decides when it goes on. A task must not outlive what it refers
-// to. Exceptions come out where the result is taken.
+// or by start(). The innermost object that it awaits decides when it resumes. A task must not outlive what it
+// refers to. Exceptions are rethrown where the result is taken.
 #pragma once
 
 #include <coroutine>
@@ -25,7 +25,7 @@ class [[nodiscard]] Task {
         std::exception_ptr failure;
         std::coroutine_handle<> awaited_by = std::noop_coroutine();
 
-        // At its end a task hands over to the one that awaits it.
+        // On completion a task resumes the one that awaits it.
         struct End {
             [[nodiscard]] bool await_ready() const noexcept { return false; }
             [[nodiscard]] std::coroutine_handle<> await_suspend(Handle ended) const noexcept {

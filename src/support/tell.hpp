@@ -1,4 +1,4 @@
-// Messages on stderr. They must never end a run: a log on a full disk, or none at all, is not the map's fault.
+// Messages on stderr. They must never end a run: a full or missing log is no reason to lose the map.
 #pragma once
 
 #include <fmt/format.h>

@@ -17,7 +17,7 @@ bool is_launcher(const std::string& program) {
            program == "prte";
 }
 
-// Of mpirun on this machine, our parent; a daemon on another machine has none.
+// The terminal of mpirun on this machine, our parent; a daemon on another machine has none.
 std::optional<std::string> terminal_of_mpirun() {
     if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return std::nullopt;
     std::error_code unreadable;
@@ -35,7 +35,7 @@ std::optional<Terminal> Terminal::of_stderr() {
     if (isatty(STDERR_FILENO) != 0) return Terminal(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0));
     const auto elsewhere = terminal_of_mpirun();
     if (!elsewhere) return std::nullopt;
-    // One that is stopped doesn't stop the run.
+    // A stopped terminal does not stop the run.
     const int opened = open(elsewhere->c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
     if (opened < 0) return std::nullopt;
     return Terminal(opened);

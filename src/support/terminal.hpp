@@ -1,4 +1,4 @@
-// The terminal at which somebody watches what we print on stderr.
+// The terminal on which a user watches stderr.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@ namespace peterka {
 
 class Terminal {
   public:
-    // Ours, or that to which mpirun on this machine hands our stderr on: a rank sees a pipe, although a person
-    // sits at the other end. Nothing where nobody watches.
+    // Ours, or that to which mpirun on this machine forwards our stderr: a rank sees a pipe, although a user
+    // watches the other end. Nothing if there is no terminal.
     [[nodiscard]] static std::optional<Terminal> of_stderr();
 
     Terminal(Terminal&& other) noexcept : descriptor_(std::exchange(other.descriptor_, none)) {}
     Terminal& operator=(Terminal&&) = delete;
     ~Terminal();
 
-    // As it is now; 80 where it is not known.
+    // The current width; 80 if unknown.
     [[nodiscard]] int columns() const;
-    // At once, past mpirun, which may keep back what isn't a whole line (Open MPI 5). What can't be shown is
+    // At once, bypassing mpirun, which may hold back incomplete lines (Open MPI 5). What cannot be shown is
     // lost.
     void write(std::string_view text) const;
 

@@ -1,4 +1,4 @@
-// Where a text may be cut without cutting a letter of UTF-8 in two.
+// Where a text may be cut without splitting a UTF-8 character.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace peterka {
 
-// Bytes of a text's beginning: the most that are no more than `longest` and end where a letter ends. All bytes
-// of a letter but its first are 10xxxxxx.
+// Length of the longest prefix of at most `longest` bytes that ends where a character ends. All bytes of a
+// character but its first are 10xxxxxx.
 [[nodiscard]] constexpr std::size_t whole_letters(std::string_view text, std::size_t longest) {
     if (text.size() <= longest) return text.size();
     std::size_t length = longest;

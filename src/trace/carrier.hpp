@@ -1,4 +1,4 @@
-// What carries the motion of a solved cell from cycle to cycle.
+// The oscillator and engine that carry the motion of a solved cell from cycle to cycle.
 #pragma once
 
 #include "regime/cell_result.hpp"
@@ -11,7 +11,7 @@ struct Carrier {
     regime::EngineSettings settings;
 };
 
-// The engine used last is that of the result, or one that only looked what the cubic spring would change.
+// The engine used last is that of the result, or one that only examined the effect of the cubic spring.
 inline Carrier carrier_of(const regime::CycleBroker& broker, const regime::CellResult& result) {
     Carrier carrier{broker.oscillator(), broker.settings()};
     if (result.engine == regime::Engine::exact) {

@@ -38,7 +38,7 @@ const char* in_words(Cycle<double>::Outcome outcome) {
     return "done";
 }
 
-// A cycle of one scene after the other.
+// Successive cycles of one scene.
 class Cycles {
   public:
     Cycles(const Oscillator<double>& oscillator, const EngineSettings& settings, const State<double>& start)
@@ -66,7 +66,7 @@ class Cycles {
     std::int64_t done_ = 0;
 };
 
-// The rule of maps for the cubic spring, with the largest displacement of this very motion.
+// The maps' rule for the cubic spring, with the largest displacement of this very motion.
 void choose_engine(Course& course, const job::Solver& solver) {
     const Oscillator<double> whole = course.oscillator;
     const bool may_omit = solver.engine == job::EngineChoice::automatic &&
@@ -129,7 +129,7 @@ Course prepare(const scene::Scene& scene) {
 }
 
 trajectory::Totals<double> follow(const Course& course, Watcher& watcher) {
-    constexpr double rounding = 1e-12;  // of a length that is meant to be whole periods
+    constexpr double rounding = 1e-12;  // of a length meant to be whole periods
     const double period = course.oscillator.period();
     const auto cycles = static_cast<std::int64_t>(std::ceil(course.length / period * (1 - rounding)));
     Recorder<double> recorder(trajectory::Detail::energy, watcher);

@@ -39,14 +39,14 @@ void ImpactWindow::sample(const Stretch& stretch) {
     const bool has_touched = touches_ > plan_.impact;
     while (std::ssize(instants_) < plan_.before + plan_.after) {
         const std::int64_t from_touch = std::ssize(instants_) - plan_.before;
-        if (from_touch >= 0 && !has_touched) return;  // whatever rounding says of the times
+        if (from_touch >= 0 && !has_touched) return;  // regardless of rounding in the times
         const double time = plan_.touch_time + plan_.step * static_cast<double>(from_touch);
         if (!(time < stretch.end())) return;
         instants_.push_back(instant(stretch, std::clamp(time - stretch.begin, 0.0, stretch.length)));
     }
 }
 
-// The largest of a grid first, then the zero of the slope next to it.
+// First the largest value on a grid, then the zero of the slope next to it.
 void ImpactWindow::raise_peak(const Stretch& stretch) {
     constexpr int pieces = 256;
     const auto force = [&](double time) { return quantities(oscillator_, instant(stretch, time)).force; };

@@ -1,5 +1,5 @@
-// One impact seen closely: the motion at evenly spaced times around its first touch, and where its force is
-// largest.
+// A close view of one impact: the motion at evenly spaced times around its first touch, and the instant of its
+// largest force.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct WindowPlan {
     std::int64_t after = 0;   // from touch on
 };
 
-// `share_before` of the width lies before touch; what would lie outside of the trace is left out.
+// `share_before` of the width lies before touch; samples outside the trace are omitted.
 [[nodiscard]] WindowPlan plan_window(std::size_t impact, double touch_time, double width, double share_before,
                                      std::int64_t samples, double trace_length);
 
@@ -29,7 +29,7 @@ class ImpactWindow : public Watcher {
         : oscillator_(oscillator), plan_(plan) {}
 
     [[nodiscard]] const std::vector<Instant>& instants() const { return instants_; }
-    // The largest force of the impact, found on the motion itself; not for a rigid stop.
+    // The largest force of the impact, located on the motion itself; not for a rigid stop.
     [[nodiscard]] const Instant& peak() const { return peak_; }
 
     void touch(double speed) override;

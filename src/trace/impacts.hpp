@@ -24,8 +24,8 @@ class Impacts : public Watcher {
     explicit Impacts(double length) : length_(length) {}
 
     [[nodiscard]] const std::vector<Impact>& all() const { return impacts_; }
-    // The one with the largest peak force, or, on a rigid stop, with the largest speed; the first of equals.
-    // One that outlasts the trace only where there is no other.
+    // The impact with the largest peak force or, on a rigid stop, the largest speed; the first of equals. One
+    // that outlasts the trace only if there is no other.
     [[nodiscard]] std::optional<std::size_t> hardest() const;
 
     void touch(double speed) override;

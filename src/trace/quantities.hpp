@@ -1,4 +1,4 @@
-// What is shown of an instant of the motion, from the engine's state by the equation of motion.
+// The quantities shown at an instant of the motion, from the engine's state by the equation of motion.
 //
 //     x'' = -2 zeta u' - u - r - f,   x = u + y,   y = sin(eta tau):   see scene/oscillator.hpp.
 // Lengths in A0, times in 1/omega, forces in k A0.
@@ -29,7 +29,7 @@ struct Quantities {
 
 [[nodiscard]] Quantities quantities(const scene::Oscillator<double>& oscillator, const Instant& instant);
 
-// Derivative of the force in time, while the stop presses and is not rigid.
+// Time derivative of the force, while the stop presses and is not rigid.
 [[nodiscard]] double force_slope(const scene::Oscillator<double>& oscillator, const Instant& instant);
 
 }  // namespace peterka::trace

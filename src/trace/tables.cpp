@@ -19,7 +19,7 @@ using scene::Scales;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// A column of a table whose rows are of some kind: what it is called, and its value of a row.
+// A column of a table: its name, and its value for a row of this kind.
 template <class Row>
 struct Column {
     Variable variable;
@@ -30,7 +30,7 @@ constexpr Variable real(const char* name, const char* units, const char* long_na
     return {name, Number::float64, nan, units, long_name};
 }
 
-// One table a column; the first one is the dimension's own, its coordinates.
+// One table per column; the first one holds the dimension's own coordinates.
 template <class Row>
 void add_columns(std::vector<Table>& tables, const char* group, std::span<const Row> rows,
                  const std::vector<Column<Row>>& columns) {

@@ -1,9 +1,9 @@
 // A trace as the datasets of its file.
 //
-// At the root the motion over `time`; in /impacts the list of impacts; in /impact the hardest one closely, over
-// a time of its own, and in /impact_spectrum its spectra; in /spectrum those of the motion; in /cell what a map
-// says of the cell. Groups without content are left out. Displacements are in A0 and forces over the hammer's
-// weight, as in maps; all else is in SI units.
+// At the root the motion over `time`; in /impacts the list of impacts; in /impact a close view of the hardest
+// one, over a time of its own, and in /impact_spectrum its spectra; in /spectrum those of the motion; in /cell
+// the map's result for the cell. Groups without content are omitted. Displacements are in A0 and forces over
+// the hammer's weight, as in maps; everything else is in SI units.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ namespace peterka::trace {
 [[nodiscard]] std::vector<map_file::Table> cell_tables(const char* group, const quantities::StoredCell& cell,
                                                        const job::Job& job);
 
-// The job of a map that stores all that proves the regime of a traced cell.
+// The job of a map that stores everything that proves the regime of a traced cell.
 [[nodiscard]] job::Job with_proofs(job::Job job);
 
 }  // namespace peterka::trace

@@ -17,7 +17,7 @@ double largest_frequency(const scene::Scene& scene) {
     return 2 * std::numbers::pi * scene.job().trace.spectrum_to_hz / scene.scales().frequency_rad_per_s;
 }
 
-// One of the job, or three times the contact with one of them before it; tau.
+// The job's width or, by default, three contact times, one of them before the touch; tau.
 double width_of_window(const scene::Scene& scene, const Course& course, const Impact& impact) {
     const double asked = scene.job().trace.impact_window_s * scene.scales().frequency_rad_per_s;
     if (asked > 0) return asked;

@@ -12,13 +12,13 @@
 
 namespace peterka::trace {
 
-// The hardest impact seen closely.
+// A close view of the hardest impact.
 struct HardImpact {
     std::size_t index = 0;  // among all impacts
     std::vector<Instant> instants;
     Instant peak;  // meaningless on a rigid stop
     std::optional<Spectrum>
-        spectrum;  // where the impact is over within the trace; of the flight, as far as that
+        spectrum;  // if the impact ends within the trace; of the flight, up to the trace's end
 };
 
 struct Trace {
@@ -30,10 +30,10 @@ struct Trace {
     Spectrum spectrum;
 };
 
-// Throws Failure where the motion can't be followed.
+// Throws Failure if the motion can't be followed.
 [[nodiscard]] Trace make_trace(const scene::Scene& scene);
 
-// Force that the stop jumps to when it is touched at this speed.
+// Force to which the stop jumps when touched at this speed.
 [[nodiscard]] double force_at_touch(const scene::Oscillator<double>& oscillator, double speed);
 
 }  // namespace peterka::trace

@@ -59,7 +59,7 @@ void Transform::add_piece(const Stretch& stretch, double begin, double length) {
     }
 }
 
-// A node turns by the same angle from line to line; it is set anew every so often, for rounding errors add up.
+// A node turns by the same angle from line to line; it is recomputed periodically, as rounding errors add up.
 void Transform::add(const Node& node) {
     constexpr std::size_t fresh_after = 64;
     const std::complex<double> turn = std::polar(1.0, -step_ * node.time);

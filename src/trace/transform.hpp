@@ -1,9 +1,8 @@
-// The Fourier integral of force and acceleration over a part of a motion, by quadrature on its smooth
-// stretches.
+// The Fourier integral of force and acceleration over part of a motion, by quadrature on its smooth stretches.
 //
 //     integral of s(t) exp(-i w t) dt,   s: the force on the hammer, or the hammer's acceleration x''.
-// Nothing is sampled evenly, so nothing is aliased, and jumps of the force at touch are where they are. Pieces
-// of a stretch turn by at most 2 radians at the largest w and by 1 of the contact's own rate; eight
+// Nothing is sampled evenly, so nothing is aliased, and jumps of the force at touch are located exactly. Pieces
+// of a stretch turn by at most 2 radians at the largest w and by 1 at the contact's own rate; eight
 // Gauss-Legendre nodes are then exact to about 1e-12. A rigid stop acts by impulses: each impact adds its own.
 #pragma once
 
@@ -16,7 +15,7 @@ namespace peterka::trace {
 
 class Transform : public Watcher {
   public:
-    // Of the motion between two times since the trace began, at w = 0, step, 2 step, ..., (lines - 1) step, in
+    // For the motion between two times since the trace began, at w = 0, step, 2 step, ..., (lines - 1) step, in
     // omega.
     Transform(const scene::Oscillator<double>& oscillator, double from, double to, double step,
               std::int64_t lines);

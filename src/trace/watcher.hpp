@@ -1,4 +1,4 @@
-// An observer of several cycles in a row: times since the trace began instead of those of each cycle.
+// An observer of several consecutive cycles: times count from the beginning of the trace, not of each cycle.
 #pragma once
 
 #include "trajectory/observer.hpp"
@@ -30,7 +30,7 @@ class Watcher : public trajectory::Observer<double> {
     }
     void touch(double /*speed*/) override {}
     void leave(const trajectory::ImpactRecord<double>& /*impact*/) override {}
-    // At the end of the last cycle.
+    // Called at the end of the last cycle.
     virtual void finish(const State<double>& /*end*/, Phase /*phase*/) {}
 
   protected:

@@ -1,11 +1,11 @@
-// The force of a stop as a function of the state, with its derivatives, and where it lets go.
+// The force of a stop as a function of the state, with its derivatives, and where the stop lets go.
 //
 //     Kelvin-Voigt    f = kappa delta + chi delta'       lets go where f falls through 0
 //     Hunt-Crossley   f = K delta^n (1 + D delta')       lets go where 1 + D delta' falls through 0, or at
 //     delta = 0
-// Both are the laws' formulas without their "never pulls": phases take care of that. A rigid stop acts by
-// impacts and has no such force: 0. Units as in scene/contact_law.hpp. Hunt-Crossley's formula is carried on to
-// delta < 0 as an odd function, so that an integrator may step past the end of a contact before it finds it.
+// Both formulas omit the laws' "never pulls": the phases take care of that. A rigid stop acts by impacts and
+// has no such force: 0. Units as in scene/contact_law.hpp. Hunt-Crossley's formula is continued to delta < 0 as
+// an odd function, so that an integrator may step past the end of a contact before locating it.
 #pragma once
 
 #include <cmath>
@@ -65,14 +65,15 @@ Real contact_force(const scene::Oscillator<Real>& oscillator, const scene::State
     return contact_response(oscillator, x).force;
 }
 
-// What must be positive for the stop to press at delta > 0, with the factor that makes it the force.
+// The quantity that must be positive for the stop to press at delta > 0, and the factor that turns it into the
+// force.
 template <class Real>
 struct Grip {
     Real value = 0;
     Real by_position = 0;
     Real by_velocity = 0;
     Real force_per_value = 1;
-    Real growth = 0;  // relative, of that factor by delta
+    Real growth = 0;  // relative, of that factor with delta
 };
 
 template <class Law, class Real>
@@ -104,7 +105,7 @@ bool lets_go_at_surface(const scene::Oscillator<Real>& oscillator) {
     return std::visit([](const auto& law) { return law.lets_go_at_surface(); }, oscillator.contact);
 }
 
-// The state next to x at which the stop just lets go, or takes hold again.
+// The state near x at which the stop just lets go, or presses again.
 template <class Real>
 scene::State<Real> at_release(const scene::Oscillator<Real>& oscillator, scene::State<Real> x) {
     std::visit([&](const auto& law) { law.move_to_release(x[0], x[1]); }, oscillator.contact);

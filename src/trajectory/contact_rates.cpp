@@ -13,14 +13,14 @@ namespace {
 using scene::HuntCrossley;
 using scene::KelvinVoigt;
 
-// Integral of v dv/(1 + D v) from 0 to v: what a free hammer's speed is worth in the spring's potential.
+// Integral of v dv/(1 + D v) from 0 to v: the equivalent of a free hammer's speed in the spring's potential.
 double work_left(double v, double dissipation) {
     const double x = dissipation * v;
     if (x < 1e-3) return v * v * (0.5 - x / 3);
     return (v - std::log1p(x) / dissipation) / dissipation;
 }
 
-// Of any law: the force at this state. A rigid stop has none.
+// Any law: from the force at this state. A rigid stop has none.
 template <class Law>
 LinearizedContact linearized(const Law& law, const scene::State<double>& x) {
     const ContactResponse<double> f = contact_response(law, x);
@@ -40,8 +40,8 @@ double depth_under(const KelvinVoigt<double>& law, double force) {
     return force / (1 + law.stiffness);
 }
 
-// Of any law: where stop and springs balance the force, by halving, as forces grow with the depth; a rigid stop
-// has no force of its own.
+// Any law: the depth at which stop and springs balance the force, by bisection, as forces grow with the depth;
+// a rigid stop has no force of its own.
 template <class Law>
 double depth_under(const Law& law, double force) {
     if constexpr (Law::Given::is_rigid) return force;

@@ -1,4 +1,4 @@
-// What every engine gives for one forcing cycle, and the parts of the model that don't depend on the engine.
+// What every engine returns for one forcing cycle, and the parts of the model that don't depend on the engine.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using scene::State;
 enum class Phase : std::uint8_t { flight, contact, unloaded };
 
 // The phase at the start of a cycle is a function of the state alone, so that a cycle is a map. On a rigid stop
-// the hammer is in contact where it is at rest and pressed; an impact is no phase.
+// the hammer is in contact where it is at rest and pressed; an impact is not a phase.
 template <class Real>
 Phase phase_of(const Oscillator<Real>& oscillator, const State<Real>& x) {
     if (scene::is_rigid(oscillator.contact)) {
@@ -30,8 +30,7 @@ Phase phase_of(const Oscillator<Real>& oscillator, const State<Real>& x) {
 }
 
 // Order and kind of the contacts in a cycle; two cycles with equal patterns lie on one smooth branch of the
-// map. A hash of the sequence: equal sequences are told apart from unequal ones with a chance of error of
-// 2^-64.
+// map. A hash of the sequence (like FNV-1a): unequal sequences are taken for equal with a probability of 2^-64.
 using EventPattern = std::uint64_t;
 
 constexpr EventPattern append(EventPattern pattern, EventPattern next) {
@@ -49,9 +48,9 @@ struct Cycle {
     enum class Outcome { done, too_many_events, not_finite, solver_failed, inside_stop };
     Outcome outcome = Outcome::done;
     State<Real> end = State<Real>::Zero();
-    Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // of the end by the start
+    Jacobian<Real> jacobian = Jacobian<Real>::Identity();  // derivative of the end by the start
     EventPattern pattern = 0;
-    int impacts = 0;  // upward crossings of delta = 0; each one of a chatter
+    int impacts = 0;  // upward crossings of delta = 0, each one of a chatter included
     Real last_touch = std::numeric_limits<Real>::quiet_NaN();  // tau at the last impact, from the cycle's start
     bool touched = false;                                      // the stop pressed at some time
     bool separated = false;                                    // delta < 0 at some time
@@ -62,7 +61,7 @@ template <class Real>
 struct MeasuredCycle : Cycle<Real> {
     Real peak_force = 0;            // largest F/(k A0)
     Real impact_speed = 0;          // largest delta' at first touch
-    Real largest_displacement = 0;  // of |u| where the map looked
+    Real largest_displacement = 0;  // of |u|, at the points sampled
 };
 
 }  // namespace peterka::trajectory

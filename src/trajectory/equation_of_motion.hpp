@@ -1,4 +1,4 @@
-// The equation of motion as a right-hand side, with its derivatives: what a general-purpose integrator needs.
+// The equation of motion as a right-hand side with its derivatives, as general-purpose integrators need it.
 //
 //     delta'' = eta^2 sin(theta) - 2 zeta delta' - u - r - f,    u = delta + gap, theta = eta tau,
 //     f(delta, delta') while the stop presses, 0 otherwise: see trajectory/contact_force.hpp,
@@ -23,7 +23,7 @@ struct Acceleration {
     Real by_position_twice;  // second derivatives; the one by velocity is 0
     Real by_both;            // by position and velocity
 
-    // Its derivative along the trajectory that moves with this velocity.
+    // Its derivative along the trajectory with this velocity.
     [[nodiscard]] Real jerk(Real velocity) const {
         return by_time + by_position * velocity + by_velocity * value;
     }

@@ -1,7 +1,7 @@
 // The stroboscopic map of the hammer: one forcing cycle, from phase 0 to phase 0, in closed form.
 //
 // All legs of a cycle are linear: see linear_legs.hpp for a spring-dashpot stop, rigid_legs.hpp for a rigid
-// one. The cubic part of the springs is left out.
+// one. The cubic part of the springs is omitted.
 #pragma once
 
 #include "scene/oscillator.hpp"
@@ -18,14 +18,14 @@ class ExactCycleMap {
 
     [[nodiscard]] const Oscillator<Real>& oscillator() const { return oscillator_; }
 
-    // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way.
+    // One cycle from the state x at forcing phase 0; a recorder collects the events on the way.
     [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         Journey<Real> journey = legs_.depart(x);
         if (legs_.run(journey, oscillator_.period(), recorder)) legs_.arrive(journey, recorder);
         return journey.cycle;
     }
 
-    // A part of a cycle: from the state x at tau = from to tau = to, which is after that.
+    // Part of a cycle: from the state x at tau = from to a later tau = to.
     [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
         Journey<Real> journey = legs_.depart(x);
         journey.time = from;

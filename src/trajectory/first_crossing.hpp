@@ -1,11 +1,11 @@
 // The first time at which a signal rises through zero, with a guarantee that none is missed.
 //
 // From a point with s <= 0 and a bound M on s'' up to h, s(t + h) <= s + s' h + M h^2/2, so the parabola's root
-// is a step that cannot pass the crossing. M is a bound for all later times, or what s'' can grow to within the
-// step at the largest s''' of all later times. Such steps converge to the crossing from below (quadratically,
-// like Newton's); short hops and grazing maxima cannot hide between samples, because there are no samples. Once
-// the slope is known to keep its sign up to the crossing, the same step with the true s'' in place of M
-// polishes it.
+// is a step that cannot pass the crossing. M is a bound for all later times, or the value that s'' can reach
+// within the step at the largest s''' of all later times. Such steps converge to the crossing from below
+// (quadratically, like Newton's method); short hops and grazing maxima cannot hide between samples, because
+// there are no samples. Once the slope is known to keep its sign up to the crossing, the same step with the
+// true s'' in place of M refines it.
 #pragma once
 
 #include <cmath>
@@ -22,10 +22,10 @@ using motion::Probe;
 
 template <class Real>
 struct Crossing {
-    // How the search for it ended.
+    // How the search ended.
     enum class Ending { crossing, none, exhausted, not_finite };
     Ending ending = Ending::none;
-    Moment<Real> moment;  // the crossing, or the last point looked at
+    Moment<Real> moment;  // the crossing, or the last point evaluated
     int evaluations = 0;
 };
 
@@ -36,7 +36,7 @@ Real parabola_step(Real value, Real slope, Real curvature) {
     return slope > 0 ? -2 * value / (slope + root) : (root - slope) / curvature;
 }
 
-// The longest step that surely doesn't pass the crossing.
+// The longest step that certainly doesn't pass the crossing.
 template <class Real>
 Real safe_step(Real value, Real slope, Real curvature, const typename Probe<Real>::Bounds& bounds) {
     Real step = parabola_step(value, slope, bounds.curvature);
@@ -53,7 +53,7 @@ Real safe_step(Real value, Real slope, Real curvature, const typename Probe<Real
     return step;
 }
 
-// Newton's method with curvature, where the slope keeps its sign up to the crossing. False where it doesn't
+// Newton's method with curvature, where the slope keeps its sign up to the crossing. False if it doesn't
 // converge.
 template <class Real>
 bool polish(const Leg<Real>& leg, const Probe<Real>& probe, Real step, Crossing<Real>& search) {
@@ -71,13 +71,13 @@ bool polish(const Leg<Real>& leg, const Probe<Real>& probe, Real step, Crossing<
     }
 }
 
-// Looks in (from.time, end] of the leg. What lies within the rounding error of zero counts as zero: a start
-// there is left, and a hop that rises no higher is none.
+// Searches (from.time, end] of the leg. Values within the rounding error of zero count as zero: a start there
+// is left behind, and a hop that rises no higher is ignored.
 template <class Real>
 Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, const Moment<Real>& from,
                               Real end) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    constexpr int budget = 100'000;  // far beyond any physical leg; an endless search becomes data of the cell
+    constexpr int budget = 100'000;  // far beyond any physical leg; exhausting it becomes the cell's status
     using Ending = typename Crossing<Real>::Ending;
 
     Crossing<Real> search{Ending::none, from, 0};
@@ -100,7 +100,7 @@ Crossing<Real> first_crossing(const Leg<Real>& leg, const Probe<Real>& probe, co
         }
         if (bound == 0) return search;  // at rest for ever
         Real step = safe_step(std::min(value, -zero), slope, probe.curvature(m), bounds);
-        if (step <= 2 * epsilon * m.time) {  // less than time resolves
+        if (step <= 2 * epsilon * m.time) {  // below the resolution of time
             if (rises) {
                 search.ending = Ending::crossing;
                 return search;

@@ -1,4 +1,4 @@
-// The motion without a stop and without a cubic spring: steady oscillation, and what is left of the start.
+// The motion without a stop and without a cubic spring: steady oscillation and transient.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace peterka::trajectory {
 
-// State at forcing phase 0 of the steady motion.
+// State of the steady motion at forcing phase 0.
 template <class Real>
 State<Real> steady_at_phase_0(const motion::LinearMotion<Real>& motion) {
     State<Real> x = motion.steady(0, 1);
@@ -17,7 +17,7 @@ State<Real> steady_at_phase_0(const motion::LinearMotion<Real>& motion) {
     return x;
 }
 
-// Bound of what a signal still shows of the start at phase 0, now and later.
+// Bound on the part of a signal that still depends on the start at phase 0, now and later.
 template <class Real>
 Real decaying_part(const motion::LinearMotion<Real>& motion, const motion::Probe<Real>& probe,
                    const State<Real>& x) {
@@ -32,19 +32,19 @@ class FreeFlight {
           flight_(motion::flight_equation(oscillator)),
           touch_({.position = 1}, flight_) {}
 
-    // The steady motion doesn't reach the stop.
+    // Whether the steady motion doesn't reach the stop.
     [[nodiscard]] bool may_last() const { return touch_.rest() + touch_.swing() < 0; }
-    // The decaying rest can no longer lift the hammer to the stop: it never impacts again.
+    // Whether the decaying transient can no longer lift the hammer to the stop: it never impacts again.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
         if (!may_last() || phase_of(oscillator_, x) != Phase::flight) return false;
         const Real room = -(touch_.rest() + touch_.swing());
         const State<Real> decaying = x - steady();
-        // a bound of the rest is no less than the rest now, which refuses most without a root
+        // the bound is no less than the present transient, which rejects most states without a square root
         return std::abs(decaying[0]) < room && touch_.transient(decaying) < room;
     }
     [[nodiscard]] bool decays() const { return oscillator_.damping_ratio > 0; }
 
-    // Largest |u| of the steady motion (infinite at undamped resonance), and of that from the state x on.
+    // Largest |u| of the steady motion (infinite at undamped resonance), and of the motion from the state x on.
     [[nodiscard]] Real amplitude() const { return touch_.swing(); }
     [[nodiscard]] Real largest_displacement(const State<Real>& x) const {
         return amplitude() + decaying_part(flight_, touch_, x);

@@ -1,4 +1,4 @@
-// A cycle on its way from phase 0 to phase 0, leg by leg.
+// A cycle in progress from phase 0 to phase 0, leg by leg.
 #pragma once
 
 #include "trajectory/cycle.hpp"
@@ -17,11 +17,11 @@ struct Journey {
     Phase phase;
     Real time = 0;  // tau since the cycle began
     int events = 0;
-    // of a rigid stop
+    // for a rigid stop
     Chain<Real> chain = {};  // the impacts of the present stretch of pressing
     Real rest_from = 0;      // when the present rest on the stop began, or will after the last of a chatter
 
-    // Ends the journey before its time.
+    // Ends the journey early.
     bool stop(typename Cycle<Real>::Outcome why) {
         cycle.outcome = why;
         return false;

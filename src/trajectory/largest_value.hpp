@@ -1,8 +1,8 @@
-// The largest value that a signal takes within a leg: of the force within a contact, of the displacement.
+// The largest value of a signal within a leg: of the force within a contact, or of the displacement.
 //
 // The force jumps to chi v at first touch; later maxima are the zeros at which the signal's slope falls through
-// zero. They are visited one after another only as long as what is left of the transient could still exceed the
-// largest one seen.
+// zero. They are visited one after another only as long as the remaining transient could still exceed the
+// largest value seen.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class LargestValue {
 
     [[nodiscard]] const Probe<Real>& signal() const { return signal_; }
 
-    // Largest value in a leg between two moments, or `largest` where nothing exceeds it.
+    // Largest value in a leg between two moments, or `largest` if nothing exceeds it.
     [[nodiscard]] Real over(const Leg<Real>& leg, const Moment<Real>& from, const Moment<Real>& end,
                             Real largest) const {
         Moment<Real> m = from;

@@ -1,4 +1,4 @@
-// Contacts that never end, without a cubic spring, for each law that has a closed form of them.
+// Permanent contacts without a cubic spring, for each law that has a closed form for them.
 #pragma once
 
 #include <cmath>
@@ -24,9 +24,9 @@ class LinearContact {
                    contact_),
           depth_({.position = 1}, contact_) {}
 
-    // The stop presses all the time in the steady motion.
+    // Whether the stop presses all the time in the steady motion.
     [[nodiscard]] bool may_last() const { return release_.rest() + release_.swing() < 0; }
-    // The decaying rest can no longer make the force vanish: the stop presses for ever.
+    // Whether the decaying transient can no longer make the force vanish: the stop presses for ever.
     [[nodiscard]] bool lasts(const State<Real>& x) const {
         return may_last() && phase_of(oscillator_, x) == Phase::contact &&
                release_.rest() + release_.swing() + decaying_part(contact_, release_, x) < 0;
@@ -35,7 +35,7 @@ class LinearContact {
         return oscillator_.damping_ratio > 0 || oscillator_.kelvin_voigt().damping > 0;
     }
 
-    // Largest force once the transient is gone, and from the state x on.
+    // Largest force once the transient has decayed, and from the state x on.
     [[nodiscard]] Real steady_force() const { return release_.swing() - release_.rest(); }
     [[nodiscard]] Real largest_force(const State<Real>& x) const {
         return steady_force() + decaying_part(contact_, release_, x);

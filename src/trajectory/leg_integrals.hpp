@@ -1,10 +1,10 @@
-// Integrals along a leg by Gauss-Legendre quadrature on pieces that are short against whatever still moves in
-// it.
+// Integrals along a leg by Gauss-Legendre quadrature on pieces that are short relative to the parts of its
+// motion still alive.
 //
 // A piece is no longer than the time in which the fastest living part of the motion (fast or slow transient, or
-// the forcing) turns or decays by one radian. Products of two such parts then are exact to about 1e-18 with
-// eight nodes. A transient is dead after 40 of its decay times, when it is 4e-18 of what it was; so even a stop
-// with zeta_i = 100 and kappa = 1e12, whose rates are 2e8 and 5e3, takes only a few hundred pieces.
+// the forcing) turns or decays by one radian. Products of two such parts are then exact to about 1e-18 with
+// eight nodes. A transient is dead after 40 of its decay times, when it has decayed by a factor of 4e-18; so
+// even a stop with zeta_i = 100 and kappa = 1e12, whose rates are 2e8 and 5e3, takes only a few hundred pieces.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline constexpr std::array<long double, 4> weight = {
     0.1012285362903762591525314L};
 }  // namespace gauss_legendre
 
-// The longest piece from a time on since the leg began.
+// The longest piece that begins at this time since the leg began.
 template <class Real>
 Real quadrature_piece(const motion::LinearMotion<Real>& motion, Real time) {
     constexpr Real dead = 40;  // decay times
@@ -35,8 +35,8 @@ Real quadrature_piece(const motion::LinearMotion<Real>& motion, Real time) {
     return 1 / std::max(forcing, transient);
 }
 
-// The sum of what `integrand` gives at the moments of a leg up to the time `end`, each times its weight. The
-// integrand's result is anything that adds up and can be multiplied by a number.
+// The weighted sum of `integrand` over the quadrature nodes of a leg up to the time `end`. The integrand's
+// result may be of any type that can be added and multiplied by a number.
 template <class Real, class Sum, class Integrand>
 Sum integrate_leg(const motion::Leg<Real>& leg, Real end, Sum sum, const Integrand& integrand) {
     for (Real time = 0; time < end;) {

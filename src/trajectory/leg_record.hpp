@@ -1,5 +1,5 @@
-// What one leg of linear motion adds to a recorder beyond force: a bound of the displacement or the true
-// largest one, the integrals of force, power and energy, and the leg itself for an observer.
+// The contribution of one leg of linear motion to a recorder beyond the force: a bound on the displacement or
+// its true maximum, the integrals of force, power and energy, and the leg itself for an observer.
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,8 @@
 
 namespace peterka::trajectory {
 
-// Bound of |u| over a leg of this duration: from the parts of its motion, or, where these nearly cancel close
-// to resonance, from its energy at the start and the work that the drive can do. `position` is the probe of
-// delta.
+// Bound on |u| over a leg of this duration: from the parts of its motion or, where these nearly cancel close to
+// resonance, from its initial energy and the work that the drive can do. `position` is the probe of delta.
 template <class Real>
 Real displacement_bound(const scene::Oscillator<Real>& oscillator, const motion::Probe<Real>& position,
                         const motion::Leg<Real>& leg, Real duration) {
@@ -35,7 +34,7 @@ Real largest_displacement(const scene::Oscillator<Real>& oscillator, const motio
     return LargestValue<Real>(-u, leg.motion()).over(leg, from, end, largest);
 }
 
-// `from`: up to there the displacement grows from its value at the start in one direction only.
+// `from`: up to there the displacement changes monotonically from its value at the start.
 // `force`: the signal of the stop's force, nullptr where it doesn't press.
 template <class Real>
 void record_contacts(const scene::Oscillator<Real>& oscillator, const motion::Leg<Real>& leg,

@@ -1,4 +1,4 @@
-// The legs of a forcing cycle: stretches of linear motion between the events at which the stop starts or ends
+// The legs of a forcing cycle: stretches of linear motion between the events at which the stop begins or ceases
 // to press.
 //
 // A cycle is a chain of legs: flight (delta < 0), contact (the stop presses), and unloaded (delta > 0 but kappa
@@ -8,7 +8,8 @@
 // cycle is a map.
 //
 // The Jacobian is the product of the legs' flows and of the saltation matrix [[1, 0], [-chi, 1]] at each entry,
-// where the force jumps by chi v; release and renewed contact are continuous and have the identity.
+// where the force jumps by chi v (Leine & Nijmeijer 2004); at release and renewed contact the force is
+// continuous and the matrix the identity.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +34,7 @@ using motion::Signal;
 template <class Real>
 class LinearLegs {
   public:
-    // The springs of an oscillator, without their cubic part, or with such a change.
+    // The springs of an oscillator, without their cubic part or with this change.
     explicit LinearLegs(const Oscillator<Real>& oscillator)
         : LinearLegs(oscillator, motion::flight_equation(oscillator), motion::contact_equation(oscillator)) {}
     LinearLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)
@@ -42,8 +43,7 @@ class LinearLegs {
 
     [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return {oscillator_, x}; }
 
-    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
-    // says why.
+    // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
     bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const;
 
     // At the end of the cycle.
@@ -144,7 +144,7 @@ void LinearLegs<Real>::enter(Phase next, Journey<Real>& journey, Recorder<Real>*
 template <class Real>
 bool LinearLegs<Real>::run(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
     using Ending = typename Crossing<Real>::Ending;
-    constexpr int most_events = 20'000;  // a cycle with more contacts than this has left physics
+    constexpr int most_events = 20'000;  // more contacts than any physical cycle has
 
     Cycle<Real>& cycle = journey.cycle;
     while (journey.events < most_events) {

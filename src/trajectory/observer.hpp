@@ -1,8 +1,8 @@
-// Watches the cycles of a motion pass: each of its smooth stretches with the engine's own states at any time,
-// and each impact.
+// Observes the cycles of a motion: each of its smooth stretches, with the engine's own states at any time, and
+// each impact.
 //
-// An engine tells its observer, where a recorder brings one, of stretches in their order. At most a jump of the
-// force or a small kick lies between two of them, on a rigid stop a jump of the velocity.
+// An engine notifies its observer, if the recorder has one, of stretches in their order. Between two of them
+// lies at most a jump of the force or a small kick, on a rigid stop a jump of the velocity.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace peterka::trajectory {
 
-// What is known of an impact once it is over, in the units of the recorder.
+// The record of an impact once it is over, in the units of the recorder.
 template <class Real>
 struct ImpactRecord {
     Real peak_force = 0;  // NaN on a rigid stop
@@ -30,11 +30,11 @@ class Observer {
     Observer& operator=(const Observer&) = delete;
     virtual ~Observer() = default;
 
-    // From a time tau of the cycle on, for a length of time; `state_at` is good for this call only.
+    // From a time tau of the cycle on, for a length of time; `state_at` is valid during this call only.
     virtual void stretch(Phase phase, Real from, Real length, const StateAt& state_at) = 0;
     // An impact begins where the last stretch ended, at this delta' > 0.
     virtual void touch(Real speed) = 0;
-    // An impact is over: the one touched last, or one that began before this observer came.
+    // An impact is over: the last one touched, or one that began before this observer was attached.
     virtual void leave(const ImpactRecord<Real>& impact) = 0;
 };
 

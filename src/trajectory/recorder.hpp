@@ -1,12 +1,12 @@
-// What the stop and the hammer do to each other, gathered while the cycles of one motion pass.
+// The interaction of stop and hammer, recorded over the cycles of one motion.
 //
 // An impact lasts from its first touch to the next flight, renewed contact included. It may last across the end
-// of a cycle: the caller keeps one recorder for all cycles of a motion, and what is still going on at the end
-// of one stays open until a later one ends it.
+// of a cycle: the caller keeps one recorder for all cycles of a motion, and an impact in progress at the end of
+// a cycle stays open until a later one ends it.
 //
 // Impacts on a rigid stop take no time, but while the hammer is pressed towards it they follow each other ever
 // faster, and infinitely many of them may end in rest on the stop: a completed chatter, which counts as one
-// impact. So impacts within one stretch of pressing form a chain, which counts only when its fate is known.
+// impact. So impacts within one stretch of pressing form a chain, which is counted only once its fate is known.
 //
 // All numbers are nondimensional: lengths in A0, times in 1/omega, speeds in A0 omega, forces in k A0, impulses
 // in k A0/omega, work in k A0^2.
@@ -24,12 +24,12 @@
 
 namespace peterka::trajectory {
 
-// How much is gathered; each level includes those before it. What nobody asks for isn't computed.
+// How much is recorded; each level includes those before it. What is not requested isn't computed.
 enum class Detail : std::uint8_t {
-    force,     // impacts, chatter, peak force, a bound of the displacement
-    impacts,   // on a rigid stop, and speed, impulse, duration and work of the impacts
-    contacts,  // on any, and the largest displacement itself
-    energy,    // and what the drive brings in and the damper of the springs takes out
+    force,     // impacts, chatter, peak force, a bound on the displacement
+    impacts,   // on a rigid stop, also speed, impulse, duration and work of the impacts
+    contacts,  // the same on any stop, and the largest displacement itself
+    energy,    // also the work of the drive and the loss in the springs' damper
 };
 
 // A stretch of time in which the stop presses.
@@ -47,7 +47,7 @@ struct Touch {
     Real speed = 0;  // delta'
 };
 
-// Over the cycles recorded.
+// Totals over the recorded cycles.
 template <class Real>
 struct Totals {
     std::int64_t impacts = 0;        // a completed chatter is one
@@ -74,7 +74,7 @@ struct Totals {
 template <class Real>
 class Recorder {
   public:
-    // `touches`, for who wants to know each of them, outlives the recorder.
+    // `touches`, if given, receives each first touch; it outlives the recorder.
     explicit Recorder(Detail detail = Detail::force, Latest<Touch<Real>>* touches = nullptr)
         : detail_(detail), touches_(touches) {}
     // The observer outlives the recorder. It sees single impacts from the level `contacts` on.
@@ -84,8 +84,8 @@ class Recorder {
     [[nodiscard]] bool records_contacts() const { return detail_ >= Detail::contacts; }
     [[nodiscard]] bool records_energy() const { return detail_ >= Detail::energy; }
     [[nodiscard]] Observer<Real>* observer() const { return observer_; }
-    // For an engine whose states lie off the motion between its kicks: what an observer is to see of a state at
-    // a time tau of the cycle.
+    // For an engine whose states lie off the motion between its kicks: maps such a state, at a time tau of the
+    // cycle, to the one that an observer is shown.
     using Seen = std::function<scene::State<Real>(Real, const scene::State<Real>&)>;
     void show(Seen seen) { seen_ = std::move(seen); }
     [[nodiscard]] scene::State<Real> seen(Real tau, const scene::State<Real>& x) const {
@@ -93,28 +93,28 @@ class Recorder {
     }
     [[nodiscard]] const Totals<Real>& totals() const { return totals_; }
 
-    // Something is still going on that counts in a later cycle.
+    // Whether something in progress counts in a later cycle.
     [[nodiscard]] bool is_open() const { return touching_ || chain_.impacts > 0; }
-    // Starts to count anew; what is open stays open.
+    // Restarts the counts; what is open stays open.
     void reset_totals() {
         totals_ = {};
         if (touches_ != nullptr) touches_->clear();
     }
-    // Counts what is open as one impact that ends now: for a motion that is observed no longer.
+    // Counts what is open as one impact that ends now: for a motion that is no longer observed.
     void finish() {
         if (chain_.impacts > 0) join_chain();
         leave();
     }
 
-    // Any law.
+    // For any law.
     void force(Real largest) {
         totals_.largest_force = std::max(totals_.largest_force, largest);
         recent_force_ = std::max(recent_force_, largest);
         impact_force_ = std::max(impact_force_, largest);
     }
-    // Forces that don't exceed this one tell nothing new of the present impact and cycle.
+    // Forces that don't exceed this one add nothing to the present impact and cycle.
     [[nodiscard]] Real force_to_beat() const { return std::min(impact_force_, recent_force_); }
-    // The largest force since this was asked last; NaN where the stop is rigid and was struck.
+    // The largest force since the last call; NaN if the stop is rigid and was struck.
     [[nodiscard]] Real take_recent_force() {
         return totals_.struck_rigid_stop ? std::numeric_limits<Real>::quiet_NaN()
                                          : std::exchange(recent_force_, Real(0));
@@ -130,8 +130,8 @@ class Recorder {
         totals_.damper_work += damper_work;
     }
 
-    // Whole cycles of an engine that gathers no more than the level `force`, or of a rigid stop `impacts`,
-    // where nothing is open.
+    // Adds whole cycles of an engine that records no more than the level `force`, or on a rigid stop `impacts`,
+    // and leaves nothing open.
     void cycles(const Totals<Real>& gathered) {
         totals_.impacts += gathered.impacts;
         totals_.chatter |= gathered.chatter;
@@ -173,8 +173,8 @@ class Recorder {
         touching_ = false;
     }
 
-    // A rigid stop turns the speed into -restitution * speed. Whether what presses the hammer towards the stop
-    // (acceleration > 0 at rest on it) makes this impact a link of a chain.
+    // A rigid stop turns the speed into -restitution * speed. pressed: the hammer at rest on the stop is
+    // pressed against it (acceleration > 0), which makes this impact a link of a chain.
     void strike(const Touch<Real>& touch, Real restitution, bool pressed) {
         if (touches_ != nullptr) touches_->add(touch);
         const Real speed = touch.speed;
@@ -193,7 +193,7 @@ class Recorder {
         chain_.largest = std::max(chain_.largest, impulse);
         if (!pressed) break_chain();
     }
-    // The stretch of pressing is over and the hammer still hops: each impact was one of its own.
+    // The stretch of pressing is over and the hammer still hops: its impacts count singly.
     void break_chain() {
         totals_.impacts += chain_.impacts;
         totals_.impulse = std::max(totals_.impulse, chain_.largest);
@@ -223,7 +223,7 @@ class Recorder {
     Observer<Real>* observer_ = nullptr;
     Seen seen_;
     Totals<Real> totals_;
-    Press<Real> impact_;  // the one going on
+    Press<Real> impact_;  // the one in progress
     Real impact_force_ = 0;
     bool touching_ = false;
     Chain chain_;

@@ -1,11 +1,11 @@
-// A forcing cycle against a rigid stop, whatever carries the flights: impacts, chatter and rest in their order.
+// A forcing cycle against a rigid stop, whatever carries the flights: impacts, chatter and rest in sequence.
 //
-// What happens at the stop is told in rigid_stop.hpp, and what an impact does to cycle and record in
+// The events at the stop are described in rigid_stop.hpp, and the effect of an impact on cycle and record in
 // rigid_impact.hpp.
 //
-// A cycle has at most 10,000 impacts. With r above about 0.9986 a chatter may take more; then the cycle's
-// outcome is too_many_events. The same happens to an elastic hammer (r = 1) that is pressed so hard that it
-// hops faster.
+// A cycle has at most 10,000 impacts. With r above about 0.9986 a chatter may take more; the cycle's outcome is
+// then too_many_events. The same happens to an elastic hammer (r = 1) that is pressed so hard that it hops more
+// often.
 #pragma once
 
 #include <cmath>
@@ -27,9 +27,9 @@ class RigidCourse {
 
     [[nodiscard]] Journey<Real> depart(const State<Real>& x) const;
 
-    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
-    // says why. fly(journey, end) flies to the next impact, which it leaves to be done, or to the end; it is
-    // false where the journey ends before its time.
+    // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
+    // fly(journey, end) flies to the next impact, without executing it, or to the end; it is false if the
+    // journey ends early.
     template <class Fly>
     bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder, Fly&& fly) const;
 
@@ -48,7 +48,7 @@ class RigidCourse {
 
 template <class Real>
 Journey<Real> RigidCourse<Real>::depart(const State<Real>& x) const {
-    // a start on the stop may be wrong by the rounding of its place
+    // a start on the stop may be off by the rounding of its position
     const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(oscillator_.gap));
     Journey<Real> journey(oscillator_, x[0] > 0 && x[0] <= rounding ? State<Real>(0, x[1]) : x);
     journey.chain = chain_at_start(stop_, journey.cycle.pattern);
@@ -65,7 +65,7 @@ void RigidCourse<Real>::hit(Journey<Real>& journey, Recorder<Real>* recorder) co
     journey.rest_from = journey.time + *rest;
 }
 
-// At rest on the stop. False where it lasts until the end.
+// Rest on the stop. False if it lasts until the end.
 template <class Real>
 bool RigidCourse<Real>::rest(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
     const Real from = journey.rest_from;

@@ -1,9 +1,9 @@
 // An impact on a rigid stop as an event of a cycle: state, Jacobian, pattern and record, for every engine.
 //
-// Impacts within one stretch of pressing form a chain. Where it ends in rest on the stop it is a completed
-// chatter: one impact, one token of the pattern in place of its many, and a state that no longer depends on the
-// start (Jacobian 0). The pattern's chain begins anew with each cycle, as a cycle is a map; the recorder's
-// chain goes on across cycles.
+// Impacts within one stretch of pressing form a chain. A chain that ends in rest on the stop is a completed
+// chatter: one impact, one token of the pattern instead of many, and a state that no longer depends on the
+// start (Jacobian 0). The pattern's chain restarts with each cycle, as a cycle is a map; the recorder's chain
+// continues across cycles.
 #pragma once
 
 #include <limits>
@@ -37,8 +37,9 @@ void end_chain_before(Real theta, const Chain<Real>& chain, Recorder<Real>* reco
 inline constexpr EventPattern impact_event = pattern_of(Phase::contact);
 inline constexpr EventPattern chatter_event = impact_event + 2;  // a completed one
 
-// Turns the velocity of a hammer that arrives at the stop at the phase theta. A value is the time from now to
-// rest on the stop: the hammer's state is at rest already, and it sticks from then on. Otherwise it flies.
+// Reverses the velocity of a hammer that arrives at the stop at the phase theta. A returned value is the time
+// from now to rest on the stop: the hammer's state is at rest already, and it sticks from then on. Otherwise it
+// flies.
 template <class Real>
 std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>& cycle, Chain<Real>& chain,
                            Recorder<Real>* recorder) {
@@ -57,7 +58,7 @@ std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>&
     const auto rest = pressed ? stop.time_to_rest(theta, r * speed) : std::nullopt;
     if (!rest) return std::nullopt;
     if (recorder != nullptr) {
-        // what is left of the speed is lost in the impacts still to come, and their impulses balance it and a
+        // the remaining speed is lost in the impacts still to come, whose impulses balance it and a
         recorder->stick(r > 0);
         const Real impulse = stop.impulse(theta, theta + stop.frequency() * *rest) - r * speed;
         recorder->press({.impulse = impulse, .work = r * r * speed * speed / 2});
@@ -69,7 +70,7 @@ std::optional<Real> strike(const RigidStop<Real>& stop, Real theta, Cycle<Real>&
     return rest;
 }
 
-// Adds the sticking from one phase to a later one, or to an earlier one to make up for a time of rest that lies
+// Adds the sticking from one phase to a later one, or to an earlier one to correct for a time of rest that lies
 // beyond the end of the cycle.
 template <class Real>
 void record_sticking(const RigidStop<Real>& stop, Real from, Real to, Recorder<Real>& recorder) {

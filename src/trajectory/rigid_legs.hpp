@@ -1,8 +1,8 @@
 // The legs of a forcing cycle with a rigid stop: flights in closed form between impacts.
 //
 // A flight that starts from rest at the stop starts because nothing presses: while a <= 0 the hammer can't be
-// back before half a natural period is over (the response of the spring to a force of one sign has that sign
-// for so long), so the search for the next impact begins where the shorter of both ends.
+// back within half a natural period (the spring's response to a force of one sign keeps that sign for so long),
+// so the search for the next impact begins at the end of the shorter of the two times.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace peterka::trajectory {
 template <class Real>
 class RigidLegs {
   public:
-    // The springs of an oscillator, without their cubic part, or with such a change.
+    // The springs of an oscillator, without their cubic part or with this change.
     explicit RigidLegs(const Oscillator<Real>& oscillator)
         : RigidLegs(oscillator, motion::flight_equation(oscillator)) {}
     RigidLegs(const Oscillator<Real>& oscillator, const SpringChange<Real>& change)
@@ -30,8 +30,7 @@ class RigidLegs {
 
     [[nodiscard]] Journey<Real> depart(const State<Real>& x) const { return course_.depart(x); }
 
-    // Carries on through all events until `end`, in tau since the cycle began. False where it can't; the cycle
-    // says why.
+    // Runs through all events until `end`, in tau since the cycle began. False if it fails; the cycle says why.
     bool run(Journey<Real>& journey, Real end, Recorder<Real>* recorder) const {
         return course_.run(journey, end, recorder, [&](Journey<Real>& flying, Real end_time) {
             return fly(flying, end_time, recorder);
@@ -51,8 +50,8 @@ class RigidLegs {
     static bool from_rest(const Leg<Real>& leg) {
         return leg.start().state[0] == 0 && leg.start().state[1] == 0;
     }
-    // Nothing turns back a hammer that starts from rest within this time: while a <= 0, delta' is the sum of
-    // the impulse response's slopes, which are positive up to 1/(w + 2 b) at least.
+    // A hammer that starts from rest doesn't turn back within this time: while a <= 0, delta' is the sum of the
+    // impulse response's slopes, which are positive up to 1/(w + 2 b) at least.
     [[nodiscard]] Real fall_time(Real theta) const {
         const Real slopes = 1 / (flight_.natural_frequency() + 2 * flight_.equation().damping);
         return std::min(slopes, course_.stop().ahead_to_pressing(theta) / oscillator_.frequency);
@@ -76,7 +75,7 @@ Crossing<Real> RigidLegs<Real>::next_touch(const Leg<Real>& leg, Real theta, Rea
     return first_crossing(leg, touch_, leg.at(away), left);
 }
 
-// Until the next impact, which it leaves to be done, or the end. False where the journey ends before its time.
+// Flies until the next impact, without executing it, or the end. False if the journey ends early.
 template <class Real>
 bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>* recorder) const {
     using Ending = typename Crossing<Real>::Ending;
@@ -104,7 +103,7 @@ bool RigidLegs<Real>::fly(Journey<Real>& journey, Real end_time, Recorder<Real>*
     if (touch.ending == Ending::not_finite || !cycle.end.allFinite() || !cycle.jacobian.allFinite()) {
         return journey.stop(Cycle<Real>::Outcome::not_finite);
     }
-    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than rounding tells
+    if (hits || cycle.end[0] > 0) cycle.end[0] = 0;  // by less than the rounding error
     journey.time = hits ? journey.time + end.time : end_time;
     return true;
 }

@@ -1,17 +1,19 @@
-// A rigid stop with a coefficient of restitution r: what happens at delta = 0, whatever carries the hammer
-// there.
+// A rigid stop with a coefficient of restitution r: the events at delta = 0, whatever carries the hammer there.
 //
 // - The hammer at rest on the stop has the acceleration a(theta) = eta^2 sin(theta) - g - cubic part, a
 //   polynomial in s = sin(theta). Where a > 0 it presses the hammer against the stop, with the force f = a.
-// - Impact: v > 0 becomes -r v. A small change of the state before becomes, after it (saltation),
+// - Impact: v > 0 becomes -r v. A small change of the state before becomes, after it (saltation matrix, see
+//   Leine & Nijmeijer 2004),
 //       [[-r, 0], [(1 + r) a/v, -r]];
 //   the damper's forces before and after the impact cancel in it.
-// - Chatter: while a > 0 and r < 1 impacts follow each other ever faster and end in rest after a finite time.
-//   From a rebound speed w on, with sigma = w/(a (1 - r)) and zeta the damping of the flight,
+// - Chatter: while a > 0 and r < 1 impacts follow each other ever faster and end in rest after a finite time
+//   (Budd & Dux 1994). From a rebound speed w on, with sigma = w/(a (1 - r)) and zeta the damping of the
+//   flight,
 //       time to rest = 2 sigma (1 - (2/3) sigma (zeta + a'/a) + O(sigma^2)).
-//   (One flight lasts 2 w/a - (4/3) (zeta a + a') w^2/a^3 and comes back with w + (2/3) (a' - 2 zeta a)
-//   w^2/a^2, a' = da/dtau; the sum over the flights follows order by order.)
-// - Sticking: at rest while a > 0, released where a falls through 0. The release is fixed by the phase alone.
+//   (One flight lasts 2 w/a - (4/3) (zeta a + a') w^2/a^3 and comes back with
+//   w + (2/3) (a' - 2 zeta a) w^2/a^2, a' = da/dtau; the sum over the flights follows order by order.)
+// - Sticking: at rest while a > 0, released where a falls through 0. The release is determined by the phase
+//   alone.
 //
 // Chatter is followed impact by impact until the series' error is lost in rounding; that takes about 14/(1 - r)
 // impacts from a hop as long as the natural period.
@@ -47,7 +49,7 @@ class RigidStop {
     explicit RigidStop(const scene::Oscillator<Real>& oscillator)
         : RigidStop(restitution_of(oscillator), oscillator.damping_ratio, oscillator.frequency,
                     pressing_of(oscillator)) {}
-    // The same for springs that some linear equation describes.
+    // The same for springs described by a linear equation.
     RigidStop(const scene::Oscillator<Real>& oscillator, const motion::LinearEquation<Real>& flight)
         : RigidStop(restitution_of(oscillator), flight.damping, flight.frequency,
                     {.constant = flight.offset, .linear = flight.drive}) {}
@@ -57,7 +59,7 @@ class RigidStop {
 
     // a at rest on the stop.
     [[nodiscard]] Real acceleration(Real theta) const { return at_sine(std::sin(theta)); }
-    // Integral of a over the time from one phase to another; negative where that lies before.
+    // Integral of a over the time from one phase to another; negative if the latter comes first.
     [[nodiscard]] Real impulse(Real from, Real to) const {
         const Real half = (to - from) / 2;
         const Real middle = from + half;
@@ -81,9 +83,9 @@ class RigidStop {
         return largest;
     }
 
-    // How far ahead of a phase a falls through zero, 0 included, and rises through it, 0 excluded; infinite
-    // where it never does. What presses is told by which of both comes first, so that rounding can't make a
-    // hammer miss its release.
+    // How far ahead of a phase a falls through zero, 0 included, and rises through it, 0 excluded; infinite if
+    // it never does. Which of the two comes first tells whether the hammer is pressed, so that rounding can't
+    // make it miss its release.
     [[nodiscard]] Real ahead_to_release(Real theta) const { return nearest(theta, falls_); }
     [[nodiscard]] Real ahead_to_pressing(Real theta) const {
         Real nearest = std::numeric_limits<Real>::infinity();
@@ -99,14 +101,14 @@ class RigidStop {
     }
     [[nodiscard]] bool always_presses() const { return zeros_ == 0 && at_sine(0) > 0; }
 
-    // Derivative of the state after an impact at speed v by the state before.
+    // Derivative of the state after an impact at speed v with respect to the state before.
     [[nodiscard]] scene::Jacobian<Real> saltation(Real theta, Real v) const {
         scene::Jacobian<Real> matrix;
         matrix << -restitution_, 0, (1 + restitution_) * acceleration(theta) / v, -restitution_;
         return matrix;
     }
 
-    // Time from a rebound at speed w to rest on the stop that presses; nothing where the series isn't exact to
+    // Time from a rebound at speed w to rest on the stop that presses; nothing if the series isn't exact to
     // rounding yet.
     [[nodiscard]] std::optional<Real> time_to_rest(Real theta, Real w) const {
         if (w == 0) return Real(0);
@@ -117,7 +119,7 @@ class RigidStop {
         const Real bend =
             frequency_ * frequency_ * (std::abs(pressing_.linear) + 2 * std::abs(pressing_.quadratic));
         const Real rate = 1 + damping_ + frequency_ + std::abs(slope) / a + std::sqrt(bend / a);
-        // the error is about sigma (sigma rate)^2, in times of 1/rate its cube
+        // the error is about sigma (sigma rate)^2, or (sigma rate)^3 in units of 1/rate
         static const Real small = std::cbrt(std::numeric_limits<Real>::epsilon()) / 8;
         if (!(a > 0) || !(sigma * rate < small)) return std::nullopt;
         return 2 * sigma * (1 - sigma * (damping_ + slope / a) * 2 / 3);
@@ -143,7 +145,7 @@ class RigidStop {
         return pressing_.constant + s * (pressing_.linear + s * pressing_.quadratic);
     }
 
-    // From one phase ahead to the next time at which another comes, from 0 to below a full turn.
+    // From one phase ahead to the next occurrence of another, from 0 to below a full turn.
     static Real ahead(Real theta, Real target) {
         const Real distance = std::fmod(target - theta, full_turn);
         return distance < 0 ? distance + full_turn : distance;
@@ -154,8 +156,7 @@ class RigidStop {
         return nearest;
     }
 
-    // Where a(s) = 0 crosses with s in (-1, 1), a crosses zero once while the sine rises and once while it
-    // falls.
+    // For each simple root s in (-1, 1) of a, a crosses zero once while the sine rises and once while it falls.
     void find_zeros() {
         const auto& [c, b, q] = pressing_;
         const Real root = std::sqrt(b * b - 4 * q * c);

@@ -1,16 +1,16 @@
-// The stroboscopic map with a weak cubic spring: exact linear legs, and kicks by what is left of the cubic
+// The stroboscopic map with a weak cubic spring: exact linear legs, and kicks by the remainder of the cubic
 // force.
 //
 // With u = gap + delta, and y the cart's position in the absolute form but 0 in the relative one, that force is
 //     cubic ((u + y)^3 - y^3) = cubic gap (gap^2 + 3 gap y + 3 y^2)
 //                             + 3 cubic (gap + y)^2 delta
 //                             + cubic delta^2 (3 (gap + y) + delta).
-// The first two lines belong to the linear equations, y^2 and the y of the second line by their means over each
+// The first two lines belong to the linear equations: y^2 and the y of the second line by their means over each
 // step, and the y of the first exactly, as a part of the drive. The third is the kick: half a kick, linear legs
-// over a step h, half a kick (Strang's splitting, second order in h).
+// over a step h, half a kick (Strang splitting, Strang 1968, second order in h).
 // Kicks of the whole cubic force would make the velocity within a step wrong by up to h/2 times the force, and
-// every impact there wrong in first order. These vanish at the stop, and with them the error at an impact: the
-// peak force of a weak relative cubic is wrong by h^3, what is quadratic in the cubic by h^2.
+// every impact there wrong to first order. These kicks vanish at the stop, and with them the error at an
+// impact: the peak force of a weak relative cubic is wrong by h^3, terms quadratic in the cubic by h^2.
 #pragma once
 
 #include <algorithm>
@@ -43,8 +43,8 @@ class SplitCycleMap {
     [[nodiscard]] const Oscillator<Real>& oscillator() const { return oscillator_; }
     [[nodiscard]] int steps_per_cycle() const { return steps_; }
 
-    // One cycle from the state x at forcing phase 0; a recorder gathers what happens on the way. Fails as a
-    // solver without any steps.
+    // One cycle from the state x at forcing phase 0; a recorder collects the events on the way. The outcome
+    // without any steps is solver_failed.
     [[nodiscard]] Cycle<Real> operator()(const State<Real>& x, Recorder<Real>* recorder = nullptr) const {
         if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
         const Real period = oscillator_.period();
@@ -61,8 +61,8 @@ class SplitCycleMap {
         return journey.cycle;
     }
 
-    // A part of a cycle: from the state x at tau = from to tau = to, which is after that. Its first and last
-    // steps may be shorter than the others.
+    // Part of a cycle: from the state x at tau = from to a later tau = to. Its first and last steps may be
+    // shorter than the others.
     [[nodiscard]] Cycle<Real> part(const State<Real>& x, Real from, Real to) const {
         if (steps_ < 1) return {.outcome = Cycle<Real>::Outcome::solver_failed, .end = x};
         const Real length = oscillator_.period() / Real(steps_);
@@ -82,12 +82,12 @@ class SplitCycleMap {
     }
 
   private:
-    // Of the forcing, where a step begins.
+    // Forcing phase at which a step begins.
     [[nodiscard]] Real phase(int step) const {
         return 2 * std::numbers::pi_v<Real> * Real(step) / Real(steps_);
     }
 
-    // As far as the equations ask for it.
+    // The cart's position where the equations depend on it, else 0.
     [[nodiscard]] Real cart_at(Real tau) const {
         return changes_ ? std::sin(oscillator_.frequency * tau) : Real(0);
     }
@@ -101,15 +101,15 @@ class SplitCycleMap {
         return Legs(oscillator_, cubic_about_stop(oscillator_, y, y2));
     }
 
-    // What a half kick takes from the velocity.
+    // The velocity that a half kick removes.
     [[nodiscard]] Real half_kick(Real y, Real delta) const {
         const Real impulse = oscillator_.cubic * oscillator_.period() / Real(2 * steps_);
         return impulse * delta * delta * (3 * (oscillator_.gap + y) + delta);
     }
 
-    // Within a step the velocity is that of the motion at its middle alone: before it a part of the half kick
-    // that was given came too early, and after it a part of the one that comes is missing. So much is put right
-    // for an observer; what is left is quadratic in the step.
+    // Within a step the velocity is that of the motion only at its middle: before it, a part of the half kick
+    // already applied came too early, and after it, a part of the next one is missing. This is corrected for an
+    // observer; the remaining error is quadratic in the step.
     void show_motion(int step, Recorder<Real>* recorder) const {
         if (recorder == nullptr || recorder->observer() == nullptr) return;
         const Real length = oscillator_.period() / Real(steps_);
@@ -146,9 +146,9 @@ class SplitCycleMap {
 template <class Real>
 using RigidSplitMap = SplitCycleMap<Real, RigidLegs<Real>>;
 
-// Steps per cycle that keep the relative error of the peak force of a regular orbit below a tolerance, for
-// |u| up to largest_displacement; 1 without a cubic term. 0 where splitting is not fit: more than
-// most_split_steps, at which an integrator is no dearer, or a softening spring that may give way.
+// Steps per cycle that keep the relative error of the peak force of a regular orbit below a tolerance, for |u|
+// up to largest_displacement; 1 without a cubic term. 0 if splitting is unsuitable: more than most_split_steps,
+// at which an integrator is no more expensive, or a softening spring that may give way.
 //
 // With E the cubic's largest share in the springs' stiffness, and E_g the same with one factor u at the stop,
 // the errors measured on the paper's rig with 1 to 1e5 times its cubic (E up to 40) stay below 0.02 E_g h^3 +
@@ -156,7 +156,7 @@ using RigidSplitMap = SplitCycleMap<Real, RigidLegs<Real>>;
 // that kicks fall into the contact E/kappa h^2. The rule takes about four times that, and a third of the
 // tolerance for each power. Close to a bifurcation any error grows.
 //
-// Few different numbers, so that many cells share one and can march together.
+// Few different numbers, so that many cells share one and can be advanced together.
 inline constexpr int fewest_split_steps = 10;
 inline constexpr int most_split_steps = 512;
 

@@ -1,4 +1,4 @@
-// The error of a split cycle map, told by halving its step.
+// The error of a split cycle map, estimated by halving its step.
 //
 // At second order the error with step h/2 is a quarter of that with h, so their difference is 3/4 of the
 // latter.
@@ -18,7 +18,7 @@ struct SplitError {
 };
 
 // Runs `cycles` forcing cycles from the state x at phase 0 with the map and with half its step, each after
-// `settling` cycles of its own: none for the error of the cycles themselves, enough for the transient to die
+// `settling` cycles of its own: none for the error of the cycles themselves, enough for the transient to decay
 // for the error of a stable orbit.
 template <class Real, class Legs>
 SplitError<Real> split_error(const SplitCycleMap<Real, Legs>& map, const State<Real>& x, int cycles,

@@ -1,4 +1,4 @@
-// What a cubic spring adds to the linear equations of all legs (see trajectory/split_cycle_map.hpp).
+// The contribution of a cubic spring to the linear equations of all legs (see trajectory/split_cycle_map.hpp).
 #pragma once
 
 #include "motion/linear_motion.hpp"
