@@ -1,2 +1,2 @@
-"""What the programs share: a Python that has the packages (interpreter), exit codes, arguments and messages
-(command_line), what a journal asks of pictures (picture_options)."""
+"""Shared by the programs: an interpreter that has the packages (interpreter), exit codes, arguments and messages
+(command_line), options that journals require of pictures (picture_options)."""
